@@ -1,0 +1,1 @@
+"""Physics simulators turned into verified problems for language models."""

@@ -1,0 +1,272 @@
+"""The verbs that entities speak; the one `Builder` turns them into a `Mechanism`."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from math import hypot, inf
+
+from sim2reason.dsl.mechanism import (
+    GRAVITY,
+    ZERO,
+    Body,
+    Collision,
+    Contact,
+    Coordinate,
+    Mechanism,
+    Pull,
+    Site,
+    String,
+    Vector,
+    Wheel,
+)
+from sim2reason.errors import SceneError
+
+WHEEL_RADIUS = 0.05  # m; of a pulley that nobody gave one, so only for looks
+
+
+def unit(vector: Vector) -> Vector:
+    """`vector` scaled to length 1; ValueError for the zero vector."""
+    length = hypot(*vector)
+    if length == 0.0:
+        raise ValueError("a direction can not be the zero vector")
+    return (vector[0] / length, vector[1] / length, vector[2] / length)
+
+
+def add(*vectors: Vector) -> Vector:
+    """The sum of vectors."""
+    return (sum(v[0] for v in vectors), sum(v[1] for v in vectors), sum(v[2] for v in vectors))
+
+
+def scale(factor: float, vector: Vector) -> Vector:
+    """`factor` times `vector`."""
+    return (factor * vector[0], factor * vector[1], factor * vector[2])
+
+
+@dataclass(frozen=True, slots=True)
+class Pulley:
+    """The points where a string meets a pulley's rim, as site names, and the wheel if it has mass.
+
+    A string that passes over it goes through `left` and `right`; a string that turns a corner may use
+    only one of them.
+    """
+
+    left: str
+    right: str
+    coordinate: str | None = None
+    radius: float = WHEEL_RADIUS
+
+
+class Frame:
+    """A body under construction, or the room; what is made on it moves with it."""
+
+    def __init__(self, builder: "Builder", prefix: str, body: str | None, at: Vector) -> None:
+        """`prefix` goes before every name made here; `at` is where its origin stands in the room."""
+        self._builder, self.prefix, self.name, self.at = builder, prefix, body, at
+
+    def _address(self, name: str) -> str:
+        return f"{self.prefix}.{name}" if self.prefix else name
+
+    def part(self, name: str, at: Vector = ZERO) -> "Frame":
+        """The same body, shifted by `at`, with `name` before all names: room for a part of an entity."""
+        frame = Frame(self._builder, self._address(name), self.name, add(self.at, at))
+        return frame
+
+    def body(self, name: str, mass: float = 0.0, *, at: Vector = ZERO, inertia: float = 0.0) -> "Frame":
+        """A new body carried by this one, its centre of mass at `at`; welded until it is told to move."""
+        address, where = self._address(name), add(self.at, at)
+        self._builder.add_body(Body(address, self.name, self._builder.relative(self.name, where), mass, inertia))
+        return Frame(self._builder, self.prefix, address, where)
+
+    def slide(
+        self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "slide"
+    ) -> "Frame":
+        """Let it move along `axis`; call twice, with another name, for two directions."""
+        self._builder.add_coordinate(self._own(), Coordinate(f"{self.name}.{name}", "slide", unit(axis), speed, *limits))
+        return self
+
+    def hinge(self, axis: Vector, speed: float = 0.0) -> "Frame":
+        """Let it turn about `axis` through its centre of mass."""
+        self._builder.add_coordinate(self._own(), Coordinate(f"{self.name}.hinge", "hinge", unit(axis), speed))
+        return self
+
+    def rest(
+        self,
+        along: Vector,
+        normal: Vector,
+        friction: float = 0.0,
+        speed: float = 0.0,
+        limits: tuple[float, float] = (-inf, inf),
+    ) -> "Frame":
+        """Lay it on its parent's face: it slides along `along` and is pressed along `normal`."""
+        self.slide(along, speed, limits)
+        self._builder.add_contact(self._own(), Contact(f"{self.name}.slide", unit(normal), friction))
+        return self
+
+    def site(self, name: str, at: Vector = ZERO) -> "Frame":
+        """Mark a point of this body for strings to be tied to or to pass."""
+        self._builder.add_site(self._address(name), self.name, add(self.at, at))
+        return self
+
+    def pulley(
+        self, name: str, at: Vector = ZERO, mass: float = 0.0, radius: float = WHEEL_RADIUS, axis: Vector = (0.0, 1.0, 0.0)
+    ) -> Pulley:
+        """Fix a pulley's axle to this body; a mass makes it a uniform disc that the string turns.
+
+        Its two rim points lie `radius` to the left and right of the axle. Gluing it stops the wheel.
+        """
+        address, left, right = self._address(name), self._address(f"{name}.left"), self._address(f"{name}.right")
+        self._builder.add_site(left, self.name, add(self.at, at, (-radius, 0.0, 0.0)))
+        self._builder.add_site(right, self.name, add(self.at, at, (radius, 0.0, 0.0)))
+        if mass == 0.0:
+            return self._builder.add_pulley(address, Pulley(left, right, None, radius))
+        self.body(name, mass, at=at, inertia=0.5 * mass * radius**2).hinge(axis)
+        return self._builder.add_pulley(address, Pulley(left, right, f"{address}.hinge", radius))
+
+    def string(self, name: str, *through: "str | Pulley", slack: float = 0.0) -> None:
+        """Stretch a string from end to end through sites (full addresses or names made here) and pulleys."""
+        self._builder.add_string(self._address(name), through, slack)
+
+    def pull(self, name: str, *through: "str | Pulley", force: float) -> None:
+        """Like `string`, but its last stop is a hand that draws it in with a constant force."""
+        self._builder.add_pull(self._address(name), through, force)
+
+    def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float) -> None:
+        """Let two bodies bounce when their centres come within `distance`."""
+        self._builder.add_collision(Collision(a.own_name, b.own_name, distance, restitution))
+
+    @property
+    def own_name(self) -> str:
+        """The name of this body; ValueError for the room."""
+        return self._own()
+
+    def _own(self) -> str:
+        if self.name is None:
+            raise ValueError("the room itself neither moves nor collides")
+        return self.name
+
+
+class Builder:
+    """Collects what frames say; gluing, naming and the splitting of strings are settled here once."""
+
+    def __init__(self, gravity: Vector = (0.0, 0.0, -GRAVITY), glued: Iterable[str] = ()) -> None:
+        """`glued` names bodies that are welded to their parents whatever an entity says of them."""
+        self._gravity = gravity
+        self._glued = frozenset(glued)
+        self._bodies: dict[str, Body] = {}
+        self._origin: dict[str | None, Vector] = {None: ZERO}
+        self._sites: dict[str, Site] = {}
+        self._pulleys: dict[str, Pulley] = {}
+        self._strings: dict[str, String] = {}
+        self._pulls: dict[str, Pull] = {}
+        self._collisions: list[Collision] = []
+
+    def room(self, name: str = "", at: Vector = ZERO) -> Frame:
+        """The room, for one entity: `name` goes before all its names, `at` is where it stands."""
+        return Frame(self, name, None, at)
+
+    def position(self, site: str) -> Vector:
+        """Where a site stands in the room at the start."""
+        found = self._sites[site]
+        return add(self._origin[found.body], found.at)
+
+    def relative(self, body: str | None, where: Vector) -> Vector:
+        """A point of the room as seen from a body's centre of mass at the start."""
+        return add(where, scale(-1.0, self._origin[body]))
+
+    def add_body(self, body: Body) -> None:
+        """Enter a body; its name must be new."""
+        self._new(body.name, self._bodies)
+        self._bodies[body.name] = body
+        self._origin[body.name] = add(self._origin[body.parent], body.at)
+
+    def add_coordinate(self, body: str, coordinate: Coordinate) -> None:
+        """Give a body one more way to move, unless it is glued."""
+        if body not in self._glued:
+            found = self._bodies[body]
+            self._bodies[body] = replace(found, coordinates=(*found.coordinates, coordinate))
+
+    def add_contact(self, body: str, contact: Contact) -> None:
+        """Say that a body lies on its parent, unless it is glued to it."""
+        if body not in self._glued:
+            self._bodies[body] = replace(self._bodies[body], contact=contact)
+
+    def add_site(self, name: str, body: str | None, where: Vector) -> None:
+        """Mark a point of a body, given where it stands in the room at the start."""
+        self._new(name, self._sites)
+        self._sites[name] = Site(name, body, self.relative(body, where))
+
+    def add_pulley(self, name: str, pulley: Pulley) -> Pulley:
+        """Enter a pulley, so that strings may pass it by name."""
+        coordinate = pulley.coordinate if name not in self._glued else None
+        self._pulleys[name] = replace(pulley, coordinate=coordinate)
+        return self._pulleys[name]
+
+    def add_string(self, name: str, through: Iterable[str | Pulley], slack: float) -> None:
+        """Enter a string, in as many parts as massive pulleys cut it into."""
+        parts = self._split(through)
+        for number, (sites, wheels) in enumerate(parts, start=1):
+            part = name if len(parts) == 1 else f"{name}/{number}"
+            self._new(part, self._strings)
+            self._strings[part] = String(part, name, sites, wheels, slack)
+
+    def add_pull(self, name: str, through: Iterable[str | Pulley], force: float) -> None:
+        """Enter a pulled string: the part at the hand is a `Pull`, those behind massive pulleys are strings."""
+        parts = self._split(through)
+        for number, (sites, wheels) in enumerate(parts, start=1):
+            part = name if len(parts) == 1 else f"{name}/{number}"
+            self._new(part, {**self._strings, **self._pulls})
+            if number < len(parts):
+                self._strings[part] = String(part, name, sites, wheels)
+            else:
+                self._pulls[part] = Pull(part, sites, force, wheels)
+
+    def _split(self, through: Iterable[str | Pulley]) -> list[tuple[tuple[str, ...], tuple[Wheel, ...]]]:
+        parts: list[tuple[list[str], list[Wheel]]] = [([], [])]
+        for stop in through:
+            pulley = self._pulleys.get(stop) if isinstance(stop, str) else stop
+            if pulley is None:
+                parts[-1][0].append(self._known(str(stop)))
+                continue
+            first, last = self._nearer(pulley, parts[-1][0])
+            if pulley.coordinate is None:
+                parts[-1][0].extend((first, last))
+                continue
+            # The wheel turns right-handed about y, so string that leaves on the right comes in on the left.
+            turn = pulley.radius if first == pulley.left else -pulley.radius
+            parts[-1][0].append(first)
+            parts[-1][1].append(Wheel(pulley.coordinate, turn))
+            parts.append(([last], [Wheel(pulley.coordinate, -turn)]))
+        if any(len(sites) < 2 for sites, _ in parts):
+            raise ValueError("a string needs two ends, and something between any two massive pulleys")
+        return [(tuple(sites), tuple(wheels)) for sites, wheels in parts]
+
+    def _nearer(self, pulley: Pulley, sites: list[str]) -> tuple[str, str]:
+        """The rim point that a string reaches first, coming from the last of `sites`, and the other one."""
+        if not sites:
+            raise ValueError("a string can not begin on a pulley's rim")
+        here = self.position(sites[-1])[0]
+        left, right = self.position(pulley.left)[0], self.position(pulley.right)[0]
+        return (pulley.left, pulley.right) if abs(here - left) <= abs(here - right) else (pulley.right, pulley.left)
+
+    def _known(self, site: str) -> str:
+        if site not in self._sites:
+            raise ValueError(f"no site is called {site!r}")
+        return site
+
+    def add_collision(self, collision: Collision) -> None:
+        """Enter a pair that may bounce."""
+        self._collisions.append(collision)
+
+    def _new(self, name: str, known: Iterable[str]) -> None:
+        if name in known:
+            raise SceneError(name, "two things have this name", "give each body and string its own")
+
+    def finish(self) -> Mechanism:
+        """The mechanism of everything that was said."""
+        return Mechanism(
+            tuple(self._bodies.values()),
+            tuple(self._sites.values()),
+            tuple(self._strings.values()),
+            tuple(self._pulls.values()),
+            tuple(self._collisions),
+            self._gravity,
+        )

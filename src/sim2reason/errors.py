@@ -1,0 +1,63 @@
+"""Every error that the library raises on purpose.
+
+    Sim2ReasonError
+    ├── SceneError          a scene, or a file of one, that says something impossible or unknown
+    │   └── TextError       a text that means no scene, or more than one
+    ├── UnsupportedError    a mechanism that an engine has no model for
+    ├── SimulationError     an engine that could not go on from a valid mechanism
+    ├── DrawError           a recipe that found no valid draw within its budget
+    ├── DatasetError        a dataset folder that is damaged or belongs to another configuration
+    ├── UnknownNameError    a name that a registry does not hold
+    └── MissingExtraError   an optional package that a command needs
+
+A message names the place and the remedy in one line; the command line prints it and exits with 2.
+"""
+
+
+class Sim2ReasonError(Exception):
+    """The base of all; catch this to catch everything that the library raises on purpose."""
+
+
+class SceneError(Sim2ReasonError):
+    """A scene that cannot be: `place` is the path inside the file or scene, `remedy` what to do."""
+
+    def __init__(self, place: str, problem: str, remedy: str = "") -> None:
+        """Keep the three parts; the message joins them as ``place: problem; remedy``."""
+        self.place, self.problem, self.remedy = place, problem, remedy
+        super().__init__(f"{place}: {problem}" + (f"; {remedy}" if remedy else ""))
+
+
+class TextError(SceneError):
+    """A problem text that no scene, or more than one, would have produced."""
+
+
+class UnsupportedError(Sim2ReasonError):
+    """A mechanism outside what an engine models, for example a string that bends as it moves."""
+
+
+class SimulationError(Sim2ReasonError):
+    """An engine that found no consistent motion, or ran out of its budget of steps."""
+
+
+class DrawError(Sim2ReasonError):
+    """A recipe whose draws were all refused within the budget."""
+
+
+class DatasetError(Sim2ReasonError):
+    """A dataset folder that is damaged, incomplete or made with another configuration."""
+
+
+class UnknownNameError(Sim2ReasonError, KeyError):
+    """A name that a registry does not hold; the message lists the nearest known ones."""
+
+    def __str__(self) -> str:
+        """KeyError would show the message in quotes."""
+        return str(self.args[0])
+
+
+class MissingExtraError(Sim2ReasonError):
+    """An optional package is missing; the message says what to install."""
+
+    def __init__(self, package: str, extra: str) -> None:
+        """Name the missing `package` and the `extra` that brings it."""
+        super().__init__(f"{package} is not installed; install it with: pip install 'sim2reason[{extra}]'")

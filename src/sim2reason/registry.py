@@ -1,0 +1,73 @@
+"""One class for every kind of thing that can be added by one new file."""
+
+from collections.abc import Callable, Iterator, Mapping
+from difflib import get_close_matches
+from importlib import import_module
+from importlib.metadata import entry_points
+from pkgutil import iter_modules
+from typing import Generic, TypeVar
+
+from sim2reason.errors import UnknownNameError
+
+T = TypeVar("T")
+M = TypeVar("M")
+
+
+class Registry(Mapping[str, T], Generic[T]):
+    """The members of one kind, by name; filled on first use from its package and from entry points.
+
+    A third party adds members by an entry point in the group ``sim2reason.<kind>`` that names a module.
+    """
+
+    def __init__(self, kind: str) -> None:
+        """`kind` is both the plural that people read and the package ``sim2reason.<kind>`` that is walked."""
+        self.kind = kind
+        self._members: dict[str, T] = {}
+        self._filled = False
+
+    def add(self, name: str, member: M) -> M:
+        """Enter `member` under `name`; the same name twice is a programmer's error (ValueError)."""
+        known = self._members.get(name)
+        if known is not None and _origin(known) != _origin(member):
+            message = f"{self.kind}: {name!r} is registered twice, by {_origin(known)} and {_origin(member)}"
+            raise ValueError(message)
+        self._members[name] = member  # type: ignore[assignment]
+        return member
+
+    def register(self, name: str) -> Callable[[M], M]:
+        """Decorate a class or function to enter it under `name`."""
+        return lambda member: self.add(name, member)
+
+    def _fill(self) -> None:
+        if self._filled:
+            return
+        self._filled = True  # before the imports: they may look a sibling up
+        package = import_module(f"sim2reason.{self.kind}")
+        for module in sorted(found.name for found in iter_modules(package.__path__)):
+            import_module(f"{package.__name__}.{module}")
+        for point in entry_points(group=f"sim2reason.{self.kind}"):
+            point.load()
+
+    def __getitem__(self, name: str) -> T:
+        """Raise UnknownNameError, with the nearest names, for a name that is not held."""
+        self._fill()
+        try:
+            return self._members[name]
+        except KeyError:
+            near = get_close_matches(name, self._members, n=3) or sorted(self._members)[:12]
+            hint = ", ".join(near)
+            raise UnknownNameError(f"no such name among {self.kind}: {name!r}; did you mean: {hint}") from None
+
+    def __iter__(self) -> Iterator[str]:
+        """Names in alphabetical order, so that draws do not depend on the order of imports."""
+        self._fill()
+        return iter(sorted(self._members))
+
+    def __len__(self) -> int:
+        """How many members there are."""
+        self._fill()
+        return len(self._members)
+
+
+def _origin(member: object) -> str:
+    return f"{getattr(member, '__module__', '?')}.{getattr(member, '__qualname__', repr(member))}"

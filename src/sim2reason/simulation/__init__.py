@@ -1,0 +1,1 @@
+"""From a mechanism to a certified trace: two engines, events, truncation, certificate."""

@@ -1,0 +1,51 @@
+"""The record of a simulated motion, the same from every engine."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.registry import Registry
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happens at an instant between `subjects`, in the order in which engines name them.
+
+    kind: ``collision`` (bodies a, b) · ``taut`` (string part) · ``slack`` (string part) · ``stick`` and
+    ``slip`` (resting body; to ``slip`` belongs a body that reverses while it slides) · ``turn`` (a
+    coordinate's speed passes through zero; changes no mode) · ``reach`` (two neighbouring sites of a string
+    meet) · ``limit`` (coordinate) · ``lift`` (resting body leaves its face) · ``crowd`` (impacts too close
+    together to tell apart) · ``indeterminate`` (a massless part that nothing holds any more).
+    The last five end the motion that is described.
+    """
+
+    time: float  # s
+    kind: str
+    subjects: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A motion, its events in order of time, and until when it may be used."""
+
+    engine: str
+    state: State
+    events: tuple[Event, ...]
+    stable_until: float  # s; samples after it are there to be looked at, not to be asked about
+    cut: str = ""  # why it ends before the duration that was asked for: an event's kind, "statistics", "certificate"
+    sample: "Callable[[Array], State]" = field(repr=False, compare=False, default=lambda _: _unsampled())
+    # the same motion at any other times, up to `stable_until`; before t = 0 is not defined
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """What moved."""
+        return self.state.mechanism
+
+
+def _unsampled() -> State:
+    raise ValueError("this trace was read from a file: it holds only its samples")
+
+
+Engine = Callable[[Mechanism, Array], Trace]  # times, strictly increasing from 0, in seconds
+ENGINES: Registry[Engine] = Registry("simulation.engines")
