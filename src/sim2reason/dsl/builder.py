@@ -45,8 +45,7 @@ def scale(factor: float, vector: Vector) -> Vector:
 class Pulley:
     """The points where a string meets a pulley's rim, as site names, and the wheel if it has mass.
 
-    A string that passes over it goes through `left` and `right`; a string that turns a corner may use
-    only one of them.
+    A string that passes over or under it goes through both, one after the other.
     """
 
     left: str
@@ -121,11 +120,11 @@ class Frame:
         self.body(name, mass, at=at, inertia=0.5 * mass * radius**2).hinge(axis)
         return self._builder.add_pulley(address, Pulley(left, right, f"{address}.hinge", radius))
 
-    def string(self, name: str, *through: "str | Pulley", slack: float = 0.0) -> None:
-        """Stretch a string from end to end through sites (full addresses or names made here) and pulleys."""
+    def string(self, name: str, *through: str, slack: float = 0.0) -> None:
+        """Stretch a string from end to end through sites, given by their addresses."""
         self._builder.add_string(self._address(name), through, slack)
 
-    def pull(self, name: str, *through: "str | Pulley", force: float) -> None:
+    def pull(self, name: str, *through: str, force: float) -> None:
         """Like `string`, but its last stop is a hand that draws it in with a constant force."""
         self._builder.add_pull(self._address(name), through, force)
 
@@ -154,7 +153,7 @@ class Builder:
         self._bodies: dict[str, Body] = {}
         self._origin: dict[str | None, Vector] = {None: ZERO}
         self._sites: dict[str, Site] = {}
-        self._pulleys: dict[str, Pulley] = {}
+        self._rims: dict[tuple[str, str], Pulley] = {}
         self._strings: dict[str, String] = {}
         self._pulls: dict[str, Pull] = {}
         self._collisions: list[Collision] = []
@@ -195,12 +194,12 @@ class Builder:
         self._sites[name] = Site(name, body, self.relative(body, where))
 
     def add_pulley(self, name: str, pulley: Pulley) -> Pulley:
-        """Enter a pulley, so that strings may pass it by name."""
-        coordinate = pulley.coordinate if name not in self._glued else None
-        self._pulleys[name] = replace(pulley, coordinate=coordinate)
-        return self._pulleys[name]
+        """Enter a pulley, so that strings that pass its rim points turn it, unless it is glued."""
+        kept = replace(pulley, coordinate=None) if name in self._glued else pulley
+        self._rims[pulley.left, pulley.right] = kept
+        return kept
 
-    def add_string(self, name: str, through: Iterable[str | Pulley], slack: float) -> None:
+    def add_string(self, name: str, through: Iterable[str], slack: float) -> None:
         """Enter a string, in as many parts as massive pulleys cut it into."""
         parts = self._split(through)
         for number, (sites, wheels) in enumerate(parts, start=1):
@@ -208,49 +207,41 @@ class Builder:
             self._new(part, self._strings)
             self._strings[part] = String(part, name, sites, wheels, slack)
 
-    def add_pull(self, name: str, through: Iterable[str | Pulley], force: float) -> None:
+    def add_pull(self, name: str, through: Iterable[str], force: float) -> None:
         """Enter a pulled string: the part at the hand is a `Pull`, those behind massive pulleys are strings."""
         parts = self._split(through)
         for number, (sites, wheels) in enumerate(parts, start=1):
             part = name if len(parts) == 1 else f"{name}/{number}"
-            self._new(part, {**self._strings, **self._pulls})
+            self._new(part, (*self._strings, *self._pulls))
             if number < len(parts):
                 self._strings[part] = String(part, name, sites, wheels)
             else:
                 self._pulls[part] = Pull(part, sites, force, wheels)
 
-    def _split(self, through: Iterable[str | Pulley]) -> list[tuple[tuple[str, ...], tuple[Wheel, ...]]]:
+    def _split(self, through: Iterable[str]) -> list[tuple[tuple[str, ...], tuple[Wheel, ...]]]:
+        """Cut a path wherever it goes from one rim point of a massive pulley to the other."""
         parts: list[tuple[list[str], list[Wheel]]] = [([], [])]
-        for stop in through:
-            pulley = self._pulleys.get(stop) if isinstance(stop, str) else stop
-            if pulley is None:
-                parts[-1][0].append(self._known(str(stop)))
-                continue
-            first, last = self._nearer(pulley, parts[-1][0])
-            if pulley.coordinate is None:
-                parts[-1][0].extend((first, last))
-                continue
-            # The wheel turns right-handed about y, so string that leaves on the right comes in on the left.
-            turn = pulley.radius if first == pulley.left else -pulley.radius
-            parts[-1][0].append(first)
-            parts[-1][1].append(Wheel(pulley.coordinate, turn))
-            parts.append(([last], [Wheel(pulley.coordinate, -turn)]))
+        for site in through:
+            if site not in self._sites:
+                raise ValueError(f"no site is called {site!r}")
+            sites, wheels = parts[-1]
+            grip = self._grip(sites[-1], site) if sites else None
+            if grip is None:
+                sites.append(site)
+            else:
+                wheels.append(grip)
+                parts.append(([site], [Wheel(grip.coordinate, -grip.radius)]))
         if any(len(sites) < 2 for sites, _ in parts):
             raise ValueError("a string needs two ends, and something between any two massive pulleys")
         return [(tuple(sites), tuple(wheels)) for sites, wheels in parts]
 
-    def _nearer(self, pulley: Pulley, sites: list[str]) -> tuple[str, str]:
-        """The rim point that a string reaches first, coming from the last of `sites`, and the other one."""
-        if not sites:
-            raise ValueError("a string can not begin on a pulley's rim")
-        here = self.position(sites[-1])[0]
-        left, right = self.position(pulley.left)[0], self.position(pulley.right)[0]
-        return (pulley.left, pulley.right) if abs(here - left) <= abs(here - right) else (pulley.right, pulley.left)
-
-    def _known(self, site: str) -> str:
-        if site not in self._sites:
-            raise ValueError(f"no site is called {site!r}")
-        return site
+    def _grip(self, first: str, last: str) -> Wheel | None:
+        """How a string that comes in at `first` and leaves at `last` turns a massive pulley, if it is one's rim."""
+        pulley = self._rims.get((first, last)) or self._rims.get((last, first))
+        if pulley is None or pulley.coordinate is None:
+            return None
+        # The wheel turns right-handed about y: its left rim rises, its right rim sinks.
+        return Wheel(pulley.coordinate, pulley.radius if first == pulley.left else -pulley.radius)
 
     def add_collision(self, collision: Collision) -> None:
         """Enter a pair that may bounce."""
