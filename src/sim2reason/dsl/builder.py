@@ -7,6 +7,7 @@ from math import hypot, inf
 from sim2reason.dsl.mechanism import (
     GRAVITY,
     ZERO,
+    Y,
     Body,
     Collision,
     Contact,
@@ -106,7 +107,7 @@ class Frame:
         return self
 
     def pulley(
-        self, name: str, at: Vector = ZERO, mass: float = 0.0, radius: float = WHEEL_RADIUS, axis: Vector = (0.0, 1.0, 0.0)
+        self, name: str, at: Vector = ZERO, mass: float = 0.0, radius: float = WHEEL_RADIUS, axis: Vector = Y
     ) -> Pulley:
         """Fix a pulley's axle to this body; a mass makes it a uniform disc that the string turns.
 
@@ -120,13 +121,13 @@ class Frame:
         self.body(name, mass, at=at, inertia=0.5 * mass * radius**2).hinge(axis)
         return self._builder.add_pulley(address, Pulley(left, right, f"{address}.hinge", radius))
 
-    def string(self, name: str, *through: str, slack: float = 0.0) -> None:
-        """Stretch a string from end to end through sites, given by their addresses."""
-        self._builder.add_string(self._address(name), through, slack)
+    def string(self, name: str, *through: str | Pulley, slack: float = 0.0) -> None:
+        """Stretch a string from end to end through sites, by address; a pulley stands for its rim, left to right."""
+        self._builder.add_string(self._address(name), _flat(through), slack)
 
-    def pull(self, name: str, *through: str, force: float) -> None:
+    def pull(self, name: str, *through: str | Pulley, force: float) -> None:
         """Like `string`, but its last stop is a hand that draws it in with a constant force."""
-        self._builder.add_pull(self._address(name), through, force)
+        self._builder.add_pull(self._address(name), _flat(through), force)
 
     def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float) -> None:
         """Let two bodies bounce when their centres come within `distance`."""
@@ -141,6 +142,10 @@ class Frame:
         if self.name is None:
             raise ValueError("the room itself neither moves nor collides")
         return self.name
+
+
+def _flat(through: Iterable[str | Pulley]) -> list[str]:
+    return [site for stop in through for site in ((stop,) if isinstance(stop, str) else (stop.left, stop.right))]
 
 
 class Builder:
