@@ -1,0 +1,59 @@
+# Everything here needs only Python >= 3.11, make and a package index. Say PYTHON=… to choose another Python.
+PYTHON ?= $(shell for p in python3 python python3.14 python3.13 python3.12 python3.11; do \
+	command -v $$p >/dev/null 2>&1 && $$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
+BIN := .venv/bin
+DEMO ?= demo
+export OMP_NUM_THREADS := 1
+export OPENBLAS_NUM_THREADS := 1
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test check lint types contracts format build clean
+
+help: ## say what can be made
+	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
+
+.venv/pip:
+	@test -n "$(PYTHON)" || { echo "make: no Python 3.11 or newer found; install one, or say: make PYTHON=/path/to/python3.11" >&2; exit 2; }
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "make: $(PYTHON) is older than Python 3.11; say: make PYTHON=/path/to/python3.11" >&2; exit 2; }
+	test -x $(BIN)/python || $(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet 'pip>=25.1'
+	@touch $@
+
+.venv/core: .venv/pip pyproject.toml
+	$(BIN)/python -m pip install --quiet --editable '.[figures]'
+	@touch $@
+
+.venv/dev: .venv/core
+	$(BIN)/python -m pip install --quiet --group dev
+	@touch $@
+
+demo: .venv/core ## 100 problems over all recipes, one figure, three problems with their answers
+	rm -rf $(DEMO)
+	$(BIN)/sim2reason generate $(DEMO) --items 100 --recipe all --difficulty all --seed 0
+	$(BIN)/sim2reason draw --recipe pulley --difficulty medium --seed 7 --index 0 -o $(DEMO)/scene.yaml
+	$(BIN)/sim2reason figure $(DEMO)/scene.yaml -o $(DEMO)/scene.svg
+	$(BIN)/sim2reason figure $(DEMO)/scene.yaml -o $(DEMO)/scene.png
+	@$(BIN)/sim2reason show $(DEMO) -n 3
+	@echo "All 100 problems: $(DEMO)/items-*.parquet, their counts: $(DEMO)/README.md, a figure: $(DEMO)/scene.svg and .png"
+
+test: .venv/dev ## all tests, in parallel
+	$(BIN)/pytest --numprocesses auto --dist worksteal
+
+check: lint types contracts ## style, types and contracts
+
+lint: .venv/dev
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+types: .venv/dev
+	$(BIN)/pyright
+
+contracts: .venv/dev
+	$(BIN)/lint-imports --no-logo
+
+format: .venv/dev ## mend what can be mended by itself
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+clean: ## remove what was made, but not the virtual environment
+	rm -rf $(DEMO) build dist .pytest_cache .ruff_cache .hypothesis .import_linter_cache

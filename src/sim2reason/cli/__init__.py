@@ -1,0 +1,89 @@
+"""The command line: one file per command, found by walking this package.
+
+A command file is named as its command, defines it as the function `command`, and its docstring's first line is what
+``sim2reason --help`` says of it. That line is read without importing the file, so help loads nothing heavy.
+
+Exit codes: 0 all is well; 1 the answer is "no" (a damaged dataset, a wrong answer); 2 wrong input;
+130 interrupted. A command that ends with another code than 0 returns it.
+"""
+
+import ast
+import sys
+from importlib import import_module
+from pathlib import Path
+from typing import Any, NoReturn
+
+import click
+
+from sim2reason.cli.console import explain, explained, hush
+
+HERE = Path(__file__).parent
+EXIT_INPUT, EXIT_INTERRUPTED, EXIT_PIPE = 2, 130, 141
+
+
+class Commands(click.Group):
+    """A group whose members are the files beside this one, imported only when they are called."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Give the names in alphabetical order."""
+        del ctx
+        return sorted(path.stem.replace("_", "-") for path in HERE.glob("[a-z]*.py") if _summary(path) is not None)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import the file of a command; None if there is none."""
+        del ctx
+        path = HERE / f"{cmd_name.replace('-', '_')}.py"
+        if not path.is_file() or _summary(path) is None:
+            return None
+        return import_module(f"{__name__}.{path.stem}").command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the commands by their files' first lines, importing none."""
+        rows = [(name, _summary(HERE / f"{name.replace('-', '_')}.py") or "") for name in self.list_commands(ctx)]
+        with formatter.section("Commands"):
+            formatter.write_dl(rows)
+
+    def invoke(self, ctx: click.Context) -> object:
+        """Run the command; a reader that went away ends it quietly."""
+        try:
+            result = super().invoke(ctx)
+            sys.stdout.flush()
+        except BrokenPipeError:
+            hush()
+            ctx.exit(EXIT_PIPE)
+        return result
+
+    def main(self, *args: Any, **extra: Any) -> NoReturn:  # noqa: ANN401 - click's own signature
+        """Run and leave with an exit code; errors that we know become one line on stderr."""
+        extra["standalone_mode"] = False
+        try:
+            code = super().main(*args, **extra)
+        except click.Abort as error:
+            explain(explained(error.__cause__ or error))
+            raise SystemExit(EXIT_INTERRUPTED) from None
+        except Exception as error:
+            line = explained(error)
+            if line is None:
+                raise
+            explain(line)
+            raise SystemExit(EXIT_INPUT) from None
+        raise SystemExit(code if isinstance(code, int) else 0)
+
+
+def _summary(path: Path) -> str | None:
+    """The first line of a command file's docstring; None if the file holds no command."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    if not any(isinstance(node, ast.FunctionDef) and node.name == "command" for node in tree.body):
+        return None
+    return (ast.get_docstring(tree) or "").partition("
+")[0]
+
+
+@click.command(
+    cls=Commands,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
+    epilog="Each command's --help shows an example: sim2reason generate --help",
+)
+@click.version_option(package_name="sim2reason")
+def main() -> None:
+    """Turn physics simulators into verified problems for language models."""

@@ -1,0 +1,95 @@
+"""What the commands say and show: tables, JSON, progress, and errors in one line."""
+
+import json
+import os
+import sys
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
+from typing import Protocol
+
+import click
+
+from sim2reason.errors import Sim2ReasonError
+
+
+class Advance(Protocol):
+    """What a long task calls as it goes on."""
+
+    def __call__(self, steps: int = 1) -> None:
+        """Move the bar by `steps`."""
+        ...
+
+
+def explain(line: str | None) -> None:
+    """Print one line to stderr."""
+    click.echo(line, err=True)
+
+
+def explained(error: BaseException) -> str | None:
+    """The one line for an error that people can act on; None for a defect, which deserves its traceback."""
+    notes = "".join(f"; {note}" for note in getattr(error, "__notes__", ()))
+    match error:
+        case KeyboardInterrupt() | click.Abort():
+            line = "sim2reason: interrupted"
+        case click.UsageError():
+            path = error.ctx.command_path if error.ctx else "sim2reason"
+            line = f"{path}: {error.format_message()} See: {path} --help"
+        case click.ClickException():
+            line = f"sim2reason: {error.format_message()}"
+        case Sim2ReasonError():
+            line = f"sim2reason: {error}"
+        case OSError():
+            where = f"{error.filename}: " if error.filename else ""
+            line = f"sim2reason: {where}{error.strerror or error}; check the path, its permissions and the free space"
+        case _:
+            return None
+    return " ".join((line + notes).split())
+
+
+def hush() -> None:
+    """Point stdout at nothing, so that Python does not complain at exit about a reader that left."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def as_json(value: object) -> None:
+    """Print `value` for a program to read."""
+    click.echo(json.dumps(value, indent=2, ensure_ascii=False))
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
+    """Print rows in aligned columns under `head`; numbers stand to the right."""
+    cells = [[str(cell) for cell in row] for row in rows]
+    widths = [max(len(line[i]) for line in [list(head), *cells]) for i in range(len(head))]
+    right = [bool(rows) and all(isinstance(row[i], int | float) for row in rows) for i in range(len(head))]
+    for line in [list(head), ["-" * width for width in widths], *cells]:
+        padded = (c.rjust(w) if r else c.ljust(w) for c, w, r in zip(line, widths, right, strict=True))
+        click.echo("  ".join(padded).rstrip())
+
+
+@contextmanager
+def progress(what: str, total: int) -> Generator[Advance, None, None]:
+    """Show a bar on stderr while the block runs, if a person looks at it; give the function that moves it."""
+    if not sys.stderr.isatty():
+        yield _ignore
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    with Progress(*columns, console=Console(stderr=True)) as bars:
+        task = bars.add_task(what, total=total)
+        yield lambda steps=1: bars.advance(task, steps)
+
+
+@contextmanager
+def resumable(remedy: str) -> Generator[None, None, None]:
+    """Say what to do next if the person interrupts the block."""
+    try:
+        yield
+    except KeyboardInterrupt as error:
+        error.add_note(remedy)
+        raise
+
+
+def _ignore(steps: int = 1) -> None:
+    del steps
