@@ -75,8 +75,7 @@ def _summary(path: Path) -> str | None:
     tree = ast.parse(path.read_text(encoding="utf-8"))
     if not any(isinstance(node, ast.FunctionDef) and node.name == "command" for node in tree.body):
         return None
-    return (ast.get_docstring(tree) or "").partition("
-")[0]
+    return (ast.get_docstring(tree) or "").partition("\n")[0]
 
 
 @click.command(
