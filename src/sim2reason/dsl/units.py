@@ -1,0 +1,185 @@
+"""The one closed table of units: reading any usual spelling, checking dimensions, showing a canonical form.
+
+Angles and cycles are dimensionless in the SI, yet confusing rad/s with Hz costs a factor 2π, so both are
+counted here beside the seven base dimensions; `Unit.factor_to` says when they may be ignored.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from math import isfinite, pi
+from typing import Final, NamedTuple
+
+from sim2reason.dsl.unit_text import UnitError, factors
+
+__all__ = ["Dimension", "Unit", "UnitError", "parse"]
+
+
+class Dimension(NamedTuple):
+    """Exponents of the seven SI base dimensions, and of the plane angle and the cycle."""
+
+    length: int = 0
+    mass: int = 0
+    time: int = 0
+    current: int = 0
+    temperature: int = 0
+    amount: int = 0
+    luminosity: int = 0
+    angle: int = 0
+    cycle: int = 0
+
+    @property
+    def base(self) -> tuple[int, ...]:
+        """The seven exponents that the SI knows."""
+        return tuple(self)[:7]
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit: its canonical ASCII name, its size in SI base units and its dimension."""
+
+    name: str
+    factor: float
+    dimension: Dimension
+
+    @property
+    def display(self) -> str:
+        """The name as printed: ``m/s^2`` is shown as ``m/s²``, ``deg`` as ``°``."""
+        text = re.sub(r"\^(-?\d)", lambda power: power[1].translate(_RAISED), self.name)
+        text = re.sub(r"\bdeg\b", "°", text.replace("*", "·"))
+        return re.sub(r"\bu(?=[A-Za-z])", "µ", text)
+
+    def quantity(self, number: str) -> str:
+        """A number, already written out, with this unit: ``9.8 m/s²``, ``30°``, ``50 %``, ``0.4``."""
+        return f"{number}{'' if self.name == 'deg' else ' '}{self.display}".rstrip()
+
+    def factor_to(self, asked: Unit) -> float | None:
+        """What to multiply a number in this unit by to have it in `asked`; None if the two don't compare.
+
+        s⁻¹ and rad/s compare, and s⁻¹ passes for Hz; Hz and rad/s differ by 2π and don't compare, nor does an
+        angle with a pure number.
+        """
+        mine, other = self.dimension, asked.dimension
+        plain = mine.angle == mine.cycle == 0
+        same_cycle = mine.cycle == other.cycle or plain
+        same_angle = mine.angle == other.angle or any(mine.base)
+        return self.factor / asked.factor if mine.base == other.base and same_cycle and same_angle else None
+
+
+_RAISED: Final = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+_PREFIXES: Final = {
+    "": ("", 1.0),
+    "Q": ("quetta", 1e30), "R": ("ronna", 1e27), "Y": ("yotta", 1e24), "Z": ("zetta", 1e21), "E": ("exa", 1e18),
+    "P": ("peta", 1e15), "T": ("tera", 1e12), "G": ("giga", 1e9), "M": ("mega", 1e6), "k": ("kilo", 1e3),
+    "h": ("hecto", 1e2), "da": ("deca", 1e1), "d": ("deci", 1e-1), "c": ("centi", 1e-2), "m": ("milli", 1e-3),
+    "u": ("micro", 1e-6), "n": ("nano", 1e-9), "p": ("pico", 1e-12), "f": ("femto", 1e-15), "a": ("atto", 1e-18),
+    "z": ("zepto", 1e-21), "y": ("yocto", 1e-24), "r": ("ronto", 1e-27), "q": ("quecto", 1e-30),
+}  # fmt: skip
+
+_Entry = tuple[str, str, float, Dimension]
+D = Dimension
+
+# symbol, names and further spellings, size in SI base units, dimension
+_PREFIXED: Final[tuple[_Entry, ...]] = (
+    ("m", "metre meter", 1.0, D(length=1)),
+    ("g", "gram gramme", 1e-3, D(mass=1)),
+    ("s", "second sec", 1.0, D(time=1)),
+    ("A", "ampere amp", 1.0, D(current=1)),
+    ("K", "kelvin", 1.0, D(temperature=1)),
+    ("mol", "mole", 1.0, D(amount=1)),
+    ("cd", "candela", 1.0, D(luminosity=1)),
+    ("rad", "radian", 1.0, D(angle=1)),
+    ("sr", "steradian", 1.0, D(angle=2)),
+    ("Hz", "hertz", 1.0, D(time=-1, cycle=1)),
+    ("N", "newton", 1.0, D(length=1, mass=1, time=-2)),
+    ("Pa", "pascal", 1.0, D(length=-1, mass=1, time=-2)),
+    ("J", "joule", 1.0, D(length=2, mass=1, time=-2)),
+    ("W", "watt", 1.0, D(length=2, mass=1, time=-3)),
+    ("C", "coulomb", 1.0, D(time=1, current=1)),
+    ("V", "volt", 1.0, D(length=2, mass=1, time=-3, current=-1)),
+    ("F", "farad", 1.0, D(length=-2, mass=-1, time=4, current=2)),
+    ("ohm", "ohm", 1.0, D(length=2, mass=1, time=-3, current=-2)),
+    ("S", "siemens", 1.0, D(length=-2, mass=-1, time=3, current=2)),
+    ("Wb", "weber", 1.0, D(length=2, mass=1, time=-2, current=-1)),
+    ("T", "tesla", 1.0, D(mass=1, time=-2, current=-1)),
+    ("H", "henry", 1.0, D(length=2, mass=1, time=-2, current=-2)),
+    ("lm", "lumen", 1.0, D(luminosity=1, angle=2)),
+    ("lx", "lux", 1.0, D(length=-2, luminosity=1, angle=2)),
+    ("Bq", "becquerel", 1.0, D(time=-1, cycle=1)),
+    ("Gy", "gray", 1.0, D(length=2, time=-2)),
+    ("Sv", "sievert", 1.0, D(length=2, time=-2)),
+    ("kat", "katal", 1.0, D(amount=1, time=-1)),
+    ("eV", "electronvolt", 1.602176634e-19, D(length=2, mass=1, time=-2)),
+    ("L", "l litre liter", 1e-3, D(length=3)),
+)
+_PLAIN: Final[tuple[_Entry, ...]] = (
+    ("%", "percent", 0.01, D()),
+    ("deg", "° degree", pi / 180, D(angle=1)),
+    ("min", "minute", 60.0, D(time=1)),
+    ("h", "hour hr", 3600.0, D(time=1)),
+    ("d", "day", 86400.0, D(time=1)),
+    ("yr", "year", 365.25 * 86400.0, D(time=1)),
+    ("au", "AU", 1.495978707e11, D(length=1)),
+)
+del D
+
+
+def _words() -> dict[str, Unit]:
+    """Every symbol and name of the table, with prefixes and plurals, in both directions of case for names."""
+    table: dict[str, Unit] = {}
+    for entries, prefixes in ((_PREFIXED, _PREFIXES), (_PLAIN, {"": ("", 1.0)})):
+        for symbol, names, size, dimension in entries:
+            for prefix, (spoken, scale) in prefixes.items():
+                unit = Unit(prefix + symbol, size * scale, dimension)
+                table[unit.name] = unit
+                for name in names.split():
+                    short = len(name) == 1 or name == "AU"
+                    forms = [prefix + name] if short else [f"{spoken}{name}", f"{spoken}{name}s"]
+                    table.update(dict.fromkeys(forms, unit))
+                    table.update({form.capitalize(): unit for form in forms if not short})
+    return table
+
+
+_WORDS: Final = _words()
+# Products that are commonly run together; everything else must be separated.
+_RUN_TOGETHER: Final = re.compile(r"(kg|[kM]?[NJWV]|A)([mshd])")
+
+
+def _known(word: str) -> list[Unit]:
+    if word in _WORDS:
+        return [_WORDS[word]]
+    split = _RUN_TOGETHER.fullmatch(word)
+    if split is None:
+        raise UnitError(f"{word!r} is not in the table of units")
+    return [_WORDS[split[1]], _WORDS[split[2]]]
+
+
+def _name(powers: dict[str, int]) -> str:
+    def spell(items: list[tuple[str, int]]) -> str:
+        return "*".join(word if power == 1 else f"{word}^{power}" for word, power in items)
+
+    above = [(word, power) for word, power in powers.items() if power > 0]
+    below = [(word, -power) for word, power in powers.items() if power < 0]
+    divisor = spell(below) if len(below) < 2 else f"({spell(below)})"
+    return f"{spell(above) or '1'}/{divisor}" if below else spell(above)
+
+
+@lru_cache(maxsize=1024)
+def parse(text: str) -> Unit:
+    """Read a unit in LaTeX or plain spelling; the empty text is the pure number.
+
+    Raises `UnitError` for anything outside the table, and for ``a/b c``, which people read in two ways.
+    """
+    powers: dict[str, int] = {}
+    factor, dimension = 1.0, Dimension()
+    for word, power in factors(text):
+        for unit in _known(word):
+            powers[unit.name] = powers.get(unit.name, 0) + power
+            factor *= unit.factor**power
+            dimension = Dimension(*(a + power * b for a, b in zip(dimension, unit.dimension, strict=True)))
+    if not isfinite(factor) or factor == 0:
+        raise UnitError("a unit beyond the range of floats")
+    return Unit(_name(powers), factor, dimension)
