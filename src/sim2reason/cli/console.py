@@ -66,6 +66,14 @@ def table(head: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
         click.echo("  ".join(padded).rstrip())
 
 
+def words(option: str) -> tuple[str, ...]:
+    """The words of an option that are separated by commas, each once."""
+    names = tuple(dict.fromkeys(word.strip() for word in option.split(",") if word.strip()))
+    if not names:
+        raise click.UsageError(f"{option!r} names nothing; give names separated by commas, or all.")
+    return names
+
+
 @contextmanager
 def progress(what: str, total: int) -> Generator[Advance, None, None]:
     """Show a bar on stderr while the block runs, if a person looks at it; give the function that moves it."""

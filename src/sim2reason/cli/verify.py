@@ -1,0 +1,31 @@
+"""Verify a dataset on disk against its manifest."""
+
+from pathlib import Path
+
+import click
+
+from sim2reason.cli import console
+from sim2reason.datasets import verify
+
+EXAMPLE = """\b
+Example:
+    sim2reason verify problems
+
+Exit code 0: whole; 1: damaged, with a line for each finding; 2: no finished dataset.
+"""
+
+
+@click.command("verify", epilog=EXAMPLE)
+@click.argument("out", type=click.Path(path_type=Path))
+@click.option("--json", "to_json", is_flag=True, help="For a program to read: {ok, rows, shards, problems}.")
+def command(out: Path, to_json: bool) -> int:
+    """Check every file of the dataset in OUT: checksums, missing and extra shards, counts of rows."""
+    report = verify.examine(out)
+    if to_json:
+        console.as_json({"ok": not report.problems} | report.model_dump(mode="json"))
+    else:
+        for line in report.problems:
+            click.echo(line)
+        verdict = f"damaged: {len(report.problems)} findings" if report.problems else "whole"
+        click.echo(f"{out}: {verdict}; {report.rows} problems in {report.shards} shards by the manifest")
+    return 1 if report.problems else 0

@@ -1,0 +1,89 @@
+"""The dataset card: a README.md that people read and the Hugging Face hub understands."""
+
+import json
+from collections.abc import Iterator, Sequence
+
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.manifest import Manifest
+
+SIZES = (1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (1_000_000, "100K<n<1M")
+
+
+def text(manifest: Manifest, example: Item | None) -> str:
+    """The whole card; a pure function of the manifest (its `files` aside) and an example."""
+    return "\n".join([*_front(manifest), *_body(manifest), *_example(example), *_fields(), *_remake(manifest)])
+
+
+def _front(manifest: Manifest) -> Iterator[str]:
+    size = next((name for limit, name in SIZES if manifest.rows < limit), "n>1M")
+    yield from ("---", "pretty_name: sim2reason physics problems", "language: [en]")
+    yield from ("task_categories: [question-answering]", "tags: [physics, reasoning, simulation, synthetic]")
+    yield from (f"size_categories: [{size}]", "configs:", "- config_name: default", "  data_files: items-*.parquet")
+    yield from ("---", "")
+
+
+def _body(manifest: Manifest) -> Iterator[str]:
+    config = manifest.config
+    yield from ("# Physics problems by sim2reason", "")
+    yield f"{manifest.rows} problems, each with an answer that two independent simulations of its scene agree on."
+    yield f"Asked for: {config.items}; seed {config.seed}; configuration `{manifest.config_hash[:16]}`."
+    for by, counts in manifest.counts.items():
+        yield from _table(f"By {by}", (by, "problems"), [(key, str(n)) for key, n in counts.items()])
+    rows = [(r, name, str(n)) for r, counts in manifest.rejected.items() for name, n in counts.items()]
+    yield from _table("Refused draws", ("recipe", "filter", "draws"), rows)
+    for kind, title in (("quarantined", "Quarantined"), ("unfilled", "Unfilled"), ("duplicates", "Duplicates")):
+        found = [
+            (str(p.position), p.recipe, p.difficulty, p.mode, str(p.index), p.reason) for p in manifest.problems(kind)
+        ]
+        head = "position", "recipe", "difficulty", "mode", "index", "reason"
+        yield from _table(f"{title} positions", head, found[:20])
+        if len(found) > len(found[:20]):
+            yield f"… and {len(found) - 20} more: see `manifest.json`."
+    yield ""
+
+
+def _example(item: Item | None) -> Iterator[str]:
+    if item is None:
+        return
+    sign = f" ({item.answer.sign})" if item.answer.sign else ""
+    yield from ("## An example", "", *(f"> {line}".rstrip() for line in item.prompt.splitlines()), "")
+    yield from (f"Answer: {item.answer.value:.6g} {item.answer.unit}{sign}", "", "Its scene:", "", "```yaml")
+    yield from (item.scene.rstrip("\n"), "```", "")
+
+
+def _fields() -> Iterator[str]:
+    rows = [
+        ("id", "names the request that makes the item again"),
+        ("prompt", "the problem, as a solver sees it"),
+        ("answer", "value, unit, sense that counts as positive, relative tolerance"),
+        ("mode, kind, recipe, difficulty", "what sort of problem it is"),
+        ("entities", "the types of the scene's parts"),
+        ("asked", "subject, quantity, time in s or event"),
+        ("scene", "the scene as YAML, which `sim2reason simulate` reads"),
+        ("certificate", "JSON: how well the engines agree"),
+        ("provenance", "request, versions (JSON), hash of the maker's settings"),
+    ]
+    yield from _table("Fields", ("field", "meaning"), rows)
+    yield ""
+
+
+def _remake(manifest: Manifest) -> Iterator[str]:
+    config = manifest.config
+    yield from ("## Made by", "", "```console")
+    yield (
+        f"$ sim2reason generate OUT --items {config.items} --recipe {','.join(config.recipes)} "
+        f"--difficulty {','.join(config.difficulties)} --modes {','.join(config.modes)} "
+        f"--seed {config.seed} --shard-size {config.shard}"
+    )
+    yield from ("```", "", f"with `{json.dumps(manifest.versions)}`.", "")
+
+
+def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    """A Markdown table under its title; nothing if there are no rows."""
+    if rows:
+        yield from ("", f"## {title}", "", _line(head), _line(["---"] * len(head)))
+        yield from (_line([cell.replace("|", "\\|") for cell in row]) for row in rows)
+
+
+def _line(cells: Sequence[str]) -> str:
+    return f"| {' | '.join(cells)} |"

@@ -1,0 +1,63 @@
+"""An item: one problem with its answer, and all that is needed to check or make it again."""
+
+from pydantic import BaseModel, ConfigDict, FiniteFloat, JsonValue
+
+
+class Record(BaseModel):
+    """What all records on disk share: frozen, and no field that we do not know."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Answer(Record):
+    """The answer: `value` in `unit`, right within the relative `tolerance`."""
+
+    value: FiniteFloat
+    unit: str
+    """Canonical, like ``m/s`` or ``kg*m/s``; empty for a pure number."""
+    sign: str = ""
+    """The axis or sense that counts as positive, in words; empty for a magnitude."""
+    tolerance: float = 0.05
+
+
+class Asked(Record):
+    """What the question asks for: a quantity of a subject, at a time (s) or an event."""
+
+    subject: str
+    """The address of a body, string or contact in the scene."""
+    quantity: str
+    time: FiniteFloat | None = None
+    event: str | None = None
+
+
+class Provenance(Record):
+    """Where an item comes from: with the same versions, the same request gives the same bytes."""
+
+    recipe: str
+    difficulty: str
+    mode: str
+    seed: int
+    index: int
+    versions: dict[str, str]
+    config: str
+    """A hash of the maker's settings, for example of the thresholds of its filters."""
+
+
+class Item(Record):
+    """One problem. The same request gives the same item on any worker, in any order."""
+
+    id: str
+    prompt: str
+    answer: Answer
+    mode: str
+    kind: str
+    recipe: str
+    difficulty: str
+    entities: tuple[str, ...]
+    """The types of the scene's entities, in the scene's order."""
+    asked: Asked
+    scene: str
+    """The scene as YAML."""
+    certificate: dict[str, JsonValue]
+    """How well the engines agree."""
+    provenance: Provenance

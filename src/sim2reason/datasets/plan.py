@@ -1,0 +1,110 @@
+"""What a dataset shall hold: position k ↦ request, a pure function of the configuration."""
+
+import hashlib
+import json
+import platform
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cache, cached_property
+from importlib import import_module
+from importlib.metadata import version
+from itertools import product
+from typing import Annotated, cast
+
+from annotated_types import Ge, MinLen
+
+from sim2reason.datasets.item import Item, Record
+from sim2reason.errors import DatasetError
+
+MAKER = "sim2reason.datasets.make:make"
+"""The maker of items, by dotted path, so that a worker process can find it."""
+DIFFICULTIES = ("easy", "medium", "hard")
+SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
+SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic"
+"""The packages whose versions may change the bytes of a dataset."""
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """An order for one item: the `index`-th of its recipe, difficulty, mode and seed."""
+
+    recipe: str
+    difficulty: str
+    mode: str
+    seed: int
+    index: int
+
+    @property
+    def id(self) -> str:
+        """A name that no other request has."""
+        return f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What a maker gives back.
+
+    `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds.
+    `rejected` counts the draws that were refused on the way, by filter or reason.
+    """
+
+    item: Item | None
+    rejected: dict[str, int] = field(default_factory=dict[str, int])
+
+
+Maker = Callable[[Request], Made]
+
+
+class Config(Record):
+    """The configuration of a dataset: with the versions it decides every byte."""
+
+    items: Annotated[int, Ge(0)]
+    recipes: Annotated[tuple[str, ...], MinLen(1)]
+    difficulties: Annotated[tuple[str, ...], MinLen(1)] = DIFFICULTIES
+    modes: Annotated[tuple[str, ...], MinLen(1)] = ("numeric",)
+    seed: Annotated[int, Ge(0)] = 0
+    shard: Annotated[int, Ge(1)] = SHARD
+    maker: str = MAKER
+
+    @cached_property
+    def _cells(self) -> tuple[tuple[str, str, str], ...]:
+        return tuple(product(self.recipes, self.difficulties, self.modes))
+
+    def request(self, position: int) -> Request:
+        """Deal positions round robin to every recipe, difficulty and mode."""
+        index, cell = divmod(position, len(self._cells))
+        recipe, difficulty, mode = self._cells[cell]
+        return Request(recipe, difficulty, mode, self.seed, index)
+
+    def shards(self) -> list[range]:
+        """The ranges of positions that stand in one file each."""
+        return [range(k, min(k + self.shard, self.items)) for k in range(0, self.items, self.shard)]
+
+    def digest(self, versions: dict[str, str]) -> str:
+        """A hash of the configuration and the versions that make it."""
+        text = json.dumps([self.model_dump(mode="json"), versions], sort_keys=True)
+        return hashlib.sha256(text.encode()).hexdigest()
+
+
+def file_name(positions: range) -> str:
+    """The name of the shard that holds `positions`."""
+    return f"items-{positions.start:05}-{positions.stop - 1:05}.parquet"
+
+
+@cache
+def versions() -> dict[str, str]:
+    """All that may change the bytes beside the configuration: packages, Python and platform."""
+    found = {"python": platform.python_version(), "platform": f"{sys.platform}-{platform.machine()}"}
+    for package in SHAPING:
+        found[package] = version(package)
+    return dict(sorted(found.items()))
+
+
+def load_maker(path: str) -> Maker:
+    """Import a maker from ``package.module:function``; DatasetError if there is none."""
+    module, _, name = path.partition(":")
+    try:
+        return cast("Maker", getattr(import_module(module), name))
+    except (ImportError, AttributeError, ValueError) as error:
+        raise DatasetError(f"{path}: no maker of items can be imported from here ({error})") from error

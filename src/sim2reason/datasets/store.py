@@ -1,0 +1,87 @@
+"""Shards on disk: Parquet with a fixed schema, so that equal items give equal bytes."""
+
+# pyarrow ships no types; it is used for data in this one module of the package, which speaks types to the others:
+# pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false
+# pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+import json
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from sim2reason.datasets.files import put
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.manifest import load
+
+TEXT, REAL, WHOLE = pa.string(), pa.float64(), pa.int64()
+SCHEMA = pa.schema(
+    {
+        "id": TEXT,
+        "prompt": TEXT,
+        "answer": pa.struct({"value": REAL, "unit": TEXT, "sign": TEXT, "tolerance": REAL}),
+        "mode": TEXT,
+        "kind": TEXT,
+        "recipe": TEXT,
+        "difficulty": TEXT,
+        "entities": pa.list_(TEXT),
+        "asked": pa.struct({"subject": TEXT, "quantity": TEXT, "time": REAL, "event": TEXT}),
+        "scene": TEXT,
+        "certificate": TEXT,
+        "provenance": pa.struct(
+            {
+                "recipe": TEXT,
+                "difficulty": TEXT,
+                "mode": TEXT,
+                "seed": WHOLE,
+                "index": WHOLE,
+                "versions": TEXT,
+                "config": TEXT,
+            }
+        ),
+    }
+)
+"""What has keys of its own, the certificate and the versions, is kept as JSON text."""
+
+
+def write(path: Path, items: Sequence[Item]) -> None:
+    """Put a shard: the same items give the same bytes with the same pyarrow."""
+    table = pa.Table.from_pylist([_row(item) for item in items], schema=SCHEMA)
+    # all that decides about bytes is said here, and none of it depends on the clock or the machine's cores
+    put(path, lambda file: pq.write_table(table, file, compression="zstd", compression_level=3, version="2.6"))
+
+
+def read_shard(path: Path) -> list[Item]:
+    """The items of one shard, in order; OSError or ValueError if it is damaged."""
+    return [_item(row) for row in pq.ParquetFile(path).read().to_pylist()]
+
+
+def count(path: Path) -> int:
+    """The number of rows that a shard says it has."""
+    return pq.ParquetFile(path).metadata.num_rows
+
+
+def read(out: Path | str) -> Iterator[Item]:
+    """All items of a finished dataset in the order of their positions; DatasetError if it is none."""
+    out = Path(out)
+    for shard in load(out).shards:
+        yield from read_shard(out / shard.name)
+
+
+def _row(item: Item) -> dict[str, Any]:
+    row = item.model_dump(mode="json")
+    row["certificate"] = _json(row["certificate"])
+    row["provenance"]["versions"] = _json(row["provenance"]["versions"])
+    return row
+
+
+def _item(row: dict[str, Any]) -> Item:
+    row["certificate"] = json.loads(row["certificate"])
+    row["provenance"]["versions"] = json.loads(row["provenance"]["versions"])
+    return Item.model_validate(row)
+
+
+def _json(value: object) -> str:
+    return json.dumps(value, sort_keys=True, ensure_ascii=False, allow_nan=False)

@@ -1,0 +1,64 @@
+"""What runs in a worker process: it makes items, batch after batch, and dies with its parent."""
+
+import os
+import signal
+from collections.abc import Sequence
+from dataclasses import dataclass
+from multiprocessing import parent_process
+from multiprocessing.connection import Connection
+from threading import Thread
+
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.plan import Made, Maker, Request, load_maker
+from sim2reason.errors import DatasetError
+
+Batch = Sequence[tuple[int, Request]]
+"""Positions and their requests."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What became of one position: an item, or none; `failure` says what was raised."""
+
+    position: int
+    item: Item | None
+    rejected: dict[str, int]
+    failure: str = ""
+
+
+def serve(pipe: "Connection[list[Outcome] | DatasetError, Batch]", maker: str) -> None:
+    """Answer each batch that comes through `pipe`, until its other end is closed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent is interrupted, and decides
+    Thread(target=_die_with_parent, daemon=True).start()
+    for library in ("OMP", "OPENBLAS", "MKL"):  # before the maker imports numpy: N workers use N cores, not N²
+        os.environ[f"{library}_NUM_THREADS"] = "1"
+    try:
+        make = load_maker(maker)
+    except DatasetError as error:
+        pipe.send(error)
+        return
+    while True:
+        try:
+            batch = pipe.recv()
+        except EOFError:
+            return
+        pipe.send([outcome(make, position, request) for position, request in batch])
+
+
+def outcome(make: Maker, position: int, request: Request) -> Outcome:
+    """Make one item; an error that is raised becomes a failure, so that one defect does not end a long run."""
+    try:
+        made: Made = make(request)
+    except Exception as error:  # noqa: BLE001 - whatever it is, the manifest tells it with the seed that repeats it
+        text = " ".join(str(error).split())
+        return Outcome(position, None, {}, f"raised {type(error).__name__}: {text}")
+    if made.item is not None and made.item.id != request.id:
+        return Outcome(position, None, {}, f"made an item of another id: {made.item.id}")
+    return Outcome(position, made.item, dict(made.rejected))
+
+
+def _die_with_parent() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()  # returns when the parent is gone, however it went
+        os._exit(1)

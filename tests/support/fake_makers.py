@@ -1,0 +1,96 @@
+"""Makers for tests: fast and deterministic; some crash, hang or raise at certain indices."""
+
+import hashlib
+import os
+import time
+from pathlib import Path
+
+from sim2reason.datasets.item import Answer, Asked, Item, Provenance
+from sim2reason.datasets.plan import Made, Request
+
+BAD = 7  # the index of the item that goes wrong
+
+
+def steady(request: Request) -> Made:
+    """A problem whose numbers are a hash of the request; index 3 finds no draw."""
+    if request.index == 3 and request.recipe == "incline":
+        return Made(None, {"shortcut": 12})
+    number = int.from_bytes(hashlib.sha256(request.id.encode()).digest()[:4], "big")
+    mass = 0.5 + number % 950 / 100
+    item = Item(
+        id=request.id,
+        prompt=f"Problem {request.id}: a block of mass {mass:.2f} kg rests. Find its weight.\nAnswer in \\boxed{{}}.",
+        answer=Answer(value=9.81 * mass, unit="N"),
+        mode=request.mode,
+        kind="state",
+        recipe=request.recipe,
+        difficulty=request.difficulty,
+        entities=("block",),
+        asked=Asked(subject="a.block", quantity="weight", time=number % 100 / 10),
+        scene=f"scene:\n  name: {request.id}\n",
+        certificate={"agreement": 1e-9, "channels": ["a.block"]},
+        provenance=Provenance(
+            recipe=request.recipe,
+            difficulty=request.difficulty,
+            mode=request.mode,
+            seed=request.seed,
+            index=request.index,
+            versions={"sim2reason": "0.0.0"},
+            config="0",
+        ),
+    )
+    return Made(item, {"degenerate": number % 3, "shortcut": number % 2})
+
+
+def slow(request: Request) -> Made:
+    """Steady, but 5 ms each, so that there is time to be killed."""
+    time.sleep(0.005)
+    return steady(request)
+
+
+def crashing(request: Request) -> Made:
+    """End the process at the bad index of pulleys."""
+    if request.index == BAD and request.recipe == "pulley":
+        os._exit(3)
+    return steady(request)
+
+
+def hanging(request: Request) -> Made:
+    """Never return at the bad index of pulleys."""
+    while request.index == BAD and request.recipe == "pulley":
+        pass
+    return steady(request)
+
+
+def raising(request: Request) -> Made:
+    """Raise at the bad index of pulleys."""
+    if request.index == BAD and request.recipe == "pulley":
+        raise ValueError("a defect\nof two lines")
+    return steady(request)
+
+
+def twins(request: Request) -> Made:
+    """Items of odd index repeat the words of the one before."""
+    made = steady(request)
+    if made.item is None or request.index % 2 == 0:
+        return made
+    before = steady(Request(request.recipe, request.difficulty, request.mode, request.seed, request.index - 1)).item
+    prompt = before.prompt if before else made.item.prompt
+    return Made(made.item.model_copy(update={"prompt": prompt}), made.rejected)
+
+
+def impostor(request: Request) -> Made:
+    """An item that bears another's id."""
+    made = steady(request)
+    return Made(made.item and made.item.model_copy(update={"id": "other"}), made.rejected)
+
+
+def flaky(request: Request) -> Made:
+    """Crash the first time at the bad index, and work the second time; the folder to remember in is in FLAKY."""
+    if request.index == BAD and request.recipe == "pulley":
+        try:
+            os.close(os.open(Path(os.environ["FLAKY"], "seen"), os.O_CREAT | os.O_EXCL))
+        except FileExistsError:
+            return steady(request)
+        os._exit(3)
+    return steady(request)
