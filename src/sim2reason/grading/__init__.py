@@ -1,0 +1,7 @@
+"""The reward: numbers with units, and formulas, graded without ever running what they say."""
+
+from sim2reason.grading.formula import FormulaError, formula
+from sim2reason.grading.number import number
+from sim2reason.grading.score import Outcome, Score
+
+__all__ = ["FormulaError", "Outcome", "Score", "formula", "number"]

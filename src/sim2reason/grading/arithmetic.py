@@ -1,0 +1,154 @@
+"""Functions of the bindings, made of floats: an undefined or infinite step makes the whole value undefined."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Final
+
+from sim2reason.grading.score import Outcome, Refused
+
+__all__ = [
+    "CONSTANTS",
+    "Node",
+    "call",
+    "constant",
+    "degrees",
+    "inverse",
+    "negated",
+    "power",
+    "product",
+    "root",
+    "symbol",
+]
+__all__ += ["total", "value"]
+
+Node = Callable[[Mapping[str, float]], float]
+
+CONSTANTS: Final = {"pi": math.pi, "e": math.e, "inf": math.inf}
+
+
+def _reciprocal(function: Callable[[float], float]) -> Callable[[float], float]:
+    return lambda x: 1 / function(x)
+
+
+def _of_reciprocal(function: Callable[[float], float]) -> Callable[[float], float]:
+    return lambda x: function(1 / x)
+
+
+_FUNCTIONS: Final[dict[str, Callable[[float], float]]] = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "cot": _reciprocal(math.tan),
+    "sec": _reciprocal(math.cos),
+    "csc": _reciprocal(math.sin),
+    "arcsin": math.asin,
+    "arccos": math.acos,
+    "arctan": math.atan,
+    "arccot": _of_reciprocal(math.atan),
+    "arcsec": _of_reciprocal(math.acos),
+    "arccsc": _of_reciprocal(math.asin),
+    "sinh": math.sinh,
+    "cosh": math.cosh,
+    "tanh": math.tanh,
+    "coth": _reciprocal(math.tanh),
+    "arsinh": math.asinh,
+    "arcosh": math.acosh,
+    "artanh": math.atanh,
+    "exp": math.exp,
+    "ln": math.log,
+    "log": math.log,
+    "log_e": math.log,
+    "log_10": math.log10,
+    "log_2": math.log2,
+    "sqrt": math.sqrt,
+    "abs": abs,
+}
+_ALIASES: Final = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"} | {
+    spelling: name for name in ("arsinh", "arcosh", "artanh") for spelling in (f"arc{name[2:]}", f"a{name[2:]}")
+}
+_HYPERBOLIC: Final = {"sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"}
+
+
+def _finite(x: float) -> float:
+    if not math.isfinite(x):
+        raise OverflowError
+    return x
+
+
+def value(node: Node, bindings: Mapping[str, float]) -> float | None:
+    """The value of `node` at `bindings`; None where it is not a finite real number."""
+    try:
+        return _finite(node(bindings))
+    except (ArithmeticError, ValueError):
+        return None
+
+
+def constant(x: float) -> Node:
+    """A number; an infinite one is undefined wherever it is used."""
+    return lambda _: _finite(x)
+
+
+def symbol(name: str) -> Node:
+    """What the bindings give for `name`."""
+    return lambda bindings: bindings[name]
+
+
+def negated(node: Node) -> Node:
+    """Minus `node`."""
+    return lambda bindings: -node(bindings)
+
+
+def degrees(node: Node) -> Node:
+    """An angle given in degrees, in radians."""
+    return lambda bindings: math.radians(node(bindings))
+
+
+def total(terms: Sequence[tuple[Node, bool]]) -> Node:
+    """The sum of `terms`, each with whether it is taken away; flat, so that a long sum is no deep recursion."""
+    if len(terms) == 1:
+        return negated(terms[0][0]) if terms[0][1] else terms[0][0]
+    return lambda bindings: _finite(sum(-node(bindings) if minus else node(bindings) for node, minus in terms))
+
+
+def product(factors: Sequence[tuple[Node, bool]]) -> Node:
+    """The product of `factors` from left to right, each with whether it divides."""
+    if len(factors) == 1 and not factors[0][1]:
+        return factors[0][0]
+
+    def evaluate(bindings: Mapping[str, float]) -> float:
+        result = 1.0
+        for node, divides in factors:
+            x = node(bindings)
+            result = _finite(result / x if divides else result * x)
+        return result
+
+    return evaluate
+
+
+def power(base: Node, exponent: Node) -> Node:
+    """Real powers only: a negative base with a broken exponent is undefined."""
+    return lambda bindings: _finite(math.pow(base(bindings), exponent(bindings)))
+
+
+def root(radicand: Node, index: Node) -> Node:
+    """The real root, that of a negative number too where the index is odd."""
+
+    def evaluate(bindings: Mapping[str, float]) -> float:
+        x, n = radicand(bindings), index(bindings)
+        odd = n % 2 == 1
+        return math.copysign(math.pow(abs(x), 1 / n), x) if odd else math.pow(x, 1 / n)
+
+    return evaluate
+
+
+def call(name: str, argument: Node) -> Node:
+    """An elementary function of `argument`."""
+    function = _FUNCTIONS.get(_ALIASES.get(name, name))
+    if function is None:
+        raise Refused(Outcome.UNREADABLE, f"{name!r} is no function that is known here")
+    return lambda bindings: _finite(function(argument(bindings)))
+
+
+def inverse(name: str) -> str:
+    r"""The function that ``\name^{-1}`` means."""
+    return _HYPERBOLIC.get(name, f"arc{name}")

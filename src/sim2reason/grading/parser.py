@@ -1,0 +1,281 @@
+"""The grammar of values: from tokens to a function of the bindings, in floats only.
+
+A product by juxtaposition binds as tightly as one with a sign, so ``a/bc`` could mean two things and is refused.
+Nothing here runs longer than a constant times the number of tokens, and nesting is capped.
+"""
+
+from collections.abc import Sequence
+from typing import Final
+
+from sim2reason.grading import arithmetic
+from sim2reason.grading.arithmetic import Node
+from sim2reason.grading.score import Outcome, Refused
+from sim2reason.grading.tokens import Token
+
+__all__ = ["parse"]
+
+MAX_DEPTH: Final = 32
+_STARTS: Final = frozenset({"symbol", "constant", "function", "root", "fraction"})
+_SIGNS: Final = frozenset({"plus", "minus", "dash"})
+_CLOSES: Final = {"(": ")", "[": "]", "{": "}", "\\{": "\\}"}
+
+
+def _unreadable(why: str) -> Refused:
+    return Refused(Outcome.UNREADABLE, why)
+
+
+class _Parser:
+    """Recursive descent over one answer; `unit_follows` keeps a degree sign after the whole value for the unit."""
+
+    def __init__(self, tokens: Sequence[Token], *, unit_follows: bool) -> None:
+        end = tokens[-1].finish if tokens else 0
+        self.tokens = [*tokens, *[Token("end", "", end, end)] * 3]
+        self.at = 0
+        self.depth = 0
+        self.in_bars = False
+        self.is_sum = False
+        self.unit_follows = unit_follows
+        self.refusal: Refused | None = None
+
+    @property
+    def next(self) -> Token:
+        return self.tokens[self.at]
+
+    def take(self) -> Token:
+        self.at += 1
+        return self.tokens[self.at - 1]
+
+    def skip(self, kind: str) -> bool:
+        if self.next.kind != kind:
+            return False
+        self.at += 1
+        return True
+
+    def sign(self) -> bool:
+        """Whether a minus stands here; an en dash counts as one where a value must follow."""
+        return self.next.kind in _SIGNS and self.take().kind != "plus"
+
+    def expression(self) -> Node:
+        negative = self.sign()
+        terms = [(self.product(), negative)]
+        while self.next.kind in _SIGNS:
+            if self.next.kind == "dash":
+                raise Refused(Outcome.WRONG, "a range is not one value")
+            negative = self.take().kind == "minus"
+            terms.append((self.product(), negative))
+        self.is_sum = len(terms) > 1
+        return arithmetic.total(terms)
+
+    def product(self) -> Node:
+        """Factors joined by signs or standing side by side; at the top, what cannot follow is left for the unit."""
+        factors = [(self.power(), False)]
+        while True:
+            mark, depth = self.at, self.depth
+            try:
+                factor = self.next_factor(divided=factors[-1][1])
+            except Refused as refusal:
+                if depth or refusal.outcome is Outcome.TOO_LONG:
+                    raise
+                self.at, self.depth, self.refusal, factor = mark, depth, refusal, None
+            if factor is None:
+                return arithmetic.product(factors)
+            factors.append(factor)
+
+    def next_factor(self, *, divided: bool) -> tuple[Node, bool] | None:
+        """The next factor and whether it divides; None where the product ends."""
+        if self.next.kind in {"times", "slash"} or self.is_cross():
+            divides = self.take().kind == "slash"
+            negative = self.sign()
+            factor = self.power()
+            return (arithmetic.negated(factor) if negative else factor), divides
+        if not self.starts():
+            if self.depth and self.next.kind == "number":
+                raise _unreadable("two numbers stand side by side")
+            return None
+        if self.is_mixed():
+            raise _unreadable("a whole number beside a fraction could be a sum or a product")
+        factor = self.power()
+        if divided:
+            raise _unreadable("what stands under a slash needs parentheses")
+        return factor, False
+
+    def starts(self) -> bool:
+        """Whether a factor may begin here without a sign."""
+        token = self.next
+        if token.text == "{":  # unseen in print: 3{.5} reads as 3.5
+            return not token.upright and self.tokens[self.at + 1].kind in _STARTS | {"open"}
+        if token.kind == "open":
+            return not token.upright
+        return token.kind in _STARTS or (token.kind == "bar" and not self.in_bars)
+
+    def is_cross(self) -> bool:
+        """Whether the letter x here is the times sign of a power of ten."""
+        cross = self.next
+        if cross.kind != "word" or cross.text not in {"x", "X"} or cross.upright:
+            return False
+        ten, power = self.tokens[self.at + 1 : self.at + 3]
+        return ten.text == "10" and power.kind in {"power", "script"}
+
+    def is_mixed(self) -> bool:
+        """Whether a whole number precedes a fraction of whole numbers, as in 1½."""
+        raised = self.tokens[self.at - 2].kind == "power"
+        if self.next.kind != "fraction" or self.tokens[self.at - 1].kind != "number" or raised:
+            return False
+        inside = [token for token in self.tokens[self.at + 1 : self.at + 7] if token.kind not in {"open", "close"}]
+        digits = inside[0].kind == "number" and self.tokens[self.at + 1].kind == "number" and len(inside[0].text) > 1
+        return digits or [token.kind for token in inside[:2]] == ["number", "number"]
+
+    def power(self) -> Node:
+        base = self.atom()
+        if self.next.kind == "script":
+            base = arithmetic.power(base, arithmetic.constant(float(self.take().text)))
+        if self.next.kind == "power":
+            self.take()
+            base = arithmetic.power(base, self.exponent())
+        if self.next.kind == "degree" and (self.depth or not self.unit_follows):
+            self.take()
+            base = arithmetic.degrees(base)
+        return base
+
+    def exponent(self) -> Node:
+        """What stands raised: a group, or a sign and one atom; towers associate to the right."""
+        self.deeper()
+        negative = self.sign()
+        node = self.group() if self.next.kind == "open" else self.atom()
+        if self.skip("power"):
+            node = arithmetic.power(node, self.exponent())
+        self.depth -= 1
+        return arithmetic.negated(node) if negative else node
+
+    def deeper(self) -> None:
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise Refused(Outcome.TOO_LONG, f"the answer is nested more than {MAX_DEPTH} deep")
+
+    def atom(self) -> Node:
+        match self.next.kind:
+            case "number" | "symbol" | "constant":
+                return self.leaf()
+            case "open":
+                return self.visible_group()
+            case "bar" if not self.in_bars:
+                return self.bars()
+            case "fraction":
+                self.take()
+                return arithmetic.product([(self.argument(), False), (self.argument(), True)])
+            case "root":
+                return self.root()
+            case "function":
+                return self.function()
+            case _:
+                raise self.unexpected()
+
+    def leaf(self) -> Node:
+        token = self.take()
+        if token.kind == "symbol":
+            return arithmetic.symbol(token.text)
+        return arithmetic.constant(float(token.text if token.kind == "number" else arithmetic.CONSTANTS[token.text]))
+
+    def visible_group(self) -> Node:
+        """A group that print shows as one: braces around a sum are not seen."""
+        opening, group = self.next.text, self.group()
+        if opening == "{" and self.is_sum:
+            raise _unreadable("a sum beside other factors needs parentheses that can be seen")
+        return group
+
+    def unexpected(self) -> Refused:
+        """Why the next token cannot stand where it does."""
+        match self.next.kind:
+            case "end":
+                return _unreadable("the answer breaks off")
+            case "word":
+                return _unreadable(f"{self.next.text!r} is neither a number nor a symbol of the problem")
+            case _:
+                return _unreadable(f"{self.next.text!r} cannot be read where it stands")
+
+    def group(self) -> Node:
+        opening = self.take()
+        self.deeper()
+        in_bars, self.in_bars = self.in_bars, False
+        inside = self.expression()
+        if self.next.kind != "close" or self.take().text != _CLOSES[opening.text]:
+            raise self.unexpected()
+        self.in_bars = in_bars
+        self.depth -= 1
+        return inside
+
+    def bars(self) -> Node:
+        self.take()
+        self.deeper()
+        self.in_bars = True
+        inside = self.expression()
+        if not self.skip("bar"):
+            raise _unreadable("a bar is not closed")
+        self.in_bars = False
+        self.depth -= 1
+        return arithmetic.call("abs", inside)
+
+    def argument(self) -> Node:
+        """What a command of TeX takes: a group, or a single digit or letter."""
+        if self.next.kind != "number":
+            self.deeper()
+            node = self.group() if self.next.kind == "open" else self.atom()
+            self.depth -= 1
+            return node
+        token = self.take()
+        if len(token.text) > 1:
+            if not token.text.isdigit() or token.finish - token.begin != len(token.text):
+                raise _unreadable("the argument needs braces")
+            self.at -= 1
+            self.tokens[self.at] = token._replace(text=token.text[1:], begin=token.begin + 1)
+        return arithmetic.constant(float(token.text[0]))
+
+    def root(self) -> Node:
+        self.take()
+        index = self.group() if self.next.text == "[" else None
+        radicand = self.argument()
+        return arithmetic.root(radicand, index) if index else arithmetic.call("sqrt", radicand)
+
+    def function(self) -> Node:
+        r"""``\sin x``, ``\sin^2 x``, ``\sin^{-1} x`` (the inverse), ``\log_{10} x``."""
+        self.deeper()
+        name, exponent = self.take().text, None
+        mark = self.at
+        if self.next.kind == "script":
+            exponent = arithmetic.constant(float(self.take().text))
+        elif self.skip("power"):
+            exponent = self.exponent()
+        raised = "".join(t.text for t in self.tokens[mark : self.at] if t.kind not in {"power", "open", "close"})
+        if raised == "-1":
+            name, exponent = arithmetic.inverse(name), None
+        value = arithmetic.call(name, self.operand())
+        self.depth -= 1
+        return arithmetic.power(value, exponent) if exponent else value
+
+    def operand(self) -> Node:
+        r"""What a function applies to: a group, or numbers and names side by side up to a space such as ``\,``."""
+        if self.next.kind == "open":
+            return self.group()
+        if self.next.kind == "function" or (self.next.kind == "bar" and not self.in_bars):
+            return self.atom()
+        factors: list[tuple[Node, bool]] = []
+        start = self.next.kind
+        while self.next.kind in {"symbol", "constant", "fraction", "root"} or (not factors and start == "number"):
+            if factors and self.next.apart:
+                break
+            factors.append((self.power(), False))
+        if not factors:
+            raise _unreadable("a function has no argument")
+        if len(factors) == 1 and start == "number" and self.next.kind == "open" and not self.next.upright:
+            raise _unreadable("the argument of a function needs parentheses")
+        return arithmetic.product(factors)
+
+
+def parse(tokens: Sequence[Token], *, unit_follows: bool) -> tuple[Node, int, Refused | None]:
+    """The value that `tokens` begin with, how many of them it takes, and what kept it from taking more.
+
+    What is left may be a unit. Raises `Refused`: unreadable, wrong (a range), or too long (nested too deeply).
+    """
+    parser = _Parser(tokens, unit_follows=unit_follows)
+    node = parser.expression()
+    return node, parser.at, parser.refusal

@@ -1,0 +1,49 @@
+"""What a grade is: a reward, the outcome that explains it, what was read, and a sentence for people."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+__all__ = ["Outcome", "Refused", "Score"]
+
+
+class Outcome(StrEnum):
+    """How a response ended; only `CORRECT` is paid."""
+
+    CORRECT = "correct"
+    WRONG = "wrong"
+    WRONG_UNIT = "wrong unit"
+    NO_ANSWER = "no answer"
+    UNREADABLE = "unreadable"
+    TOO_LONG = "too long"
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """The grade of one response.
+
+    `parsed` is what was read: a number in the asked unit, the text of a formula, or None if nothing was.
+    """
+
+    reward: float
+    outcome: Outcome
+    parsed: float | str | None
+    why: str
+
+    @classmethod
+    def of(cls, outcome: Outcome, parsed: float | str | None, why: str) -> "Score":
+        """One for a correct answer and zero for any other."""
+        return cls(1.0 if outcome is Outcome.CORRECT else 0.0, outcome, parsed, why)
+
+
+class Refused(Exception):  # noqa: N818 - a verdict that travels up the parser, not an error of the library
+    """An answer that earns nothing however the rest of it reads."""
+
+    def __init__(self, outcome: Outcome, why: str) -> None:
+        """Keep the verdict that the caller turns into a `Score`."""
+        self.outcome, self.why = outcome, why
+        super().__init__(why)
+
+    @property
+    def score(self) -> Score:
+        """The grade that this refusal stands for."""
+        return Score.of(self.outcome, None, self.why)

@@ -1,0 +1,247 @@
+r"""The tokens of an answer in LaTeX or plain text.
+
+One regular expression cuts the text; every alternative is linear. Letters become symbols here, because only
+the item's table can tell whether ``mgh`` is one name, three, or a word that nobody knows.
+"""
+
+import re
+from collections.abc import Collection
+from typing import Final, NamedTuple
+
+from sim2reason.grading.alphabet import COMMANDS, FUNCTIONS, GREEK, GREEK_NAMES, HEDGES, SCRIPTS, SIGNS, VARIANTS
+from sim2reason.grading.score import Outcome, Refused
+
+__all__ = ["Token", "canonical", "tokenize"]
+
+
+class Token(NamedTuple):
+    r"""A piece of an answer.
+
+    `kind` is number, symbol, constant, function, word, open, close, bar, root, fraction, power, script, plus,
+    minus, dash, times, slash, degree, percent, relation, hedge or end; `text` its normal form; `begin` and `finish`
+    where it stands; `apart` whether an explicit space such as ``\,`` precedes it; `upright` whether it stands
+    inside ``\text{…}``.
+    """
+
+    kind: str
+    text: str
+    begin: int
+    finish: int
+    apart: bool = False
+    upright: bool = False
+
+
+_SPACE = (
+    r"(?:[\s~$]|\\[ ,;:!>]|\\(?:q?quad|thinspace|displaystyle|textstyle|left|right|[bB]igg?[lr]?|rm|bf|it)(?![A-Za-z]))"
+)
+_CUT: Final = re.compile(
+    rf"(?P<space>{_SPACE}+)"
+    r"|(?P<number>(?:[1-9][0-9]{0,2}(?P<group>[, ~\u00a0\u2009\u202f]|\{,\}|\\[, !])[0-9]{3}(?:(?P=group)[0-9]{3})*"
+    r"(?![0-9])(?:\.[0-9]+)?|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?P<exponent>[eE][-+−]?[0-9]+)?)"
+    r"|(?P<color>\\(?:color|textcolor)\s*\{[A-Za-z!0-9]{1,30}\})"
+    r"|(?P<named>\\(?:text|mathrm|operatorname\*?)\s*\{\s*(?P<name>[A-Za-z]{1,8})\s*\})"
+    r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}|°)|°|\\degree(?![A-Za-z]))"
+    r"|(?P<hedge>\+\s*/?\s*[-−–])|(?P<power>\*\*|\^)|(?P<script>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    r"|(?P<command>\\(?:[A-Za-z]+|[^A-Za-z]))|(?P<letters>[A-Za-z]+)"
+    rf"|(?P<greek>[{''.join(GREEK)}])|(?P<sign>[{re.escape(''.join(SIGNS))}])"
+)
+_SUBSCRIPT: Final = re.compile(
+    r"\s*_\s*(?:\{((?:[A-Za-z0-9,+\-\s]|\\[A-Za-z,]+\s?|\{[A-Za-z0-9,\s]*\}){1,40})\}"
+    r"|(\\(?:text|mathrm)\s*\{[A-Za-z0-9,\s]{1,20}\}|\\[A-Za-z]+)|([A-Za-z0-9]{1,12}))|([₀₁₂₃₄₅₆₇₈₉]{1,3}|[0-9]{1,3}(?![0-9.]))"
+)
+_NO_NAME: Final = re.compile(r"\\(?:text|mathrm|rm)(?![A-Za-z])|[\\{}\s]")
+
+
+class _Lexer:
+    """Cuts one text; `symbols` None takes every letter for a symbol, as in a reference without a table."""
+
+    def __init__(self, text: str, symbols: Collection[str] | None) -> None:
+        self.text, self.symbols = text, symbols
+        self.tokens: list[Token] = []
+        self.upright: list[bool] = []
+        self.apart = False
+
+    def add(self, kind: str, text: str, begin: int, finish: int) -> None:
+        upright = bool(self.upright) and self.upright[-1]
+        self.tokens.append(Token(kind, text, begin, finish, self.apart, upright))
+        self.apart = False
+
+    def run(self) -> list[Token]:
+        at = 0
+        while at < len(self.text):
+            match = _CUT.match(self.text, at)
+            if match is None:
+                raise Refused(Outcome.UNREADABLE, f"{_show(self.text[at])} has no meaning here")
+            at = self.take(str(match.lastgroup), match)
+        return self.tokens
+
+    def take(self, kind: str, match: re.Match[str]) -> int:
+        """Add what `match` stands for and return where to go on."""
+        text, begin, finish = match[0], match.start(), match.end()
+        match kind:
+            case "space":
+                self.apart = "\\" in text and text.strip("\\ \t\n$!") not in {"left", "right"}
+            case "number":
+                return self.number(match)
+            case "letters" | "greek" | "name" | "named":
+                return self.letters(match["name"] or text, begin, finish, named=kind == "named")
+            case "command":
+                return self.command(text[1:], begin, finish)
+            case "sign":
+                self.sign(text, begin, finish)
+            case "color":
+                pass
+            case "hedge":
+                self.add("hedge", "±", begin, finish)
+            case _:
+                self.add(kind, text.translate(SCRIPTS), begin, finish)
+        return finish
+
+    def number(self, match: re.Match[str]) -> int:
+        mantissa, exponent = match["number"], match["exponent"]
+        finish = match.end()
+        if exponent and self.known(exponent[0]):  # the item has a symbol e: 2e3 is no power of ten
+            finish -= len(exponent)
+            mantissa = mantissa[: -len(exponent)]
+        digits = mantissa.replace(match["group"], "") if match["group"] else mantissa
+        self.add("number", digits.replace("−", "-"), match.start(), finish)
+        return finish
+
+    def sign(self, text: str, begin: int, finish: int) -> None:
+        kind, normal = SIGNS[text]
+        if kind == "open":
+            self.upright.append(bool(self.upright) and self.upright[-1])
+        elif kind == "close" and self.upright:
+            self.upright.pop()
+        self.add(kind, normal, begin, finish)
+
+    def command(self, name: str, begin: int, finish: int) -> int:
+        if name in "{}" or name == "|":
+            self.add({"{": "open", "}": "close", "|": "bar"}[name], f"\\{name}", begin, finish)
+            return finish
+        if name in VARIANTS or name in GREEK_NAMES or name in FUNCTIONS:
+            return self.letters(name, begin, finish)
+        if name not in COMMANDS:
+            raise Refused(Outcome.UNREADABLE, f"\\{name[:20]} has no meaning here")
+        kind, normal = COMMANDS[name]
+        if normal == "{":
+            finish = self.brace(name, finish)
+            self.upright.append("upright" in kind)
+        self.add(kind.split()[0], normal, begin, finish)
+        return finish
+
+    def brace(self, name: str, finish: int) -> int:
+        brace = re.compile(r"\*?\s*\{").match(self.text, finish)
+        if brace is None:
+            raise Refused(Outcome.UNREADABLE, f"\\{name} needs braces")
+        return brace.end()
+
+    def known(self, name: str) -> bool:
+        return self.symbols is not None and name in self.symbols
+
+    def letters(self, run: str, begin: int, finish: int, *, named: bool = False) -> int:
+        """Cut a run of letters, and the subscript that follows it, into names; else keep it as one word."""
+        upright = named or (bool(self.upright) and self.upright[-1])
+        base = VARIANTS.get(run, GREEK.get(run, run))
+        pieces, finish = self.subscripted(base, finish)
+        if upright:
+            pieces = pieces if base in FUNCTIONS or (base == "e" and pieces) else None
+        if pieces is None:
+            self.tokens.append(Token("word", run, begin, finish, self.apart, upright))
+            self.apart = False
+        for kind, text in pieces or ():
+            self.add(kind, text, begin, finish)
+        return finish
+
+    def subscripted(self, run: str, finish: int) -> tuple[list[tuple[str, str]] | None, int]:
+        subscript = _SUBSCRIPT.match(self.text, finish)
+        if subscript is None:
+            return self.split(run), finish
+        braced, command, plain, digits = subscript.groups()
+        if plain or digits:
+            return self.plain_subscript(run, subscript, finish)
+        label = _NO_NAME.sub("", braced or command)
+        return self.labelled(run, label), subscript.end()
+
+    def plain_subscript(
+        self, run: str, subscript: re.Match[str], finish: int
+    ) -> tuple[list[tuple[str, str]] | None, int]:
+        """``m_1g`` is m₁ g as in LaTeX, but ``v_max`` is one name if the table has it; so is ``m1``."""
+        label = (subscript[3] or subscript[4]).translate(SCRIPTS)
+        start = subscript.end() - len(label)
+        for length in range(len(label), 0, -1):
+            pieces = self.labelled(run, label[:length])
+            if self.symbols is not None and pieces and self.known(pieces[-1][1]):
+                return pieces, start + length
+        if subscript[4] and subscript[4][0].isascii():
+            return self.split(run), finish
+        return self.labelled(run, label[:1]), start + 1
+
+    def labelled(self, run: str, label: str) -> list[tuple[str, str]] | None:
+        """`run` with a subscript on the whole of it, or on its last letter."""
+        if run in FUNCTIONS:
+            return [("function", f"{run}_{label}")] if run == "log" else None
+        for cut in (0, len(run) - 1):
+            name = f"{run[cut:]}_{label}"
+            whole = cut == len(run) - 1 or run in GREEK_NAMES
+            head = self.split(run[:cut])
+            if head is not None and (self.known(name) or (self.symbols is None and whole)):
+                return [*head, ("symbol", name)]
+        return None
+
+    def split(self, run: str) -> list[tuple[str, str]] | None:
+        """Names from left to right, each the longest possible; None if a letter belongs to none."""
+        pieces: list[tuple[str, str]] = []
+        at = 0
+        while at < len(run):
+            lengths = range(min(12, len(run) - at), 0, -1)
+            piece = next((found for n in lengths if (found := self.meaning(run[at : at + n]))), None)
+            if piece is None:
+                return None
+            pieces.append(piece)
+            at += next(n for n in lengths if self.meaning(run[at : at + n]))
+        return pieces
+
+    def meaning(self, name: str) -> tuple[str, str] | None:
+        if self.known(name):
+            return "symbol", name
+        if name in FUNCTIONS:
+            return "function", name
+        if name in {"pi", "e"}:
+            return "constant", name
+        if name == "sqrt":
+            return "root", name
+        is_symbol = self.symbols is None and (len(name) == 1 or name in GREEK_NAMES)
+        return ("symbol", name) if is_symbol else None
+
+
+def tokenize(text: str, symbols: Collection[str] | None) -> list[Token]:
+    """The tokens of `text`, with letters read by a table of canonical symbol names, or all as symbols if None.
+
+    Raises `Refused` (unreadable) at the first character or command that has no meaning in an answer.
+    """
+    tokens = _Lexer(text, symbols).run()
+    return [token._replace(kind="hedge") if _hedges(token) else token for token in tokens]
+
+
+def _hedges(token: Token) -> bool:
+    return token.kind == "word" and token.text.lower() in HEDGES
+
+
+def canonical(name: str) -> str:
+    r"""The one spelling of a symbol: ``\mu_{k}``, ``μ_k`` and ``mu_k`` are all ``mu_k``."""
+    tokens = tokenize(name, None)
+    plain = name.strip().lstrip("\\")
+    if len(tokens) == 1 and tokens[0].kind in {"symbol", "constant"}:
+        return tokens[0].text
+    if re.fullmatch(r"[A-Za-z]+(?:_[A-Za-z0-9]+)?", plain):
+        return plain
+    raise ValueError(f"{name!r} is no symbol")
+
+
+def _show(character: str) -> str:
+    if character == "'":
+        return "a prime"
+    if character == "!":
+        return "a factorial"
+    return repr(character) if character.isprintable() else f"U+{ord(character):04X}"
