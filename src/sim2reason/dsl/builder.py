@@ -62,17 +62,18 @@ class Frame:
         """`prefix` goes before every name made here; `at` is where its origin stands in the room."""
         self._builder, self.prefix, self.name, self.at = builder, prefix, body, at
 
-    def _address(self, name: str) -> str:
+    def address(self, name: str) -> str:
+        """The full address of a name that is made here."""
         return f"{self.prefix}.{name}" if self.prefix else name
 
     def part(self, name: str, at: Vector = ZERO) -> "Frame":
         """The same body, shifted by `at`, with `name` before all names: room for a part of an entity."""
-        frame = Frame(self._builder, self._address(name), self.name, add(self.at, at))
+        frame = Frame(self._builder, self.address(name), self.name, add(self.at, at))
         return frame
 
     def body(self, name: str, mass: float = 0.0, *, at: Vector = ZERO, inertia: float = 0.0) -> "Frame":
         """A new body carried by this one, its centre of mass at `at`; welded until it is told to move."""
-        address, where = self._address(name), add(self.at, at)
+        address, where = self.address(name), add(self.at, at)
         self._builder.add_body(Body(address, self.name, self._builder.relative(self.name, where), mass, inertia))
         return Frame(self._builder, self.prefix, address, where)
 
@@ -101,33 +102,45 @@ class Frame:
         self._builder.add_contact(self._own(), Contact(f"{self.name}.slide", unit(normal), friction))
         return self
 
-    def site(self, name: str, at: Vector = ZERO) -> "Frame":
-        """Mark a point of this body for strings to be tied to or to pass."""
-        self._builder.add_site(self._address(name), self.name, add(self.at, at))
+    def site(self, name: str, at: Vector = ZERO, faces: Vector | None = None) -> "Frame":
+        """Mark a point of this body for strings; `faces` is the way in which one must leave, None for any way."""
+        self._builder.add_site(self.address(name), self.name, add(self.at, at), faces)
+        return self
+
+    def hand(self, name: str, force: float) -> "Frame":
+        """Mark a point at which a hand draws whatever string ends there with a constant force."""
+        self.site(name)
+        self._builder.hands[self.address(name)] = force
         return self
 
     def pulley(
-        self, name: str, at: Vector = ZERO, mass: float = 0.0, radius: float = WHEEL_RADIUS, axis: Vector = Y
+        self,
+        name: str,
+        at: Vector = ZERO,
+        mass: float = 0.0,
+        radius: float = WHEEL_RADIUS,
+        faces: Vector | None = None,
     ) -> Pulley:
         """Fix a pulley's axle to this body; a mass makes it a uniform disc that the string turns.
 
-        Its two rim points lie `radius` to the left and right of the axle. Gluing it stops the wheel.
+        Its two rim points lie `radius` to the left and right of the axle; strings leave them towards
+        `faces`. Gluing it stops the wheel.
         """
-        address, left, right = self._address(name), self._address(f"{name}.left"), self._address(f"{name}.right")
-        self._builder.add_site(left, self.name, add(self.at, at, (-radius, 0.0, 0.0)))
-        self._builder.add_site(right, self.name, add(self.at, at, (radius, 0.0, 0.0)))
+        address, left, right = self.address(name), self.address(f"{name}.left"), self.address(f"{name}.right")
+        self._builder.add_site(left, self.name, add(self.at, at, (-radius, 0.0, 0.0)), faces)
+        self._builder.add_site(right, self.name, add(self.at, at, (radius, 0.0, 0.0)), faces)
         if mass == 0.0:
             return self._builder.add_pulley(address, Pulley(left, right, None, radius))
-        self.body(name, mass, at=at, inertia=0.5 * mass * radius**2).hinge(axis)
+        self.body(name, mass, at=at, inertia=0.5 * mass * radius**2).hinge(Y)
         return self._builder.add_pulley(address, Pulley(left, right, f"{address}.hinge", radius))
 
     def string(self, name: str, *through: str | Pulley, slack: float = 0.0) -> None:
         """Stretch a string from end to end through sites, by address; a pulley stands for its rim, left to right."""
-        self._builder.add_string(self._address(name), _flat(through), slack)
+        self._builder.add_string(self.address(name), _flat(through), slack)
 
     def pull(self, name: str, *through: str | Pulley, force: float) -> None:
         """Like `string`, but its last stop is a hand that draws it in with a constant force."""
-        self._builder.add_pull(self._address(name), _flat(through), force)
+        self._builder.add_pull(self.address(name), _flat(through), force)
 
     def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float) -> None:
         """Let two bodies bounce when their centres come within `distance`."""
@@ -158,6 +171,8 @@ class Builder:
         self._bodies: dict[str, Body] = {}
         self._origin: dict[str | None, Vector] = {None: ZERO}
         self._sites: dict[str, Site] = {}
+        self.faces: dict[str, Vector | None] = {}  # by site, the way in which a string must leave it
+        self.hands: dict[str, float] = {}  # by site, the force with which a string is drawn in there
         self._rims: dict[tuple[str, str], Pulley] = {}
         self._strings: dict[str, String] = {}
         self._pulls: dict[str, Pull] = {}
@@ -171,6 +186,11 @@ class Builder:
         """Where a site stands in the room at the start."""
         found = self._sites[site]
         return add(self._origin[found.body], found.at)
+
+    def extent(self) -> tuple[float, float]:
+        """The least and greatest x of all sites and bodies."""
+        across = [self.position(site)[0] for site in self._sites] + [at[0] for name, at in self._origin.items() if name]
+        return (min(across), max(across)) if across else (0.0, 0.0)
 
     def relative(self, body: str | None, where: Vector) -> Vector:
         """A point of the room as seen from a body's centre of mass at the start."""
@@ -193,9 +213,10 @@ class Builder:
         if body not in self._glued:
             self._bodies[body] = replace(self._bodies[body], contact=contact)
 
-    def add_site(self, name: str, body: str | None, where: Vector) -> None:
+    def add_site(self, name: str, body: str | None, where: Vector, faces: Vector | None = None) -> None:
         """Mark a point of a body, given where it stands in the room at the start."""
         self._new(name, self._sites)
+        self.faces[name] = faces
         self._sites[name] = Site(name, body, self.relative(body, where))
 
     def add_pulley(self, name: str, pulley: Pulley) -> Pulley:

@@ -1,0 +1,1 @@
+"""The bodies that entities are made of, one file each."""

@@ -1,0 +1,16 @@
+"""A block: a small body with mass."""
+
+from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.measures import Mass
+
+
+@body
+class Block(Body):
+    """A small block, moving without turning."""
+
+    mass: Mass
+
+    nouns = ("block", "crate")
+    lone = ("a {noun} of mass {mass}", "a {mass} {noun}", "a {noun} whose mass is {mass}")
+    named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
+    listed = "{letter} ({mass})"

@@ -1,0 +1,28 @@
+"""A plane fixed in the room, level or inclined."""
+
+from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.measures import Angle, Friction
+from sim2reason.dsl.template import Word
+
+Smoothness = Word("friction", {0.0: "smooth"}, "rough")
+
+
+@body
+class Plane(Body):
+    """A fixed plane; its coefficient of friction holds for sticking and sliding."""
+
+    angle: Angle
+    friction: Friction
+
+    nouns = ("plane",)
+    letters = ""
+    lone = ("a {surface} {tilt}", "a fixed {surface} {tilt}")
+    words = {
+        "surface": Smoothness,
+        "tilt": Word("angle", {0.0: "horizontal plane"}, "plane inclined at {angle} to the horizontal"),
+        "uphill": Word("angle", {0.0: "to the right along the plane"}, "up the slope"),
+        "downhill": Word("angle", {0.0: "to the left along the plane"}, "down the slope"),
+        "above": Word("angle", {0.0: "from the right"}, "from above, along the slope"),
+        "below": Word("angle", {0.0: "from the left"}, "from below, along the slope"),
+        "order": Word("angle", {0.0: "left to right"}, "the lowest to the highest"),
+    }

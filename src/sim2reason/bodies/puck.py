@@ -1,0 +1,47 @@
+"""A puck that moves over a table in two dimensions."""
+
+from typing import Annotated
+
+from annotated_types import Ge, Le
+
+from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.measures import Coordinate, Mass, Measure, Range, Velocity
+from sim2reason.dsl.template import Word
+
+YCoordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimals=1), Range(-2.0, 2.0)]
+
+
+@body
+class Puck(Body):
+    """A smooth round body on a table, with its place and velocity at the start."""
+
+    mass: Mass
+    x: Coordinate
+    y: YCoordinate
+    vx: Velocity
+    vy: Velocity
+
+    nouns = ("puck", "disc", "sphere")
+    lone = ("a {noun} of mass {mass}", "a {mass} {noun}")
+    named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
+    listed = "{letter} ({mass})"
+    symbols = {"vx": "v_x", "vy": "v_y"}
+
+
+@body
+class Table(Body):
+    """A smooth table, level or tilted."""
+
+    tilt: Annotated[float, Ge(0), Le(85), Measure("angle", "deg", r"\theta", decimals=0), Range(0.0, 70.0)] = 0.0
+
+    nouns = ("table",)
+    letters = ""
+    lone = ("a smooth {lie}", "a frictionless {lie}")
+    words = {
+        "lie": Word("tilt", {0.0: "horizontal table"}, "table tilted at {tilt} to the horizontal"),
+        "axes": Word(
+            "tilt",
+            {0.0: "the x and y axes lie in its surface, x to the right and y away from you"},
+            "the x axis lies in its surface, horizontal and to the right, and the y axis points straight up its slope",
+        ),
+    }

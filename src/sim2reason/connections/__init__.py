@@ -1,0 +1,1 @@
+"""What joins the ports of entities, one file each."""

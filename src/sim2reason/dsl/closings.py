@@ -1,0 +1,112 @@
+"""What is true of a whole scene and said at the end of its text, each only where it matters."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from sim2reason.dsl.scene import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Closing:
+    """A sentence in its wordings, and the scenes that need it."""
+
+    name: str
+    needed: Callable[[Scene], bool]
+    wordings: tuple[str, ...]
+
+
+def _from_rest(scene: Scene) -> bool:
+    coordinates = scene.mechanism.coordinates
+    return bool(coordinates) and all(coordinate.speed == 0.0 for coordinate in coordinates)
+
+
+def _pulleys(scene: Scene) -> list[float]:
+    """The masses of all pulleys."""
+    return [getattr(body, "mass", 0.0) for body in scene.bodies.values() if body.nouns[0] == "pulley"]
+
+
+def _has_massive_pulley(scene: Scene) -> bool:
+    return any(mass > 0.0 for mass in _pulleys(scene))
+
+
+def _has_light_pulleys_only(scene: Scene) -> bool:
+    return bool(_pulleys(scene)) and not _has_massive_pulley(scene)
+
+
+def _has_strings(scene: Scene) -> bool:
+    return bool(scene.mechanism.strings or scene.mechanism.pulls)
+
+
+def _has_room(scene: Scene) -> bool:
+    return _has_strings(scene) and not _on_faces(scene)
+
+
+def _on_faces(scene: Scene) -> bool:
+    return bool(scene.mechanism.contacts)
+
+
+def _weighs(scene: Scene) -> bool:
+    """Whether g can matter: something presses on a face, or moves up and down."""
+    mechanism = scene.mechanism
+    upright = any(c.kind == "slide" and abs(c.axis[2]) > 1e-12 for c in mechanism.coordinates)
+    return upright or bool(mechanism.contacts)
+
+
+CLOSINGS: tuple[Closing, ...] = (
+    Closing(
+        "rest",
+        _from_rest,
+        (
+            "everything is released from rest at t = 0.",
+            "all bodies are held still and let go at t = 0.",
+            "at t = 0 the bodies are released from rest.",
+            "the motion starts from rest at t = 0.",
+        ),
+    ),
+    Closing(
+        "light pulleys",
+        _has_light_pulleys_only,
+        (
+            "there is no friction at the pulleys.",
+            "every pulley turns without friction.",
+            "friction at the pulleys is negligible.",
+        ),
+    ),
+    Closing(
+        "massive pulleys",
+        _has_massive_pulley,
+        (
+            "pulleys turn without friction, and no string slips on them.",
+            "the strings do not slip on the pulleys, which turn without friction.",
+            "no pulley has friction at its axle, and the strings never slip on a rim.",
+        ),
+    ),
+    Closing(
+        "room for strings",
+        _has_room,
+        (
+            "the strings are long enough that no body reaches a pulley.",
+            "no body gets as far as a pulley in the time considered.",
+            "there is enough string for the motion considered.",
+        ),
+    ),
+    Closing(
+        "room on faces",
+        _on_faces,
+        (
+            "there is room enough for the motion: nothing reaches a pulley or an edge.",
+            "nothing gets as far as a pulley or an edge in the time considered.",
+            "in the time considered no body reaches an edge or a pulley.",
+        ),
+    ),
+    Closing(
+        "g",
+        _weighs,
+        ("take g = {world.gravity}.", "use g = {world.gravity}.", "the acceleration of free fall is g = {world.gravity}."),
+    ),
+)
+
+
+def closings(scene: Scene) -> list[Closing]:
+    """The closings that a scene needs, in the order in which they are said."""
+    return [closing for closing in CLOSINGS if closing.needed(scene)]

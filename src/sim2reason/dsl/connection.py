@@ -1,0 +1,54 @@
+"""Connections: what joins the ports of entities."""
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.model import Model
+from sim2reason.dsl.ports import Stop
+from sim2reason.registry import Registry
+
+if TYPE_CHECKING:
+    from sim2reason.dsl.speaker import Speaker
+
+
+class Link(Model):
+    """A port of an entity of the scene, by name; a passed port may be passed from its far side."""
+
+    entity: str
+    port: str
+    flipped: bool = False
+
+    def __str__(self) -> str:
+        """As messages name it."""
+        return f"{self.entity}.{self.port}"
+
+
+class Connection(Model):
+    """The base of all connections: a path through ports, built and told as one thing."""
+
+    key: ClassVar[str] = ""  # its name in scene files
+    links: tuple[Link, ...]
+
+    @classmethod
+    def owned(cls, name: str, stops: list[Stop], builder: Builder) -> dict[str, Body]:
+        """The bodies that the connection itself brings, by address."""
+        raise NotImplementedError
+
+    @classmethod
+    def stretch(cls, name: str, stops: list[Stop], builder: Builder, values: dict[str, Any]) -> None:
+        """Build the connection, once all entities are built; `values` are its own parameters."""
+        raise NotImplementedError
+
+    @classmethod
+    def tell(cls, name: str, stops: list[Stop], speaker: "Speaker") -> str:
+        """Its sentence."""
+        raise NotImplementedError
+
+
+CONNECTIONS: Registry[type[Connection]] = Registry("connections")
+
+
+def connection(cls: type[Connection]) -> type[Connection]:
+    """Enter a connection class under its key in scene files."""
+    return CONNECTIONS.add(cls.key, cls)

@@ -1,0 +1,157 @@
+"""Parts and entities: mechanisms made of bodies, with lines that tell them and ports that join them."""
+
+from typing import Any, ClassVar
+
+from pydantic import ConfigDict
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.model import Model, field_types
+from sim2reason.dsl.ports import PORT_TYPES, Chain, End, Pass, Port, Rope, Stop
+from sim2reason.dsl.template import Each, Saying, Slot, Word, paths, slots, wordings
+from sim2reason.registry import Registry
+
+
+class Part(Model):
+    """What several entities share: bodies with their own lines and ports, such as a mass system."""
+
+    model_config = ConfigDict(ignored_types=PORT_TYPES)
+    says: ClassVar[tuple[Saying, ...]] = ()
+    words: ClassVar[dict[str, Word]] = {}
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        """Refuse a class whose lines leave a number unsaid or name an unknown one; TypeError says which."""
+        if any(name == "says" or isinstance(member, PORT_TYPES) for name, member in vars(cls).items()):
+            check_lines(cls)
+
+    def build(self, room: Frame) -> None:
+        """Say in the builder's verbs what there is and how it moves."""
+        raise NotImplementedError
+
+
+class Entity(Part):
+    """A mechanism that a scene file can name."""
+
+
+ENTITIES: Registry[type[Entity]] = Registry("entities")
+
+
+def entity(cls: type[Entity]) -> type[Entity]:
+    """Enter an entity class under its name."""
+    return ENTITIES.add(cls.__name__, cls)
+
+
+def ports_of(cls: type[Part]) -> dict[str, Port]:
+    """The ports that a class declares, by name, in the order of declaration."""
+    members = {name: member for base in reversed(cls.__mro__) for name, member in vars(base).items()}
+    return {name: member for name, member in members.items() if isinstance(member, End | Pass | Chain)}
+
+
+def ropes_of(cls: type[Part]) -> dict[str, Rope]:
+    """The strings inside an entity, by name."""
+    return {name: member for name, member in vars(cls).items() if isinstance(member, Rope)}
+
+
+def outer_ports(cls: type[Part]) -> dict[str, Port]:
+    """The ports that a connection can use: those that no rope and no chain of the class uses up."""
+    declared = ports_of(cls)
+    used = {stop for rope in ropes_of(cls).values() for stop in rope.stops}
+    used |= {stop for port in declared.values() if isinstance(port, Chain) for stop in port.stops}
+    return {name: port for name, port in declared.items() if name not in used}
+
+
+def stops_of(part: Part, name: str, address: str, flipped: bool = False) -> list[Stop]:
+    """A port of an instance as the stops that a string makes there, from the inside out."""
+    head, _, rest = name.partition(".")
+    if rest:
+        return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped)
+    port = ports_of(type(part))[name]
+    if isinstance(port, Chain):
+        return [stop for inner in port.stops for stop in stops_of(part, inner, address)]
+    return [Stop(address, port, flipped)]
+
+
+def check_lines(cls: type[Part]) -> None:
+    """Compare what a class declares with what its lines tell; TypeError names the difference."""
+    required = {name for name, port in ports_of(cls).items() if port.required}
+    chained = {inner for name in required for inner in getattr(ports_of(cls)[name], "stops", ())}
+    roped = {stop for rope in ropes_of(cls).values() for stop in rope.stops}
+    told: set[str] = set()
+    for saying in cls.says:
+        told |= _common(cls, wordings(saying))
+        if isinstance(saying, Each) and saying.field not in cls.model_fields:
+            raise TypeError(f"{cls.__name__}: a line for each {saying.field!r}, which is not declared")
+    for name, port in ports_of(cls).items():
+        heard = _clauses(cls, port)
+        if name in required | chained | roped:
+            told |= heard
+    unsaid = {path for path in declared_numbers(cls) if path not in told}
+    if unsaid:
+        raise TypeError(f"{cls.__name__}: no line tells {', '.join(sorted(unsaid))}")
+
+
+def _clauses(cls: type[Part], port: Port) -> set[str]:
+    """What all clauses of a port tell, whichever of them is used."""
+    if isinstance(port, Pass):
+        return _common(cls, (port.passes,))
+    if isinstance(port, End):
+        return _common(cls, (port.arrives, *((port.tied + port.leaves,) if port.can_begin else ())))
+    return set()
+
+
+def _common(cls: type[Part], templates: tuple[str, ...]) -> set[str]:
+    told = [set[str]().union(*(tells(cls, slot) for slot in slots(template))) for template in templates]
+    return set[str].intersection(*told)
+
+
+def declared_numbers(cls: type[Part]) -> set[str]:
+    """The numbers and bodies' numbers that the lines of a class itself have to tell; parts tell their own."""
+    found: set[str] = set()
+    for name, kind in field_types(cls).items():
+        if kind.measure is not None and not kind.hidden:
+            found.add(name)
+        for model in kind.models:
+            if issubclass(model, Part):
+                continue
+            inner = field_types(model).items()
+            found |= {f"{name}.{field}" for field, held in inner if held.measure is not None and not held.hidden}
+    return found
+
+
+def tells(cls: type[Part], slot: Slot) -> set[str]:
+    """The declared numbers that a slot tells; TypeError for a path that leads nowhere."""
+    if slot.kind in ("text", "agree", "count"):
+        if slot.path and slot.path.split(".")[0] not in cls.model_fields:
+            raise TypeError(f"{cls.__name__}: {slot.path!r} is not declared")
+        return set()
+    if slot.kind == "member":
+        return {".".join(step for step in slot.path.split(".") if step != "*")}
+    head, *rest = [step for step in slot.path.split(".") if step not in ("first", "last", "*")]
+    if head in cls.words and not rest:
+        return {cls.words[head].parameter} | _word_paths(cls.words[head])
+    kind = field_types(cls).get(head)
+    if kind is None:
+        raise TypeError(f"{cls.__name__}: a line names {slot.path!r}, which is not declared")
+    if kind.measure is not None and not rest:
+        return {head}
+    told: set[str] = set()
+    for model in kind.models:
+        told |= _told_by_body(cls, head, model, rest, whole="first" not in slot.path and "last" not in slot.path)
+    return told
+
+
+def _word_paths(word: Word) -> set[str]:
+    return {path for text in (*word.special.values(), word.otherwise) for path in paths(text)}
+
+
+def _told_by_body(cls: type[Part], head: str, model: type[Model], rest: list[str], *, whole: bool) -> set[str]:
+    if issubclass(model, Body) and not rest:
+        return {f"{head}.{name}" for name in model.says_in(model.lone[0])} if whole and model.lone else set()
+    if issubclass(model, Part):
+        return set()
+    if rest[0] in field_types(model):
+        return {f"{head}.{rest[0]}"}
+    if issubclass(model, Body) and rest[0] in model.words:
+        return set()
+    raise TypeError(f"{cls.__name__}: a line names {head}.{rest[0]}, which {model.__name__} does not have")

@@ -1,0 +1,91 @@
+"""Where entities stand: each is placed so that the strings from its neighbours run straight."""
+
+from collections.abc import Callable, Iterable, Sequence
+from math import hypot
+from typing import TYPE_CHECKING
+
+from sim2reason.dsl.builder import Builder, add, scale
+from sim2reason.dsl.mechanism import ZERO, Vector
+from sim2reason.dsl.ports import Stop
+
+if TYPE_CHECKING:
+    from sim2reason.dsl.connection import Connection
+    from sim2reason.dsl.scene import Named
+
+GAP = 1.0  # m between entities that no straight string aligns; only for looks
+FREE = 2.5  # m of free string between neighbours, so that motions of a second or two have room
+
+
+def opposite(one: Vector | None, other: Vector | None) -> bool:
+    """Whether a straight string can leave two sites in these directions; None means any direction."""
+    return one is None or other is None or hypot(*add(one, other)) < 1e-9
+
+
+def placed(
+    entities: "Sequence[Named]",
+    connections: "Sequence[Connection]",
+    gravity: float,
+    glued: Iterable[str],
+    stops: "Callable[[Connection], list[Stop]]",
+) -> Builder:
+    """A builder in which all entities are built, each where its strings want it."""
+    neighbours = [pair for connection in connections for pair in _pairs(stops(connection))]
+    offsets: dict[str, Vector] = {}
+    right = 0.0
+    for named in entities:
+        scratch = Builder()
+        named.entity.build(scratch.room(named.name))
+        low, high = scratch.extent()
+        offsets[named.name] = (right - low, 0.0, 0.0)
+        right += high - low + GAP
+    _align(neighbours, offsets, entities)
+    builder = Builder((0.0, 0.0, -gravity), glued)
+    for named in entities:
+        named.entity.build(builder.room(named.name, offsets[named.name]))
+    return builder
+
+
+def _pairs(stops: list[Stop]) -> list[tuple[str, str]]:
+    """Neighbouring sites of different entities along a path: where it leaves one and reaches the next."""
+    found: list[tuple[str, str]] = []
+    for one, other in zip(stops, stops[1:], strict=False):
+        leaves, reaches = one.sites[-1], _first(other)
+        if leaves.split(".")[0] != reaches.split(".")[0]:
+            found.append((leaves, reaches))
+    return found
+
+
+def _first(stop: Stop) -> str:
+    """The site that a string reaches first: an end is listed from the inside out, so its last."""
+    from sim2reason.dsl.ports import End
+
+    return stop.sites[-1] if isinstance(stop.port, End) else stop.sites[0]
+
+
+def _align(pairs: list[tuple[str, str]], offsets: dict[str, Vector], entities: "Sequence[Named]") -> None:
+    """Shift entities, outwards from the first, so that what faces each other does so on one line."""
+    local = Builder()
+    for named in entities:
+        named.entity.build(local.room(named.name))
+    done: set[str] = set()
+    for named in entities:  # each tree of the forest from its first entity on
+        queue = [named.name]
+        while queue:
+            here = queue.pop()
+            if here in done:
+                continue
+            done.add(here)
+            for one, other in [*pairs, *((b, a) for a, b in pairs)]:
+                name, neighbour = one.split(".")[0], other.split(".")[0]
+                if name == here and neighbour not in done:
+                    _shift(one, other, local, offsets)
+                    queue.append(neighbour)
+
+
+def _shift(fixed: str, moved: str, local: Builder, offsets: dict[str, Vector]) -> None:
+    here, there = local.faces[fixed], local.faces[moved]
+    if (here is None and there is None) or not opposite(here, there):
+        return
+    towards = here if here is not None else scale(-1.0, there or ZERO)
+    wanted = add(local.position(fixed), offsets[fixed.split(".")[0]], scale(FREE, towards))
+    offsets[moved.split(".")[0]] = add(wanted, scale(-1.0, local.position(moved)))

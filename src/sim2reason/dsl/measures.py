@@ -1,0 +1,103 @@
+"""What a number means: its unit, its symbol, how it is spoken, where it is drawn from.
+
+One line declares a number; validation, sampling, prose, symbols and the schema read it:
+
+    Mass = Annotated[float, Gt(0), Measure("mass", "kg", "m"), Range(0.5, 10)]
+"""
+
+from dataclasses import dataclass
+from math import floor, isfinite, log10
+from typing import Annotated
+
+import numpy as np
+from annotated_types import Ge, Gt, Le, Lt
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """Where a number is drawn from, both ends included. A field may narrow its alias by one more `Range`."""
+
+    low: float
+    high: float
+
+    def __post_init__(self) -> None:
+        """Refuse an empty or infinite range."""
+        if not (isfinite(self.low) and isfinite(self.high) and self.low <= self.high):
+            raise ValueError(f"not a range: {self.low} to {self.high}")
+
+
+@dataclass(frozen=True, slots=True)
+class Count:
+    """How many members a variable-length part may be drawn with, both ends included."""
+
+    low: int
+    high: int
+
+
+@dataclass(frozen=True, slots=True)
+class Hidden:
+    """Marks a number that must not matter to any answer, such as where a scene stands; it is never said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """The meaning of a number.
+
+    `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. It is spoken either with
+    `decimals` places or, where that is None, with two significant digits.
+    """
+
+    name: str
+    unit: str
+    symbol: str
+    decimals: int | None = None
+
+    def places(self, value: float) -> int:
+        """How many decimal places `value` is spoken with; negative would be tens, so at least 0."""
+        if self.decimals is not None:
+            return self.decimals
+        if value == 0.0:
+            return 0
+        return max(0, 1 - floor(log10(abs(float(f"{value:.1e}")))))
+
+    def round(self, value: float) -> float:
+        """`value` as it is spoken, so that what is said is what is simulated."""
+        return round(value, self.places(value)) + 0.0
+
+    def say(self, value: float) -> str:
+        """`value` and its unit as prose has them: ``2.0 kg``, ``30°``; a true minus sign."""
+        if value == 0.0:
+            return join_unit("0", self.unit)
+        rounded = self.round(value)
+        text = repr(value) if abs(rounded - value) > 1e-12 * max(1.0, abs(value)) else f"{value:.{self.places(value)}f}"
+        return join_unit(text.replace("-", "\N{MINUS SIGN}"), self.unit)
+
+    def draw(self, rng: np.random.Generator, low: float, high: float) -> float:
+        """A number in [low, high], uniform and rounded as it will be spoken."""
+        return min(max(self.round(float(rng.uniform(low, high))), low), high)
+
+
+SHOWN = {"deg": "°", "": "", "m/s^2": "m/s²", "kg m/s": "kg·m/s", "N m": "N·m", "kg m^2": "kg·m²"}
+
+
+def show_unit(unit: str) -> str:
+    """A canonical unit as prose prints it: ``m/s^2`` becomes ``m/s²``."""
+    return SHOWN.get(unit, unit)
+
+
+def join_unit(number: str, unit: str) -> str:
+    """A number and its unit with the space, or none, that print wants."""
+    shown = show_unit(unit)
+    return number + shown if shown in ("", "°") else f"{number} {shown}"
+
+
+Mass = Annotated[float, Gt(0), Le(1e6), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
+Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
+Friction = Annotated[float, Ge(0), Le(2), Measure("friction", "", r"\mu", decimals=2), Range(0.1, 0.7)]
+Force = Annotated[float, Gt(0), Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
+Speed = Annotated[float, Gt(0), Le(1e3), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
+Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=1), Range(-3.0, 3.0)]
+Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=1), Range(-2.0, 2.0)]
+Length = Annotated[float, Gt(0), Le(1e3), Measure("length", "m", r"\ell"), Range(0.5, 2.0)]
+Restitution = Annotated[float, Ge(0), Le(1), Measure("restitution", "", "e", decimals=2), Range(0.3, 0.95)]
+Gravity = Annotated[float, Ge(0), Le(100), Measure("gravity", "m/s^2", "g")]

@@ -1,0 +1,183 @@
+"""Frozen values with declared parameters: how they are walked, changed and drawn."""
+
+import types
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict
+
+from sim2reason.dsl.measures import Count, Hidden, Measure, Range
+from sim2reason.errors import SceneError
+
+
+class Model(BaseModel):
+    """The base of bodies, parts, entities and scenes: frozen, strict, without unknown fields or infinities."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True, revalidate_instances="never"
+    )
+
+
+M = TypeVar("M", bound=Model)
+V = TypeVar("V")
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One declared number of a value: its address, what it is (None: absent), what it means."""
+
+    path: str
+    value: float | None
+    measure: Measure
+    hidden: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FieldType:
+    """A field's annotation taken apart once: `models` are the classes that it may hold."""
+
+    measure: Measure | None
+    drawn: Range | None
+    count: Count | None
+    hidden: bool
+    optional: bool
+    models: tuple[type[Model], ...]
+    words: tuple[str, ...]  # of a Literal
+
+
+def _flatten(annotation: Any) -> Iterator[Any]:  # annotations are untyped by nature
+    """The leaves and metadata of an annotation, looking into Annotated, unions and variable-length tuples."""
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        first, *metadata = get_args(annotation)
+        yield from _flatten(first)
+        yield from metadata
+    elif origin in (Union, types.UnionType, tuple):
+        for argument in get_args(annotation):
+            if argument is not Ellipsis:
+                yield from _flatten(argument)
+    elif origin is Literal:
+        yield from get_args(annotation)
+    else:
+        yield annotation
+
+
+@cache
+def field_types(model: type[Model]) -> dict[str, FieldType]:
+    """The fields of a model class by name; a later `Range` of one field replaces an earlier one."""
+    found: dict[str, FieldType] = {}
+    for name, info in model.model_fields.items():
+        leaves = [*_flatten(info.annotation), *info.metadata]
+        found[name] = FieldType(
+            measure=next((leaf for leaf in leaves if isinstance(leaf, Measure)), None),
+            drawn=next((leaf for leaf in reversed(leaves) if isinstance(leaf, Range)), None),
+            count=next((leaf for leaf in leaves if isinstance(leaf, Count)), None),
+            hidden=any(isinstance(leaf, Hidden) for leaf in leaves),
+            optional=any(leaf is type(None) for leaf in leaves),
+            models=tuple(leaf for leaf in leaves if isinstance(leaf, type) and issubclass(leaf, Model)),
+            words=tuple(leaf for leaf in leaves if isinstance(leaf, str)),
+        )
+    return found
+
+
+def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
+    """Every declared number under a value, with its address, in the order of declaration."""
+    for name, kind in field_types(type(value)).items():
+        address, held = f"{prefix}.{name}" if prefix else name, getattr(value, name)
+        if kind.measure is not None:
+            yield Parameter(address, held, kind.measure, kind.hidden)
+        elif isinstance(held, Model):
+            yield from parameters(held, address)
+        elif isinstance(held, tuple):
+            for index, member in enumerate(held):  # type: ignore[reportUnknownArgumentType]
+                if isinstance(member, Model):
+                    yield from parameters(member, f"{address}.{index}")
+
+
+def lookup(value: Any, path: str) -> Any:
+    """What stands at an address below a value; SceneError names the first step that leads nowhere."""
+    walked: list[str] = []
+    for step in path.split("."):
+        walked.append(step)
+        try:
+            value = value[int(step)] if isinstance(value, tuple) else _field(value, step)
+        except (LookupError, ValueError, AttributeError):
+            raise SceneError(".".join(walked), "there is no such thing in the scene", "list the scene's parameters") from None
+    return value
+
+
+def _field(value: Any, step: str) -> Any:
+    if isinstance(value, Model) and step in type(value).model_fields:
+        return getattr(value, step)
+    raise AttributeError(step)
+
+
+def changed(value: V, path: str, new: object) -> V:
+    """The same value with `new` at an address, validated again; None in a tuple takes the member out."""
+    step, _, rest = path.partition(".")
+    if isinstance(value, tuple):
+        members: list[Any] = list(value)  # type: ignore[reportUnknownArgumentType]
+        index = int(step)
+        members[index] = changed(members[index], rest, new) if rest else new
+        return tuple(member for member in members if member is not None)  # type: ignore[return-value]
+    if not isinstance(value, Model):
+        raise SceneError(path, "there is no such thing in the scene", "list the scene's parameters")
+    inner = changed(_field(value, step), rest, new) if rest else new
+    fields = {name: getattr(value, name) for name in type(value).model_fields}
+    return type(value)(**{**fields, step: inner})  # type: ignore[return-value]
+
+
+Choice = Range | Count | tuple[str, ...] | float | int | bool | None
+Choices = Mapping[str, Choice]
+"""How a recipe narrows a draw, by field name or by the name of a measure: a `Range` or `Count` to draw from,
+a tuple of class names to pick a part from, a fixed value, or a chance between 0 and 1 that an optional thing is there."""
+
+
+def draw(model: type[M], rng: np.random.Generator, choices: Choices) -> M:
+    """A random value of a model class; every number is rounded to what will be spoken.
+
+    `choices` overrides what the class declares, by ``Class.field``, field or measure name, the most special first.
+    """
+    values: dict[str, object] = {}
+    for name, kind in field_types(model).items():
+        info = model.model_fields[name]
+        if kind.optional or not info.is_required():
+            chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")
+            if chance is None and not kind.optional:
+                chance = 1.0 if kind.drawn or kind.models else 0.0
+            if rng.random() >= float(chance or 0.0):  # type: ignore[arg-type]
+                continue
+        values[name] = _draw_field(model, name, kind, rng, choices)
+    return model(**values)
+
+
+def _choice(choices: Choices, *names: str) -> Choice:
+    return next((choices[name] for name in names if name in choices), None)
+
+
+def _draw_field(model: type[Model], name: str, kind: FieldType, rng: np.random.Generator, choices: Choices) -> object:
+    if kind.measure is not None:
+        found = _choice(choices, f"{model.__name__}.{name}", name, kind.measure.name) or kind.drawn
+        if isinstance(found, Range):
+            return kind.measure.draw(rng, found.low, found.high)
+        if isinstance(found, float | int):
+            return float(found)
+        raise SceneError(f"{model.__name__}.{name}", "has no range to be drawn from", "declare a Range or let the recipe choose")
+    if kind.words:
+        return kind.words[int(rng.integers(len(kind.words)))]
+    picks = _choice(choices, f"{model.__name__}.{name}", name)
+    allowed = [held for held in kind.models if not isinstance(picks, tuple) or held.__name__ in picks]
+    count = picks if isinstance(picks, Count) else kind.count
+    if kind.count is not None and count is not None:
+        size = int(rng.integers(count.low, count.high + 1))
+        return tuple(draw(allowed[int(rng.integers(len(allowed)))], rng, choices) for _ in range(size))
+    return draw(allowed[int(rng.integers(len(allowed)))], rng, choices)
+
+
+def rebuilt(value: M, **fields: object) -> M:
+    """The same value with some fields replaced, validated again."""
+    held = {name: getattr(value, name) for name in type(value).model_fields}
+    return type(value)(**{**held, **fields})

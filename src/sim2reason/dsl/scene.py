@@ -1,0 +1,230 @@
+"""Scenes: entities, connections and a world, as one frozen value."""
+
+from functools import cached_property
+from typing import Annotated, Any, Self
+
+from pydantic import Field, SerializeAsAny, model_validator
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
+from sim2reason.dsl.entity import Entity, Part, outer_ports, ropes_of, stops_of
+from sim2reason.dsl.layout import placed
+from sim2reason.dsl.measures import Gravity
+from sim2reason.dsl.mechanism import GRAVITY, Mechanism
+from sim2reason.dsl.model import Model, Parameter, changed, lookup, parameters, rebuilt
+from sim2reason.dsl.ports import Chain, End, Pass, Stop
+from sim2reason.errors import SceneError
+
+MAX_ENTITIES = 8
+Name = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,39}$")]
+
+
+class World(Model):
+    """What acts on everything."""
+
+    gravity: Gravity = GRAVITY
+
+
+class Named(Model):
+    """An entity and its name in the scene."""
+
+    name: Name
+    entity: SerializeAsAny[Entity]
+
+
+class Scene(Model):
+    """Entities by name, the connections between their ports, and the world.
+
+    `glued` names bodies that are welded to what carries them: an ablation, honoured once, in the builder.
+    """
+
+    name: Name = "scene"
+    entities: tuple[Named, ...]
+    connections: tuple[SerializeAsAny[Connection], ...] = ()
+    world: World = World()
+    glued: tuple[str, ...] = ()
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        names = [named.name for named in self.entities]
+        if not 1 <= len(names) <= MAX_ENTITIES:
+            raise SceneError("entities", f"there are {len(names)}", f"give 1 to {MAX_ENTITIES}")
+        for index, name in enumerate(names):
+            if name in names[:index]:
+                raise SceneError(f"entities.{index}.name", f"two entities are called {name!r}", "rename one")
+        self._check_links()
+        self._check_forest()
+        for address in self.glued:
+            if address not in self.bodies:
+                raise SceneError("glued", f"no body is at {address!r}", "name one that the scene has")
+        return self
+
+    def _check_links(self) -> None:
+        """Every link leads to a port, no port is used twice, and none that must be used stays open."""
+        used: set[tuple[str, str]] = set()
+        for number, connection in enumerate(self.connections):
+            for link in connection.links:
+                place = f"connections.{number}"
+                ports = outer_ports(type(self.entity(link.entity, place)))
+                if link.port not in ports:
+                    known = ", ".join(ports) or "none"
+                    raise SceneError(place, f"{link.entity!r} has no port {link.port!r}", f"its ports: {known}")
+                if (link.entity, link.port) in used:
+                    raise SceneError(place, f"port {link} is used twice", "use each port once")
+                used.add((link.entity, link.port))
+        for named in self.entities:
+            for port, declared in outer_ports(type(named.entity)).items():
+                if declared.required and (named.name, port) not in used:
+                    raise SceneError(f"entities.{named.name}", f"its port {port!r} is open", "connect it to something")
+
+    def _check_forest(self) -> None:
+        """Strings may branch at entities, but not close a ring: a ring would fix where entities stand twice."""
+        leader = {named.name: named.name for named in self.entities}
+
+        def find(name: str) -> str:
+            while leader[name] != name:
+                name = leader[name]
+            return name
+
+        for number, connection in enumerate(self.connections):
+            for one, other in zip(connection.links, connection.links[1:], strict=False):
+                first, second = find(one.entity), find(other.entity)
+                if first == second:
+                    raise SceneError(f"connections.{number}", "the connections form a ring", "leave one of them out")
+                leader[first] = second
+
+    def entity(self, name: str, place: str = "entities") -> Entity:
+        """An entity by name; SceneError, at `place`, if there is none."""
+        for named in self.entities:
+            if named.name == name:
+                return named.entity
+        raise SceneError(place, f"no entity is called {name!r}", f"there are: {', '.join(n.name for n in self.entities)}")
+
+    def stops(self, connection: Connection) -> list[Stop]:
+        """The stops of a connection from its first end to its last, in the order of travel."""
+        return path_stops(self, connection.links)
+
+    @cached_property
+    def strings(self) -> dict[str, tuple[type[Connection], list[Stop], dict[str, Any]]]:
+        """All connections by address, those inside entities included, with their stops and own parameters."""
+        found: dict[str, tuple[type[Connection], list[Stop], dict[str, Any]]] = {}
+        for named in self.entities:
+            for name, rope in ropes_of(type(named.entity)).items():
+                stops = [stop for inner in rope.stops for stop in stops_of(named.entity, inner, named.name)]
+                found[f"{named.name}.{name}"] = (CONNECTIONS["tendon"], travelled(stops), {})
+        for number, connection in enumerate(self.connections, start=1):
+            values = {p.path: p.value for p in parameters(connection)}
+            found[f"{connection.key}_{number}"] = (type(connection), self.stops(connection), values)
+        return found
+
+    @cached_property
+    def builder(self) -> Builder:
+        """The builder with everything in it: where sites are and which way strings must leave them."""
+        builder = placed(self.entities, self.connections, self.world.gravity, self.glued, self.stops)
+        for name, (kind, stops, values) in self.strings.items():
+            kind.stretch(name, stops, builder, values)
+        return builder
+
+    @cached_property
+    def mechanism(self) -> Mechanism:
+        """What an engine simulates; SceneError if the parts do not fit together."""
+        return self.builder.finish()
+
+    @cached_property
+    def bodies(self) -> dict[str, Body]:
+        """Every body that the text can mention, by address, those that strings bring included."""
+        found: dict[str, Body] = {}
+        for named in self.entities:
+            found.update(_bodies(named.entity, named.name))
+        for name, (kind, stops, _) in self.strings.items():
+            found.update(kind.owned(name, stops, self.builder))
+        return found
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Every declared number, with its address (``ramp.block.mass``)."""
+        entities = [p for named in self.entities for p in parameters(named.entity, named.name)]
+        own = [p for i, c in enumerate(self.connections, 1) for p in parameters(c, f"{c.key}_{i}")]
+        return (*entities, *own, *parameters(self.world, "world"))
+
+    def value(self, path: str) -> Any:
+        """What stands at an address."""
+        head, _, rest = path.partition(".")
+        if head == "world":
+            return lookup(self.world, rest) if rest else self.world
+        return lookup(self.entity(head, path), rest) if rest else self.entity(head, path)
+
+    def having(self, path: str, value: object) -> "Scene":
+        """The same scene with another value at an address, validated again."""
+        head, _, rest = path.partition(".")
+        if head == "world":
+            return rebuilt(self, world=changed(self.world, rest, value))
+        for number, connection in enumerate(self.connections):
+            if head == f"{connection.key}_{number + 1}":
+                new = changed(connection, rest, value)
+                return rebuilt(self, connections=(*self.connections[:number], new, *self.connections[number + 1 :]))
+        self.entity(head, path)
+        entities = tuple(
+            Named(name=n.name, entity=changed(n.entity, rest, value)) if n.name == head else n for n in self.entities
+        )
+        return rebuilt(self, entities=entities)
+
+    def without(self, address: str) -> "Scene":
+        """The scene without an entity, an optional part, or a member of a variable-length part.
+
+        A string that passed the entity goes on to its next stop; one that ended there is gone.
+        """
+        if "." in address:
+            self.value(address)
+            return self.having(address, None)
+        self.entity(address)
+        kept = tuple(named for named in self.entities if named.name != address)
+        connections: list[Connection] = []
+        for connection in self.connections:
+            ends = (connection.links[0].entity, connection.links[-1].entity)
+            links = tuple(link for link in connection.links if link.entity != address)
+            if address not in ends and len(links) > 1:
+                connections.append(rebuilt(connection, links=links))
+        return rebuilt(self, entities=kept, connections=tuple(connections))
+
+    def gluing(self, *addresses: str) -> "Scene":
+        """The scene with bodies welded to what carries them."""
+        return rebuilt(self, glued=tuple(sorted({*self.glued, *addresses})))
+
+
+def _bodies(value: Model, address: str) -> dict[str, Body]:
+    found: dict[str, Body] = {}
+    for name in type(value).model_fields:
+        held = getattr(value, name)
+        members = list(enumerate(held)) if isinstance(held, tuple) else [(None, held)]  # type: ignore[reportUnknownArgumentType]
+        for index, member in members:
+            where = f"{address}.{name}" if index is None else f"{address}.{name}.{index}"
+            if isinstance(member, Body):
+                found[where] = member
+            elif isinstance(member, Part):
+                found.update(_bodies(member, where))
+    return found
+
+
+def path_stops(scene: Scene, links: tuple[Link, ...]) -> list[Stop]:
+    """The stops of a path of links in the order of travel; SceneError where an end stands inside or a pass at an end."""
+    found: list[Stop] = []
+    for index, link in enumerate(links):
+        stops = stops_of(scene.entity(link.entity), link.port, link.entity, link.flipped)
+        last = index == len(links) - 1
+        found.extend(reversed_stops(stops) if last and index > 0 else stops)
+    return found
+
+
+def reversed_stops(stops: list[Stop]) -> list[Stop]:
+    """The same stops travelled the other way; a pass inside a chain is then passed from its far side."""
+    return [Stop(s.owner, s.port, not s.flipped if isinstance(s.port, Pass) else s.flipped) for s in reversed(stops)]
+
+
+def travelled(stops: list[Stop]) -> list[Stop]:
+    """The stops of an inner rope; its last port was listed from the inside out, too."""
+    if not isinstance(stops[-1].port, End):
+        inner = next(i for i, stop in enumerate(stops) if i > 0 and isinstance(stop.port, End | Chain))
+        return [*stops[:inner], *reversed_stops(stops[inner:])]
+    return stops

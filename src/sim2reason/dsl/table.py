@@ -1,0 +1,53 @@
+"""A table of like bodies: one row each, a column for each number in which they differ."""
+
+from typing import TYPE_CHECKING
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.measures import show_unit
+from sim2reason.dsl.model import field_types
+
+if TYPE_CHECKING:
+    from sim2reason.dsl.speaker import Speaker
+
+LEAD_INS = (
+    "the table lists the {plural} as they are at t = 0.",
+    "the {plural} at t = 0 are these.",
+    "at t = 0 the {plural} are as listed here.",
+)
+
+
+def headings(kind: type[Body]) -> dict[str, str]:
+    """The heading of every spoken column, by field: its symbol and unit."""
+    found: dict[str, str] = {}
+    for name, held in field_types(kind).items():
+        if held.measure is not None and not held.hidden:
+            symbol = kind.symbols.get(name, held.measure.symbol)
+            unit = show_unit(held.measure.unit)
+            found[name] = f"${symbol}$" + (f" ({unit})" if unit else "")
+    return found
+
+
+def table(speaker: "Speaker", field: str, where: list[str], members: tuple[Body, ...]) -> list[str]:
+    """A lead-in, the columns that agree in a sentence, the others as Markdown rows."""
+    del field
+    noun = speaker.names.noun(members[0])
+    lead = speaker.finish(speaker.choose(LEAD_INS).replace("{plural}", f"{noun}s"))
+    columns = headings(type(members[0]))
+    shared = [name for name in columns if len({getattr(member, name) for member in members}) == 1]
+    said = [_shared(columns[name], speaker.at(f"{where[0]}.{name}")) for name in shared]
+    rows = [(noun, *(columns[name] for name in columns if name not in shared))]
+    rows.append(tuple("---" for _ in rows[0]))
+    for address in where:
+        cells = [_cell(speaker.at(f"{address}.{name}")) for name in columns if name not in shared]
+        rows.append((speaker.names.letters.get(address, ""), *cells))
+    drawn = "\n".join("| " + " | ".join(row) + " |" for row in rows)
+    return [*said, lead, f"\n\n{drawn}\n\n"]
+
+
+def _shared(heading: str, value: str) -> str:
+    return f"All have {heading.split(' (', maxsplit=1)[0]} = {value}."
+
+
+def _cell(value: str) -> str:
+    """A number without its unit, which the heading has."""
+    return value.split(" ")[0]

@@ -1,0 +1,130 @@
+"""Sentences as data: text with slots, taken apart once and read by whoever writes or reads a problem.
+
+    {block}              a body, introduced with its numbers at its first mention
+    {blocks}             all of a variable-length part: blocks A (1.2 kg) and B (2.0 kg)
+    {blocks.last}        one of them: first, last, or * for each in turn
+    {plane.angle}        a number with its unit
+    {plane.uphill}       a word that depends on a number
+    {blocks:lies/lie}    the form for one and the form for several
+    {blocks:#}           how many, as a word
+    {pairs.*.a>blocks}   the member of `blocks` whose index is the number at `pairs.*.a`
+    {letter} {noun}      inside a body's own introductions
+"""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal
+
+COUNT_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight")
+
+Kind = Literal["text", "path", "agree", "count", "member"]
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """One piece of a template. `path` is empty for plain text."""
+
+    kind: Kind
+    text: str = ""
+    path: str = ""
+    one: str = ""
+    many: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A word in place of a number: `special` by value, `otherwise` for all other values.
+
+    Both are templates of the body. A value that has a special word is said by that word alone.
+    """
+
+    parameter: str
+    special: dict[float, str]
+    otherwise: str = ""
+
+    def text(self, value: float | None) -> str:
+        """The template to be said for a value."""
+        return self.special.get(value, self.otherwise) if value is not None else self.otherwise
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One sentence in its wordings, of which a seed chooses one."""
+
+    wordings: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Each:
+    """A sentence for each member of a variable-length part; from three members on, a table of their numbers."""
+
+    field: str
+    wordings: tuple[str, ...]
+
+
+Saying = str | Line | Each
+
+
+def either(*wordings: str) -> Line:
+    """One sentence that can be said in several ways."""
+    return Line(wordings)
+
+
+def each(field: str, *wordings: str) -> Each:
+    """One sentence for each member of `field`, called ``{field.*}``; a table from three members on."""
+    return Each(field, wordings)
+
+
+def wordings(saying: Saying) -> tuple[str, ...]:
+    """All templates of a sentence."""
+    return (saying,) if isinstance(saying, str) else saying.wordings
+
+
+_PATH = re.compile(r"[a-z_0-9.*]+")
+
+
+@cache
+def slots(template: str) -> tuple[Slot, ...]:
+    """A template in pieces; ValueError for a brace that belongs to no slot. Forms of agreement may hold slots."""
+    found: list[Slot] = []
+    depth, begin = 0, 0
+    for place, character in enumerate(template):
+        if character == "{":
+            if depth == 0:
+                found.append(Slot("text", template[begin:place]))
+                begin = place + 1
+            depth += 1
+        elif character == "}":
+            depth -= 1
+            if depth == 0:
+                found.append(_slot(template[begin:place]))
+                begin = place + 1
+        if depth < 0:
+            break
+    if depth != 0:
+        raise ValueError(f"a brace that belongs to no slot in {template!r}")
+    found.append(Slot("text", template[begin:]))
+    return tuple(slot for slot in found if slot.kind != "text" or slot.text)
+
+
+def _slot(inside: str) -> Slot:
+    match = _PATH.match(inside)
+    if match is None:
+        raise ValueError(f"not a slot: {{{inside}}}")
+    path, rest = match.group(), inside[match.end() :]
+    if not rest:
+        return Slot("path", path=path)
+    if rest == ":#":
+        return Slot("count", path=path)
+    if rest.startswith(">"):
+        return Slot("member", rest[1:], path)
+    if rest.startswith(":") and "/" in rest:
+        one, many = rest[1:].split("/", 1)
+        return Slot("agree", path=path, one=one, many=many)
+    raise ValueError(f"not a slot: {{{inside}}}")
+
+
+def paths(template: str) -> tuple[str, ...]:
+    """The addresses that a template mentions, in order."""
+    return tuple(slot.path for slot in slots(template) if slot.path)

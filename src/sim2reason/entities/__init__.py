@@ -1,0 +1,1 @@
+"""The entities that scenes are made of, one file each."""

@@ -1,0 +1,19 @@
+"""A hand that draws a string in with a constant force."""
+
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import Force
+from sim2reason.dsl.ports import End
+
+
+@entity
+class ConstantForcePuller(Entity):
+    """Closes an open string with a steady pull along it."""
+
+    force: Force
+
+    end = End(sites=("hand",), arrives="ends in a hand that pulls it with a steady force of {force}", required=True)
+
+    def build(self, room: Frame) -> None:
+        """A fixed point at which the string is drawn in."""
+        room.hand("hand", self.force)

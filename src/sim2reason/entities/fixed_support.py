@@ -1,0 +1,21 @@
+"""A hook to which an open string is tied."""
+
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.ports import End
+
+
+@entity
+class FixedSupport(Entity):
+    """Closes an open string with a point fixed in the room."""
+
+    end = End(
+        sites=("hook",),
+        tied="a fixed hook",
+        arrives="ends at a fixed hook",
+        required=True,
+    )
+
+    def build(self, room: Frame) -> None:
+        """A point of the room."""
+        room.site("hook")

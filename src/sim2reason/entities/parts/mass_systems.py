@@ -1,0 +1,154 @@
+"""Mass systems: what hangs on, or is drawn by, one end of a string."""
+
+from math import cos, radians, sin
+from typing import Annotated
+
+from annotated_types import Gt, Le, Len
+
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.wedge import Wedge
+from sim2reason.dsl.builder import Frame, scale
+from sim2reason.dsl.entity import Part
+from sim2reason.dsl.measures import Count, Hidden, Measure, Range
+from sim2reason.dsl.mechanism import X, Z
+from sim2reason.dsl.ports import End
+from sim2reason.dsl.template import either
+
+MAX_BLOCKS = 5
+SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters
+Blocks = Annotated[tuple[Block, ...], Len(1, MAX_BLOCKS), Count(1, 2)]
+FreeLength = Annotated[float, Gt(0), Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
+
+
+
+class MassSystem(Part):
+    """The base: `tail` is the free end of its string, `length` the free string between it and the next pulley."""
+
+    length: FreeLength = 3.0
+
+    def build(self, room: Frame, side: float = 1.0) -> None:
+        """Build it so that its string arrives at the origin of `room`; a `side` of −1 mirrors it."""
+        raise NotImplementedError
+
+
+class Hanging(MassSystem):
+    """Blocks that hang one below the other."""
+
+    blocks: Blocks
+
+    says = (
+        either(
+            "{blocks} {blocks:hangs freely/hang freely, each from the one before by a light string}.",
+            "{blocks} {blocks:hangs in the air/hang in the air one below the other in this order, joined by light strings}.",
+            "in the air {blocks:hangs/hang} {blocks}{blocks:/, in this order from the top down, joined by light strings}.",
+        ),
+    )
+    tail = End(
+        sites=("hook",),
+        tied="{blocks.first}",
+        leaves="runs straight up",
+        arrives="runs straight down to {blocks.first}",
+    )
+
+    def build(self, room: Frame, side: float = 1.0) -> None:
+        """Blocks on vertical slides, the first one on top."""
+        del side
+        for index, block in enumerate(self.blocks):
+            depth = self.length + index * SPACING
+            frame = room.body(f"blocks.{index}", block.mass, at=(0.0, 0.0, -depth)).slide(Z)
+            frame.site("hook" if index == 0 else f"hook{index}", faces=Z)
+        link(room, len(self.blocks), first="hook")
+
+
+class OnPlane(MassSystem):
+    """Blocks in a row on a fixed plane, drawn up its slope."""
+
+    plane: Plane
+    blocks: Blocks
+
+    says = (
+        either(
+            "{blocks} {blocks:lies/lie} on {plane}{blocks:/, joined in this order, from {plane.order}, by light strings}.",
+            "on {plane} {blocks:lies/lie} {blocks}{blocks:/, in this order from {plane.order} and joined by light strings}.",
+            "{blocks} {blocks:rests/rest} on {plane}{blocks:/, in a row from {plane.order} and joined by light strings}.",
+        ),
+        either(
+            "the coefficient of friction (static and kinetic) between {blocks} and the plane is {plane.friction}.",
+            "between {blocks} and the plane the coefficient of friction, static and kinetic, is {plane.friction}.",
+            "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
+        ),
+    )
+    tail = End(
+        sites=("hook",),
+        tied="{blocks.last}",
+        leaves="runs {plane.uphill}",
+        arrives="reaches {blocks.last} {plane.above}",
+    )
+
+    def build(self, room: Frame, side: float = 1.0) -> None:
+        """Blocks that rest on the room's face, the last one highest."""
+        row(room, self.blocks, self.plane.angle, self.plane.friction, self.length, side)
+
+
+class OnWedge(MassSystem):
+    """Blocks in a row on the face of a wedge that slides on a smooth floor."""
+
+    wedge: Wedge
+    blocks: Blocks
+
+    says = (
+        either(
+            "{wedge} is free to slide on a smooth floor.",
+            "{wedge} stands on a smooth floor and is free to slide.",
+            "on a smooth floor, free to slide, stands {wedge}.",
+        ),
+        either(
+            "{blocks} {blocks:rests/rest} on its face{blocks:/, joined in this order, from the lowest to the highest, by light strings}.",
+            "its face carries {blocks}{blocks:/, joined in this order, from the lowest to the highest, by light strings}.",
+            "on its face {blocks:lies/lie} {blocks}{blocks:/, in this order from the lowest to the highest and joined by light strings}.",
+        ),
+        either(
+            "the coefficient of friction (static and kinetic) between {blocks} and the wedge is {wedge.friction}.",
+            "between {blocks} and the wedge the coefficient of friction, static and kinetic, is {wedge.friction}.",
+            "friction on this face, static and kinetic, has the coefficient {wedge.friction}.",
+        ),
+    )
+    tail = End(
+        sites=("hook", "corner"),
+        tied="{blocks.last}",
+        leaves="runs up the face, passes over a small light pulley at the top of {wedge} and continues horizontally",
+        arrives="comes in horizontally to a small light pulley at the top of {wedge} and runs down the face to {blocks.last}",
+    )
+
+    def build(self, room: Frame, side: float = 1.0) -> None:
+        """The wedge on the floor, the blocks on its face; the string leaves horizontally from its top."""
+        corner = scale(-self.length, scale(side, X))
+        wedge = room.body("wedge", self.wedge.mass, at=corner).rest(along=X, normal=Z)
+        wedge.site("corner", faces=scale(side, X))
+        row(wedge, self.blocks, self.wedge.angle, self.wedge.friction, self.length, side)
+
+
+def row(carrier: Frame, blocks: tuple[Block, ...], angle: float, friction: float, length: float, side: float) -> None:
+    """Blocks on a face that rises to the `side`, the last one `length` below the origin of `carrier`."""
+    uphill = (side * cos(radians(angle)), 0.0, sin(radians(angle)))
+    normal = (-side * sin(radians(angle)), 0.0, cos(radians(angle)))
+    last = len(blocks) - 1
+    for index, block in enumerate(blocks):
+        away = -(length + (last - index) * SPACING)
+        frame = carrier.body(f"blocks.{index}", block.mass, at=scale(away, uphill))
+        frame.rest(along=uphill, normal=normal, friction=friction)
+        frame.site("hook" if index == last else f"hook{index}", faces=uphill)
+    link(carrier, len(blocks), last="hook")
+
+
+def link(room: Frame, count: int, first: str = "hook0", last: str = "") -> None:
+    """Light strings between neighbours in a row of blocks; the first or last hook has a name of its own."""
+    hooks = [first, *(f"hook{index}" for index in range(1, count))]
+    if last:
+        hooks = [*(f"hook{index}" for index in range(count - 1)), last]
+    for index, (one, other) in enumerate(zip(hooks, hooks[1:], strict=False)):
+        room.string(f"link{index}", room.address(one), room.address(other))
+
+
+

@@ -1,0 +1,96 @@
+"""Pucks that slide and bounce on a smooth table, level or tilted."""
+
+from itertools import combinations
+from math import cos, hypot, radians, sin
+from typing import Annotated, Self
+
+from annotated_types import Ge, Gt, Le, Len
+from pydantic import model_validator
+
+from sim2reason.bodies.puck import Puck, Table
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, Part, entity
+from sim2reason.dsl.measures import Count, Measure, Range, Restitution
+from sim2reason.dsl.mechanism import X
+from sim2reason.dsl.template import Word, each, either
+
+Pucks = Annotated[tuple[Puck, ...], Len(2, 6), Count(2, 4)]
+Radius = Annotated[float, Gt(0), Le(10), Measure("radius", "m", "R", decimals=2), Range(0.1, 0.3)]
+Index = Annotated[int, Ge(0), Le(5)]
+
+
+class Pair(Part):
+    """A restitution of two pucks, by their indices, other than that of all the others."""
+
+    first: Index
+    second: Index
+    restitution: Restitution
+
+
+@entity
+class TwoDCollisionPlane(Entity):
+    """Equal discs on a table; hits are smooth, so only the velocity along the line of centres changes."""
+
+    table: Table
+    radius: Radius
+    pucks: Pucks
+    restitution: Annotated[Restitution, Range(0.3, 1.0)]
+    pairs: Annotated[tuple[Pair, ...], Len(0, 3), Count(0, 0)] = ()
+
+    words = {
+        "bounce": Word(
+            "restitution",
+            {1.0: "is perfectly elastic", 0.0: "is perfectly inelastic (restitution 0)"},
+            "has the coefficient of restitution {restitution}",
+        ),
+    }
+    says = (
+        either(
+            "{pucks:#} smooth round bodies of radius {radius} slide on {table}; {table.axes}.",
+            "on {table} slide {pucks:#} smooth round bodies, each of radius {radius}; {table.axes}.",
+            "{table} carries {pucks:#} smooth round bodies of radius {radius}, and {table.axes}.",
+        ),
+        each(
+            "pucks",
+            "{pucks.*} is at ({pucks.*.x}, {pucks.*.y}) at t = 0 and moves with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
+            "at t = 0 {pucks.*} passes the point ({pucks.*.x}, {pucks.*.y}) with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
+            "{pucks.*} starts from ({pucks.*.x}, {pucks.*.y}) at t = 0 with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
+        ),
+        each(
+            "pairs",
+            "between {pairs.*.first>pucks} and {pairs.*.second>pucks} the coefficient of restitution is {pairs.*.restitution}.",
+            "when {pairs.*.first>pucks} and {pairs.*.second>pucks} meet, the coefficient of restitution is {pairs.*.restitution}.",
+            "the coefficient of restitution of {pairs.*.first>pucks} with {pairs.*.second>pucks} is {pairs.*.restitution}.",
+        ),
+        either(
+            "every {pairs:/other} collision {bounce}.",
+            "each {pairs:/other} hit {bounce}.",
+            "any {pairs:/other} collision {bounce}.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        for index, pair in enumerate(self.pairs):
+            if not pair.first < pair.second < len(self.pucks):
+                raise ValueError(f"pairs.{index}: name two pucks by index, the lower one first")
+        if len({(pair.first, pair.second) for pair in self.pairs}) < len(self.pairs):
+            raise ValueError("pairs: two entries name the same pair")
+        for (i, a), (j, b) in combinations(enumerate(self.pucks), 2):
+            if hypot(a.x - b.x, a.y - b.y) <= 2.0 * self.radius:
+                raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by more than two radii")
+        return self
+
+    def build(self, room: Frame) -> None:
+        """Point-like bodies with two slides in the table, y up its slope; every pair may bounce."""
+        tilt = radians(self.table.tilt)
+        upslope = (0.0, cos(tilt), sin(tilt))
+        special = {(pair.first, pair.second): pair.restitution for pair in self.pairs}
+        frames: list[Frame] = []
+        for index, puck in enumerate(self.pucks):
+            at = (puck.x, puck.y * upslope[1], puck.y * upslope[2])
+            frame = room.body(f"pucks.{index}", puck.mass, at=at)
+            frames.append(frame.slide(X, puck.vx, name="x").slide(upslope, puck.vy, name="y"))
+        for i, j in combinations(range(len(frames)), 2):
+            restitution = special.get((i, j), self.restitution)
+            room.collide(frames[i], frames[j], 2.0 * self.radius, restitution)

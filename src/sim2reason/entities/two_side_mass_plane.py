@@ -1,0 +1,63 @@
+"""Blocks in a row on a fixed plane, open to strings on either side."""
+
+from math import cos, radians, sin
+
+from sim2reason.bodies.plane import Plane
+from sim2reason.dsl.builder import Frame, scale
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import Speed
+from sim2reason.dsl.ports import End
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.mass_systems import SPACING, Blocks
+
+
+@entity
+class TwoSideMassPlane(Entity):
+    """One or more blocks on a plane that rises to the right; they may start with a common speed up the slope."""
+
+    plane: Plane
+    blocks: Blocks
+    speed: Speed | None = None
+
+    says = (
+        either(
+            "{blocks} {blocks:lies/lie} on {plane}{blocks:/, joined in this order, from {plane.order}, by light strings}.",
+            "on {plane} {blocks:lies/lie} {blocks}{blocks:/, in this order from {plane.order} and joined by light strings}.",
+            "{plane} carries {blocks}{blocks:/, in a row from {plane.order} and joined by light strings}.",
+        ),
+        either(
+            "the coefficient of friction (static and kinetic) between {blocks} and the plane is {plane.friction}.",
+            "between {blocks} and the plane the coefficient of friction, static and kinetic, is {plane.friction}.",
+            "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
+        ),
+        either(
+            "at t = 0 {blocks:it moves/they move} {plane.uphill} at {speed}.",
+            "{blocks:its/their} velocity at t = 0 is {speed}, directed {plane.uphill}.",
+            "{blocks:it is/they are} sent off {plane.uphill} at t = 0 with a speed of {speed}.",
+        ),
+    )
+    left = End(
+        sites=("lowest",),
+        tied="{blocks.first}",
+        leaves="runs {plane.downhill}",
+        arrives="reaches {blocks.first} {plane.below}",
+    )
+    right = End(
+        sites=("highest",),
+        tied="{blocks.last}",
+        leaves="runs {plane.uphill}",
+        arrives="reaches {blocks.last} {plane.above}",
+    )
+
+    def build(self, room: Frame) -> None:
+        """Blocks that rest on the room's face, the first one lowest."""
+        slope = radians(self.plane.angle)
+        uphill, normal = (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
+        for index, block in enumerate(self.blocks):
+            frame = room.body(f"blocks.{index}", block.mass, at=scale(index * SPACING, uphill))
+            frame.rest(uphill, normal, self.plane.friction, self.speed or 0.0).site(f"hook{index}")
+            if index == 0:
+                frame.site("lowest", faces=scale(-1.0, uphill))
+            else:
+                room.string(f"link{index - 1}", room.address(f"hook{index - 1}"), room.address(f"hook{index}"))
+        frame.site("highest", faces=uphill)  # type: ignore[reportPossiblyUnboundVariable]  # there is at least one block
