@@ -3,7 +3,6 @@
 import hashlib
 import os
 import time
-from pathlib import Path
 
 from sim2reason.datasets.item import Answer, Asked, Item, Provenance
 from sim2reason.datasets.plan import Made, Request
@@ -83,14 +82,3 @@ def impostor(request: Request) -> Made:
     """An item that bears another's id."""
     made = steady(request)
     return Made(made.item and made.item.model_copy(update={"id": "other"}), made.rejected)
-
-
-def flaky(request: Request) -> Made:
-    """Crash the first time at the bad index, and work the second time; the folder to remember in is in FLAKY."""
-    if request.index == BAD and request.recipe == "pulley":
-        try:
-            os.close(os.open(Path(os.environ["FLAKY"], "seen"), os.O_CREAT | os.O_EXCL))
-        except FileExistsError:
-            return steady(request)
-        os._exit(3)
-    return steady(request)

@@ -117,7 +117,7 @@ def _finish(out: Path, journal: Journal, shards: Sequence[Shard]) -> Manifest:
         files={},
     )
     put_text(out / CARD, card.text(manifest, example))
-    manifest = manifest.model_copy(update={"files": {CARD: checksum(out / CARD)}})
+    manifest = manifest.model_copy(update={"files": {CARD: checksum(out / CARD)}}).sealed()
     save(manifest, out / MANIFEST)
     return manifest
 

@@ -11,7 +11,8 @@ SIZES = (1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (1_000_0
 
 def text(manifest: Manifest, example: Item | None) -> str:
     """The whole card; a pure function of the manifest (its `files` aside) and an example."""
-    return "\n".join([*_front(manifest), *_body(manifest), *_example(example), *_fields(), *_remake(manifest)])
+    lines = [*_front(manifest), *_body(manifest), *_example(example), *_fields(), *_remake(manifest)]
+    return "\n".join(lines) + "\n"
 
 
 def _front(manifest: Manifest) -> Iterator[str]:
@@ -38,17 +39,16 @@ def _body(manifest: Manifest) -> Iterator[str]:
         head = "position", "recipe", "difficulty", "mode", "index", "reason"
         yield from _table(f"{title} positions", head, found[:20])
         if len(found) > len(found[:20]):
-            yield f"… and {len(found) - 20} more: see `manifest.json`."
-    yield ""
+            yield from ("", f"… and {len(found) - 20} more: see `manifest.json`.")
 
 
 def _example(item: Item | None) -> Iterator[str]:
     if item is None:
         return
     sign = f" ({item.answer.sign})" if item.answer.sign else ""
-    yield from ("## An example", "", *(f"> {line}".rstrip() for line in item.prompt.splitlines()), "")
+    yield from ("", "## An example", "", *(f"> {line}".rstrip() for line in item.prompt.splitlines()), "")
     yield from (f"Answer: {item.answer.value:.6g} {item.answer.unit}{sign}", "", "Its scene:", "", "```yaml")
-    yield from (item.scene.rstrip("\n"), "```", "")
+    yield from (item.scene.rstrip("\n"), "```")
 
 
 def _fields() -> Iterator[str]:
@@ -64,18 +64,17 @@ def _fields() -> Iterator[str]:
         ("provenance", "request, versions (JSON), hash of the maker's settings"),
     ]
     yield from _table("Fields", ("field", "meaning"), rows)
-    yield ""
 
 
 def _remake(manifest: Manifest) -> Iterator[str]:
     config = manifest.config
-    yield from ("## Made by", "", "```console")
+    yield from ("", "## Made by", "", "```console")
     yield (
         f"$ sim2reason generate OUT --items {config.items} --recipe {','.join(config.recipes)} "
         f"--difficulty {','.join(config.difficulties)} --modes {','.join(config.modes)} "
         f"--seed {config.seed} --shard-size {config.shard}"
     )
-    yield from ("```", "", f"with `{json.dumps(manifest.versions)}`.", "")
+    yield from ("```", "", f"with `{json.dumps(manifest.versions)}`.")
 
 
 def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:

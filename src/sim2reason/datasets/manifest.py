@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from hashlib import sha256
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -70,6 +71,13 @@ class Manifest(Record):
     shards: tuple[Shard, ...]
     files: dict[str, str]
     """Other files of the dataset and their SHA-256."""
+    seal: str = ""
+    """The SHA-256 of this manifest with an empty seal."""
+
+    def sealed(self) -> "Manifest":
+        """The same with its seal set."""
+        bare = self.model_copy(update={"seal": ""}).text()
+        return self.model_copy(update={"seal": sha256(bare.encode()).hexdigest()})
 
     def text(self) -> str:
         """The bytes of ``manifest.json``, as text."""

@@ -42,8 +42,8 @@ def examine(out: Path | str) -> Findings:
 
 
 def _manifest(out: Path, manifest: Manifest) -> Iterator[str]:
-    if manifest.text().encode() != (out / MANIFEST).read_bytes():
-        yield f"{MANIFEST}: not as it was written"
+    if manifest.text().encode() != (out / MANIFEST).read_bytes() or manifest.sealed() != manifest:
+        yield f"{MANIFEST}: damaged, it is not as it was written"
     if manifest.config.digest(manifest.versions) != manifest.config_hash:
         yield f"{MANIFEST}: the configuration or the versions don't fit their hash"
     if [shard.name for shard in manifest.shards] != [file_name(positions) for positions in manifest.config.shards()]:

@@ -1,0 +1,202 @@
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from sim2reason.datasets.build import build, cores
+from sim2reason.datasets.files import locked
+from sim2reason.datasets.journal import FOLDER
+from sim2reason.datasets.manifest import MANIFEST, Manifest, load
+from sim2reason.datasets.plan import Config
+from sim2reason.datasets.store import read
+from sim2reason.errors import DatasetError
+
+Make = Callable[..., Manifest]
+Contents = Callable[[Path], dict[str, bytes]]
+
+
+def test_a_dataset_is_its_shards_a_card_and_a_manifest(make: Make, tmp_path: Path, contents: Contents) -> None:
+    manifest = make()
+    ranges = ("00000-00019", "00020-00039", "00040-00059", "00060-00079", "00080-00094")
+    assert list(contents(tmp_path / "data")) == ["README.md", *(f"items-{r}.parquet" for r in ranges), MANIFEST]
+    assert manifest == load(tmp_path / "data")
+    assert manifest.rows == 94  # the maker finds no draw for one
+    assert manifest.counts["recipe"] == {"incline": 47, "pulley": 47}
+    assert manifest.counts["kind"] == {"state": 94}
+
+
+def test_items_come_in_the_order_of_their_positions(data: Path, config: Config) -> None:
+    wanted = [config.request(k).id for k in range(95)]
+    wanted.remove("incline-easy-numeric-0-3")
+    assert [item.id for item in read(data)] == wanted
+
+
+@pytest.mark.parametrize("workers", [2, 4])
+def test_workers_do_not_change_a_byte(data: Path, make: Make, contents: Contents, workers: int) -> None:
+    make("other", workers=workers)
+    assert contents(data.parent / "other") == contents(data)
+
+
+def test_a_position_without_a_draw_is_told(make: Make) -> None:
+    (problem,) = make().problems("unfilled")
+    assert (problem.recipe, problem.index) == ("incline", 3)
+    assert problem.reason == "no draw passed: shortcut 12"
+
+
+def test_refused_draws_are_counted_by_recipe_and_filter(make: Make, config: Config) -> None:
+    from fake_makers import steady
+
+    manifest = make()
+    made = [steady(config.request(k)).rejected for k in range(95) if config.request(k).recipe == "pulley"]
+    assert manifest.rejected["pulley"]["degenerate"] == sum(m.get("degenerate", 0) for m in made)
+
+
+@pytest.mark.parametrize(
+    ("maker", "reason"), [("crashing", "crashed its worker (exit code 3), twice"), ("raising", "")]
+)
+def test_a_bad_item_is_quarantined_and_no_other_is_lost(make: Make, maker: str, reason: str) -> None:
+    manifest = make(workers=2, maker=f"fake_makers:{maker}")
+    (problem,) = manifest.problems("quarantined")
+    assert (problem.recipe, problem.index, problem.seed) == ("pulley", 7, 0)
+    assert problem.reason == (reason or "raised ValueError: a defect of two lines")
+    assert manifest.rows == 93
+
+
+def test_an_item_that_hangs_is_quarantined(make: Make) -> None:
+    manifest = make(workers=2, patience=3.0, maker="fake_makers:hanging", items=20)
+    (problem,) = manifest.problems("quarantined")
+    assert problem.reason == "hung its worker for 3 s, twice"
+    assert manifest.rows == 18
+
+
+FLAKY = """
+import os
+from pathlib import Path
+import fake_makers
+
+def make(request):
+    mark = Path(__file__).with_name("seen")
+    if request.index == 7 and not mark.exists():
+        mark.touch()
+        os._exit(3)
+    return fake_makers.steady(request)
+"""
+
+
+def test_one_crash_by_chance_leaves_no_trace(make: Make, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "flaky_maker.py").write_text(FLAKY)
+    monkeypatch.syspath_prepend(tmp_path)
+    manifest = make(workers=2, maker="flaky_maker:make")
+    assert (tmp_path / "seen").exists()
+    assert not manifest.problems("quarantined")
+    assert manifest.rows == 94
+
+
+def test_an_item_must_bear_the_id_of_its_request(make: Make) -> None:
+    manifest = make(maker="fake_makers:impostor", items=3)
+    assert [p.reason for p in manifest.problems("quarantined")] == ["made an item of another id: other"] * 3
+
+
+@pytest.mark.parametrize("maker", ["nowhere:make", "fake_makers:missing", "fake_makers"])
+def test_a_maker_that_can_not_be_imported_is_said_at_once(make: Make, maker: str) -> None:
+    with pytest.raises(DatasetError, match="no maker of items can be imported"):
+        make(maker=maker)
+
+
+def test_duplicates_are_left_out_and_told(make: Make, tmp_path: Path) -> None:
+    manifest = make(maker="fake_makers:twins")
+    found = manifest.problems("duplicates")
+    assert found[0].reason == "same as incline-easy-numeric-0-0"
+    assert manifest.rejected["pulley"]["distinct"] == sum(p.recipe == "pulley" for p in found) == 23
+    prompts = [item.prompt for item in read(tmp_path / "data")]
+    assert len(prompts) == len(set(prompts)) == manifest.rows
+
+
+def test_a_shard_of_a_dataset_with_duplicates_is_remade_to_the_same_bytes(
+    make: Make, tmp_path: Path, contents: Contents
+) -> None:
+    make(maker="fake_makers:twins")
+    whole = contents(tmp_path / "data")
+    (tmp_path / "data/items-00020-00039.parquet").unlink()
+    make(maker="fake_makers:twins")
+    assert contents(tmp_path / "data") == whole
+
+
+def test_missing_and_damaged_shards_are_remade_and_no_other(data: Path, make: Make, contents: Contents) -> None:
+    whole = contents(data)
+    (data / "items-00060-00079.parquet").unlink()
+    (data / "items-00000-00019.parquet").write_bytes(b"PAR1")
+    kept = data / "items-00020-00039.parquet"
+    stamp = kept.stat().st_mtime_ns
+    make()
+    assert contents(data) == whole
+    assert kept.stat().st_mtime_ns == stamp
+
+
+def test_a_second_run_changes_nothing(data: Path, make: Make, contents: Contents) -> None:
+    whole = contents(data)
+    make(workers=2)
+    assert contents(data) == whole
+
+
+def test_a_run_goes_on_from_its_journal(tmp_path: Path, config: Config, data: Path, contents: Contents) -> None:
+    def interrupt(steps: int) -> None:
+        nonlocal done
+        done += steps
+        if done >= 60:
+            raise KeyboardInterrupt
+
+    done = 0
+    with pytest.raises(KeyboardInterrupt):
+        build(tmp_path / "half", config, workers=1, advance=interrupt)
+    assert (tmp_path / "half" / FOLDER / "items-00040-00059.json").exists()
+    (tmp_path / "half" / ".items-00060-00079.parquet.tmp").write_bytes(b"half a file")
+    steps: list[int] = []
+    build(tmp_path / "half", config, workers=1, advance=steps.append)
+    assert steps[0] == 60
+    assert sum(steps) == 95
+    assert contents(tmp_path / "half") == contents(data)
+
+
+@pytest.mark.parametrize("unfinished", [False, True])
+def test_another_configuration_is_refused_and_nothing_is_lost(
+    data: Path, make: Make, contents: Contents, unfinished: bool
+) -> None:
+    if unfinished:
+        (data / FOLDER).mkdir()
+        manifest = load(data)
+        plan = manifest.model_dump_json(include={"config", "versions"})
+        (data / FOLDER / "plan.json").write_text(plan)
+        (data / MANIFEST).unlink()
+    whole = contents(data)
+    with pytest.raises(DatasetError, match=r"another configuration \(seed 0 ≠ 1\)"):
+        make(seed=1)
+    assert contents(data) == whole
+
+
+def test_other_versions_are_refused(data: Path, make: Make, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sim2reason.datasets.journal.versions", lambda: {**load(data).versions, "numpy": "9"})
+    with pytest.raises(DatasetError, match="numpy"):
+        make()
+
+
+def test_a_folder_of_other_things_is_left_alone(make: Make, tmp_path: Path, contents: Contents) -> None:
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data/thesis.tex").write_text("years of work")
+    with pytest.raises(DatasetError, match=r"holds thesis\.tex and is no dataset"):
+        make()
+    assert contents(tmp_path / "data") == {"thesis.tex": b"years of work"}
+
+
+def test_two_runs_do_not_share_a_folder(data: Path, make: Make) -> None:
+    with locked(data), pytest.raises(DatasetError, match="another run is writing here"):
+        make()
+
+
+def test_an_empty_dataset_is_one_too(make: Make, tmp_path: Path) -> None:
+    assert make(items=0).rows == 0
+    assert list(read(tmp_path / "data")) == []
+
+
+def test_there_is_at_least_one_core() -> None:
+    assert cores() >= 1

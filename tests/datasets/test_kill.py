@@ -1,0 +1,113 @@
+"""What SIGKILL leaves behind: a run that can go on to the same bytes, and no process."""
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+import uuid
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from sim2reason.datasets.manifest import MANIFEST
+
+SUPPORT = Path(__file__).parents[1] / "support"
+pytestmark = pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="looks processes up in /proc")
+
+
+def start(out: Path, maker: str, workers: int, mark: str) -> "subprocess.Popen[bytes]":
+    options = ["--items", "1000", "--recipe", "incline,pulley", "--shard-size", "20", "--workers", str(workers)]
+    code = "from sim2reason.cli import main; main()"
+    return subprocess.Popen(
+        [sys.executable, "-c", code, "generate", str(out), *options, "--maker", f"fake_makers:{maker}"],
+        env=os.environ | {"PYTHONPATH": str(SUPPORT), "MARK": mark},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+
+
+def shards(out: Path) -> int:
+    return len(list(out.glob("items-*.parquet")))
+
+
+def finish(out: Path, mark: str) -> int:
+    run = start(out, "slow", 2, mark)
+    run.communicate(timeout=60)
+    return run.returncode
+
+
+def alive(mark: str) -> list[int]:
+    """The processes that were started under `mark`."""
+    found: list[int] = []
+    for path in Path("/proc").glob("[0-9]*/environ"):
+        try:
+            if f"MARK={mark}".encode() in path.read_bytes():
+                found.append(int(path.parent.name))
+        except OSError:  # gone, or not ours
+            continue
+    return found
+
+
+def gone(mark: str, within: float = 20.0) -> bool:
+    end = time.monotonic() + within
+    while alive(mark) and time.monotonic() < end:
+        time.sleep(0.05)
+    return not alive(mark)
+
+
+@pytest.mark.slow
+def test_killed_ten_times_and_resumed_a_run_ends_in_the_same_bytes(
+    tmp_path: Path, contents: Callable[[Path], dict[str, bytes]]
+) -> None:
+    assert finish(tmp_path / "whole", "") == 0
+    rng, mark, kills = random.Random(7), uuid.uuid4().hex, 0
+    seen: set[int] = set()
+    out = tmp_path / "killed"
+    while kills < 10:
+        target, end = shards(out) + rng.choice((0, 1)), time.monotonic() + 30
+        run = start(out, "slow", rng.choice((1, 2, 4)), mark)
+        while shards(out) < target and time.monotonic() < end:
+            time.sleep(0.002)
+        time.sleep(rng.uniform(0.0, 0.08) if target else rng.uniform(0.0, 0.8))
+        run.kill()
+        run.communicate()
+        assert run.returncode == -signal.SIGKILL, "finished before ten kills"
+        kills += 1
+        seen.add(shards(out))
+        assert not (out / MANIFEST).exists()
+    assert finish(out, mark) == 0
+    assert len(seen) > 2, "the kills came too early to mean anything"
+    assert contents(out) == contents(tmp_path / "whole")
+    assert gone(mark)
+
+
+@pytest.mark.parametrize("maker", ["slow", "hanging"])
+def test_workers_die_with_a_killed_parent(tmp_path: Path, maker: str) -> None:
+    mark = uuid.uuid4().hex
+    run = start(tmp_path / "out", maker, 2, mark)
+    end = time.monotonic() + 20
+    while len(alive(mark)) < 4 and time.monotonic() < end:  # parent, fork server, two workers
+        time.sleep(0.02)
+    time.sleep(0.3)
+    run.kill()
+    run.communicate()
+    assert gone(mark)
+
+
+def test_an_interrupt_says_how_to_go_on(tmp_path: Path) -> None:
+    mark = uuid.uuid4().hex
+    run = start(tmp_path / "out", "hanging", 2, mark)
+    end = time.monotonic() + 20
+    while not list((tmp_path / "out").glob("items-*.parquet")) and time.monotonic() < end:
+        time.sleep(0.02)
+    run.send_signal(signal.SIGINT)
+    _, err = run.communicate(timeout=20)
+    assert run.returncode == 130
+    line = err.decode()
+    assert line.count("\n") <= 2
+    assert "interrupted; what is finished stays in" in line
+    assert "give the same command again to go on" in line
+    assert gone(mark)

@@ -1,0 +1,63 @@
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pydantic import ValidationError
+
+from sim2reason.datasets.card import text
+from sim2reason.datasets.manifest import Manifest, merged
+from sim2reason.datasets.plan import Config, Request, file_name, versions
+
+NAMES = st.lists(st.sampled_from(["pulley", "incline", "hybrid", "collision"]), min_size=1, unique=True).map(tuple)
+
+
+@given(NAMES, st.integers(0, 200), st.integers(1, 50))
+def test_every_position_has_a_request_of_its_own(recipes: tuple[str, ...], items: int, shard: int) -> None:
+    config = Config(items=items, recipes=recipes, shard=shard)
+    requests = [config.request(k) for positions in config.shards() for k in positions]
+    assert len({request.id for request in requests}) == items
+    counts = [sum(request.recipe == recipe for request in requests) for recipe in recipes]
+    assert max(counts) - min(counts) <= 3  # even, up to one round of three difficulties
+
+
+def test_indices_run_from_zero_in_every_cell() -> None:
+    config = Config(items=12, recipes=("a", "b"), difficulties=("easy", "hard"))
+    assert config.request(0) == Request("a", "easy", "numeric", 0, 0)
+    assert config.request(3) == Request("b", "hard", "numeric", 0, 0)
+    assert config.request(4) == Request("a", "easy", "numeric", 0, 1)
+
+
+def test_shards_are_named_by_their_range() -> None:
+    shards = Config(items=1001, recipes=("a",)).shards()
+    assert [file_name(s) for s in shards] == [
+        f"items-{r}.parquet" for r in ("00000-00499", "00500-00999", "01000-01000")
+    ]
+
+
+@pytest.mark.parametrize("change", [{"items": -1}, {"recipes": ()}, {"shard": 0}, {"seed": -1}, {"colour": "red"}])
+def test_a_configuration_is_checked(change: dict[str, object]) -> None:
+    with pytest.raises(ValidationError):
+        Config.model_validate({"items": 1, "recipes": ("a",), **change})
+
+
+def test_the_hash_knows_configuration_and_versions() -> None:
+    config = Config(items=1, recipes=("a",))
+    other = Config(items=2, recipes=("a",))
+    assert len({config.digest({}), other.digest({}), config.digest({"numpy": "1"})}) == 3
+    assert {"python", "platform", "numpy", "mujoco", "sim2reason"} <= versions().keys()
+
+
+def test_counts_of_counts_add_in_alphabetical_order() -> None:
+    total = merged([{"b": {"y": 1}}, {"a": {"x": 1}, "b": {"x": 2, "y": 1}}])
+    assert list(total.items()) == [("a", {"x": 1}), ("b", {"x": 2, "y": 2})]
+
+
+def test_the_card_of_an_empty_dataset_has_no_tables_of_nothing() -> None:
+    config = Config(items=0, recipes=("a",))
+    manifest = Manifest(
+        config=config, config_hash="0", versions={}, rows=0, counts={}, rejected={}, shards=(), files={}
+    )
+    card = text(manifest, None)
+    assert card.startswith("---\npretty_name")
+    assert "size_categories: [n<1K]" in card
+    assert "Refused" not in card
+    assert "\n\n\n" not in card

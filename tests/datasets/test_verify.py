@@ -1,0 +1,97 @@
+import json
+import random
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from sim2reason.datasets import store
+from sim2reason.datasets.files import canonical
+from sim2reason.datasets.manifest import MANIFEST, Manifest, load
+from sim2reason.datasets.verify import examine
+from sim2reason.errors import DatasetError
+
+FIRST = "items-00000-00019.parquet"
+
+
+def test_a_whole_dataset_has_no_problems(data: Path) -> None:
+    found = examine(data)
+    assert (found.rows, found.shards, found.problems) == (94, 5, ())
+
+
+def test_any_flipped_byte_is_found(data: Path, contents: Callable[[Path], dict[str, bytes]]) -> None:
+    rng = random.Random(1)
+    for name, whole in contents(data).items():
+        for _ in range(12):
+            place, bit = rng.randrange(len(whole)), 1 << rng.randrange(8)
+            (data / name).write_bytes(whole[:place] + bytes([whole[place] ^ bit]) + whole[place + 1 :])
+            assert any(name in line for line in examine(data).problems), (name, place, bit)
+        (data / name).write_bytes(whole)
+    assert not examine(data).problems
+
+
+def test_a_missing_shard_is_found(data: Path) -> None:
+    (data / FIRST).unlink()
+    assert examine(data).problems == (f"{FIRST}: missing",)
+
+
+def test_an_extra_shard_is_found(data: Path) -> None:
+    shutil.copy(data / FIRST, data / "items-00095-00099.parquet")
+    assert examine(data).problems == ("items-00095-00099.parquet: an extra shard that the manifest does not know",)
+
+
+def test_a_truncated_shard_is_found(data: Path) -> None:
+    whole = (data / FIRST).read_bytes()
+    (data / FIRST).write_bytes(whole[: len(whole) // 2])
+    damaged, unreadable = examine(data).problems
+    assert damaged.startswith(f"{FIRST}: damaged")
+    assert unreadable.startswith(f"{FIRST}: not readable as Parquet")
+
+
+def test_a_wrong_count_of_rows_is_found_even_under_a_right_checksum(data: Path) -> None:
+    value = json.loads((data / MANIFEST).read_text())
+    value["shards"][0]["rows"] += 1
+    value["rows"] += 1
+    (data / MANIFEST).write_text(Manifest.model_validate(value).sealed().text())
+    assert examine(data).problems == (f"{FIRST}: 19 rows instead of 20",)
+
+
+@pytest.mark.parametrize(
+    ("change", "finding"),
+    [
+        (lambda value: value["config"].update(seed=3), "don't fit their hash"),
+        (lambda value: value["versions"].update(numpy="0"), "don't fit their hash"),
+        (lambda value: value["shards"].pop(), "doesn't fit the configuration"),
+        (lambda value: value.update(rows=7), "not the sum"),
+        (lambda value: value["rejected"]["pulley"].update(shortcut=0), "damaged"),
+        (lambda value: value.update(more=1), "not a manifest"),
+    ],
+)
+def test_a_manifest_that_was_edited_is_found(
+    data: Path, change: Callable[[dict[str, dict[str, object]]], object], finding: str
+) -> None:
+    value = json.loads((data / MANIFEST).read_text())
+    change(value)
+    (data / MANIFEST).write_text(canonical(value))
+    assert any(finding in line for line in examine(data).problems)
+
+
+def test_what_is_no_finished_dataset_is_refused(tmp_path: Path, data: Path) -> None:
+    with pytest.raises(DatasetError, match="no such folder"):
+        examine(tmp_path / "nowhere")
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(DatasetError, match=r"no manifest\.json here"):
+        examine(tmp_path / "empty")
+    (data / MANIFEST).unlink()
+    (data / ".journal").mkdir()
+    with pytest.raises(DatasetError, match="not finished; run the same"):
+        examine(data)
+
+
+def test_items_come_back_as_they_were_made(data: Path) -> None:
+    from fake_makers import steady
+
+    config = load(data).config
+    made = [steady(config.request(k)).item for k in range(20)]
+    assert store.read_shard(data / FIRST) == [item for item in made if item is not None]
