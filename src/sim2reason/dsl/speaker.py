@@ -203,9 +203,10 @@ class Speaker:
         if slot.kind == "text":
             return slot.text
         part = self.scene.value(address) if address else self.scene
-        if slot.kind in ("agree", "count"):
+        if slot.kind in ("agree", "some", "count"):
             count = len(_resolve(part, slot.path))
-            return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.one if count == 1 else slot.many, address)
+            first = count == (1 if slot.kind == "agree" else 0)
+            return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.one if first else slot.many, address)
         if slot.kind == "member":
             return self._mention(f"{address}.{slot.text}.{_resolve(part, slot.path)}", start=start)
         where = _canonical(part, slot.path)

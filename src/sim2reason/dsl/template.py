@@ -7,6 +7,7 @@
     {plane.uphill}       a word that depends on a number
     {blocks:lies/lie}    the form for one and the form for several
     {blocks:#}           how many, as a word
+    {pairs?/ other}      the form for none and the form for any
     {pairs.*.a>blocks}   the member of `blocks` whose index is the number at `pairs.*.a`
     {letter} {noun}      inside a body's own introductions
 """
@@ -18,7 +19,7 @@ from typing import Literal
 
 COUNT_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight")
 
-Kind = Literal["text", "path", "agree", "count", "member"]
+Kind = Literal["text", "path", "agree", "some", "count", "member"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,9 +120,9 @@ def _slot(inside: str) -> Slot:
         return Slot("count", path=path)
     if rest.startswith(">"):
         return Slot("member", rest[1:], path)
-    if rest.startswith(":") and "/" in rest:
+    if rest[0] in ":?" and "/" in rest:
         one, many = rest[1:].split("/", 1)
-        return Slot("agree", path=path, one=one, many=many)
+        return Slot("agree" if rest[0] == ":" else "some", path=path, one=one, many=many)
     raise ValueError(f"not a slot: {{{inside}}}")
 
 

@@ -63,9 +63,9 @@ class TwoDCollisionPlane(Entity):
             "the coefficient of restitution of {pairs.*.first>pucks} with {pairs.*.second>pucks} is {pairs.*.restitution}.",
         ),
         either(
-            "every {pairs:/other} collision {bounce}.",
-            "each {pairs:/other} hit {bounce}.",
-            "any {pairs:/other} collision {bounce}.",
+            "every collision{pairs?/ of another pair} {bounce}.",
+            "each hit{pairs?/ of another pair} {bounce}.",
+            "any collision{pairs?/ of another pair} {bounce}.",
         ),
     )
 

@@ -41,12 +41,12 @@ _CUT: Final = re.compile(
     r"|(?P<color>\\(?:color|textcolor)\s*\{[A-Za-z!0-9]{1,30}\})"
     r"|(?P<named>\\(?:text|mathrm|operatorname\*?)\s*\{\s*(?P<name>[A-Za-z]{1,8})\s*\})"
     r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}|°)|°|\\degree(?![A-Za-z]))"
-    r"|(?P<hedge>\+\s*/?\s*[-−–])|(?P<power>\*\*|\^)|(?P<script>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    r"|(?P<hedge>\+\s*+(?:/\s*+)?[-−–])|(?P<power>\*\*|\^)|(?P<script>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<command>\\(?:[A-Za-z]+|[^A-Za-z]))|(?P<letters>[A-Za-z]+)"
     rf"|(?P<greek>[{''.join(GREEK)}])|(?P<sign>[{re.escape(''.join(SIGNS))}])"
 )
 _SUBSCRIPT: Final = re.compile(
-    r"\s*_\s*(?:\{((?:[A-Za-z0-9,+\-\s]|\\[A-Za-z,]+\s?|\{[A-Za-z0-9,\s]*\}){1,40})\}"
+    r"\s*_\s*(?:\{((?:[A-Za-z0-9,+\-\s]|\\[A-Za-z,]++|\{[A-Za-z0-9,\s]*+\}){1,40}+)\}"
     r"|(\\(?:text|mathrm)\s*\{[A-Za-z0-9,\s]{1,20}\}|\\[A-Za-z]+)|([A-Za-z0-9]{1,12}))|([₀₁₂₃₄₅₆₇₈₉]{1,3}|[0-9]{1,3}(?![0-9.]))"
 )
 _NO_NAME: Final = re.compile(r"\\(?:text|mathrm|rm)(?![A-Za-z])|[\\{}\s]")
