@@ -1,0 +1,81 @@
+"""Grading responses to items: where the grader, which takes plain values, meets datasets."""
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from pydantic import BaseModel, ValidationError
+
+from sim2reason.datasets.item import Item
+from sim2reason.errors import DatasetError
+from sim2reason.grading import Outcome, Score, number
+
+__all__ = ["Response", "Tally", "grade", "line", "responses", "tallies"]
+
+
+class Response(BaseModel):
+    """What a policy said about the item `id`; further fields are left alone."""
+
+    id: str
+    response: str
+
+
+def grade(item: Item, response: str, *, lenient: bool = False) -> Score:
+    """The score of `response` to `item`, in the item's unit and within its tolerance.
+
+    `lenient` takes the last number where there is no box: for evaluation, never for a reward.
+    """
+    answer = item.answer
+    return number(response, answer.value, answer.unit, tolerance=answer.tolerance, lenient=lenient)
+
+
+def responses(path: Path) -> Iterator[Response]:
+    """The responses in a file of JSON lines ``{id, response}``; DatasetError names a line that is none."""
+    with path.open(encoding="utf-8") as file:
+        for count, text in enumerate(file, start=1):
+            if not text.strip():
+                continue
+            try:
+                yield Response.model_validate_json(text)
+            except ValidationError as error:
+                problem = "; ".join(f"{'.'.join(map(str, fault['loc']))} {fault['msg']}" for fault in error.errors())
+                raise DatasetError(f"{path}:{count}: {problem.strip()}; a line is {{id, response}}") from error
+
+
+def line(response: Response, score: Score) -> str:
+    """One line of a file of scores."""
+    fields = {
+        "id": response.id,
+        "reward": score.reward,
+        "outcome": score.outcome,
+        "parsed": score.parsed,
+        "why": score.why,
+    }
+    return json.dumps(fields, ensure_ascii=False)
+
+
+class Tally(NamedTuple):
+    """The grades of one group: all, or those of one recipe or kind."""
+
+    by: str
+    name: str
+    responses: int
+    reward: float
+    outcomes: dict[Outcome, int]
+
+
+def tallies(graded: Iterable[tuple[Item, Score]]) -> list[Tally]:
+    """How many responses came out how: over all, then by recipe and by kind, in alphabetical order."""
+    counts: dict[tuple[str, str], Counter[Outcome]] = {}
+    for item, score in graded:
+        for group in (("all", ""), ("recipe", item.recipe), ("kind", item.kind)):
+            counts.setdefault(group, Counter())[score.outcome] += 1
+    order = sorted(counts, key=lambda group: (("all", "recipe", "kind").index(group[0]), group[1]))
+    return [_tally(*group, counts[group]) for group in order]
+
+
+def _tally(by: str, name: str, count: Counter[Outcome]) -> Tally:
+    total = count.total()
+    return Tally(by, name, total, count[Outcome.CORRECT] / total, {outcome: count[outcome] for outcome in Outcome})
