@@ -27,5 +27,6 @@ def command(out: Path, to_json: bool) -> int:
         for line in report.problems:
             click.echo(line)
         verdict = f"damaged: {len(report.problems)} findings" if report.problems else "whole"
-        click.echo(f"{out}: {verdict}; {report.rows} problems in {report.shards} shards by the manifest")
+        shards = f"{report.shards} shard{'s' * (report.shards != 1)}"
+        click.echo(f"{out}: {verdict}; {report.rows} problems in {shards} by the manifest")
     return 1 if report.problems else 0

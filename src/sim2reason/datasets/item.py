@@ -14,7 +14,7 @@ class Answer(Record):
 
     value: FiniteFloat
     unit: str
-    """Canonical, like ``m/s`` or ``kg*m/s``; empty for a pure number."""
+    """Canonical, like ``m/s`` or ``kg m/s``; empty for a pure number."""
     sign: str = ""
     """The axis or sense that counts as positive, in words; empty for a magnitude."""
     tolerance: float = 0.05

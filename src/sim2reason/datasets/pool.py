@@ -12,7 +12,7 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
-from sim2reason.datasets.worker import Batch, Outcome, serve
+from sim2reason.datasets.worker import Batch, Message, Outcome, serve
 from sim2reason.errors import DatasetError
 
 Reply = list[Outcome] | str
@@ -23,33 +23,51 @@ _SPAWN = get_context("forkserver")  # a fork of a process with threads may deadl
 @dataclass
 class _Worker:
     process: BaseProcess
-    pipe: "Connection[Batch, list[Outcome] | DatasetError]"
+    pipe: "Connection[Batch, Message]"
+    patience: float
+    deadline: float
     batch: Batch | None = None
-    deadline: float = 0.0
+    began: bool = False
 
     @classmethod
-    def start(cls, maker: str) -> "_Worker":
+    def start(cls, maker: str, patience: float) -> "_Worker":
         ours, theirs = _SPAWN.Pipe()
         process = _SPAWN.Process(target=serve, args=(theirs, maker), daemon=True)
         process.start()
         theirs.close()  # now the worker alone holds it: its death closes the pipe
-        return cls(process, ours)
+        return cls(process, ours, patience, time.monotonic() + patience)
 
-    def give(self, batch: Batch, patience: float) -> None:
-        self.batch, self.deadline = batch, time.monotonic() + patience
+    def give(self, batch: Batch) -> None:
+        self.batch, self.deadline = batch, time.monotonic() + self.patience
         with suppress(OSError):  # it died while it waited: `take` will say so
             self.pipe.send(batch)
 
-    def take(self) -> Reply:
-        """The reply that has come; raise the error that tells that no worker can work."""
+    def reply(self) -> Reply | None:
+        """What has become of the batch; None if nothing yet. DatasetError if no worker can work."""
+        if self.pipe.poll():
+            return self._take()
+        return self._lost(f"hung its worker for {self.patience:g} s") if time.monotonic() >= self.deadline else None
+
+    def _take(self) -> Reply | None:
         try:
-            reply = self.pipe.recv()
+            message = self.pipe.recv()
         except (EOFError, OSError):
             self.process.join()
-            return f"crashed its worker (exit code {self.process.exitcode})"
-        if isinstance(reply, DatasetError):
-            raise reply
-        return reply
+            return self._lost(f"crashed its worker (exit code {self.process.exitcode})")
+        if isinstance(message, DatasetError):
+            raise message
+        if message is not None:
+            return message
+        self.began, self.deadline = True, time.monotonic() + self.patience  # to start takes time, and is not counted
+        return None
+
+    def _lost(self, why: str) -> str:
+        if not self.began:
+            raise DatasetError(
+                f"a worker process ended or hung before it began ({why}); if a script of yours calls build, "
+                "put the call under: if __name__ == '__main__'"
+            )
+        return why
 
     def stop(self) -> None:
         self.pipe.close()
@@ -64,19 +82,19 @@ def run(
 
     `source` is asked again after every reply, and gives None while there is nothing to do. A batch that
     takes longer than `patience` (s) is hung: its worker is killed. Replies come in any order. DatasetError
-    if the maker can't be imported. However the generator ends, no worker stays.
+    if the maker can't be imported or no process begins. However the generator ends, no worker stays.
     """
     crew: list[_Worker] = []
     try:
         while True:
-            _employ(crew, source, maker, workers, patience)
+            _employ(crew, source, workers, lambda: _Worker.start(maker, patience))
             busy = [worker for worker in crew if worker.batch is not None]
             if not busy:
                 return
             pause = max(0.0, min(worker.deadline for worker in busy) - time.monotonic())
             wait([worker.pipe for worker in busy], pause)
             for worker in busy:
-                reply = _reply(worker, patience)
+                reply = worker.reply()
                 if reply is None or worker.batch is None:
                     continue
                 batch, worker.batch = worker.batch, None
@@ -89,21 +107,16 @@ def run(
             worker.stop()
 
 
-def _employ(crew: list[_Worker], source: Callable[[], Batch | None], maker: str, workers: int, patience: float) -> None:
+def _employ(
+    crew: list[_Worker], source: Callable[[], Batch | None], workers: int, start: Callable[[], _Worker]
+) -> None:
+    """Give every idle worker a batch, and start new workers for more."""
     idle = [worker for worker in crew if worker.batch is None]
     while idle or len(crew) < workers:
         batch = source()
         if batch is None:
             return
         if not idle:
-            idle.append(_Worker.start(maker))
+            idle.append(start())
             crew.append(idle[0])
-        idle.pop().give(batch, patience)
-
-
-def _reply(worker: _Worker, patience: float) -> Reply | None:
-    if worker.pipe.poll():
-        return worker.take()
-    if time.monotonic() >= worker.deadline:
-        return f"hung its worker for {patience:g} s"
-    return None
+        idle.pop().give(batch)

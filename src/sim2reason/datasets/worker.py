@@ -26,7 +26,11 @@ class Outcome:
     failure: str = ""
 
 
-def serve(pipe: "Connection[list[Outcome] | DatasetError, Batch]", maker: str) -> None:
+Message = list[Outcome] | DatasetError | None
+"""What a worker sends: first None, for "I begin", or an error that no other worker would escape; then outcomes."""
+
+
+def serve(pipe: "Connection[Message, Batch]", maker: str) -> None:
     """Answer each batch that comes through `pipe`, until its other end is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent is interrupted, and decides
     Thread(target=_die_with_parent, daemon=True).start()
@@ -37,6 +41,7 @@ def serve(pipe: "Connection[list[Outcome] | DatasetError, Batch]", maker: str) -
     except DatasetError as error:
         pipe.send(error)
         return
+    pipe.send(None)
     while True:
         try:
             batch = pipe.recv()

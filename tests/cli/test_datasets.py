@@ -1,0 +1,115 @@
+"""generate, verify and show, with a fake maker."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from sim2reason.cli import main
+
+USUAL = "--items", "30", "--recipe", "incline,pulley", "--difficulty", "easy", "--workers", "1"
+
+
+def call(*args: object) -> Result:
+    return CliRunner().invoke(main, [str(arg) for arg in args])
+
+
+def generate(out: Path, *args: object, maker: str = "steady") -> Result:
+    return call("generate", out, *USUAL, "--maker", f"fake_makers:{maker}", *args)
+
+
+@pytest.fixture
+def data(tmp_path: Path) -> Path:
+    assert generate(tmp_path / "data").exit_code == 0
+    return tmp_path / "data"
+
+
+def test_generate_says_what_it_made(tmp_path: Path) -> None:
+    result = generate(tmp_path / "data")
+    assert result.exit_code == 0
+    assert f"29 problems in {tmp_path}/data" in result.stdout
+    assert "1 unfilled, the first at position 6 (incline easy numeric, seed 0, index 3): no draw" in result.stderr
+
+
+def test_generate_gives_the_manifest_to_a_program(tmp_path: Path) -> None:
+    result = generate(tmp_path / "data", "--json")
+    assert json.loads(result.stdout) == json.loads((tmp_path / "data/manifest.json").read_text())
+
+
+def test_quarantine_is_told_with_what_makes_it_again(tmp_path: Path) -> None:
+    result = generate(tmp_path / "data", maker="raising")
+    assert result.exit_code == 0
+    assert "(pulley easy numeric, seed 0, index 7): raised ValueError: a defect of two lines" in result.stderr
+
+
+def test_another_configuration_is_exit_code_two(data: Path) -> None:
+    result = generate(data, "--seed", 1)
+    assert result.exit_code == 2
+    assert "another configuration (seed 0 ≠ 1)" in result.stderr
+    assert call("verify", data).exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "word"),
+    [
+        ("--items", "-1", "--items"),
+        ("--difficulty", "brutal", "easy, medium, hard"),
+        ("--recipe", ",", "names nothing"),
+        ("--workers", "0", "--workers"),
+        ("--maker", "nowhere:make", "nowhere:make"),
+    ],
+)
+def test_wrong_options_are_one_line_and_exit_code_two(tmp_path: Path, option: str, value: str, word: str) -> None:
+    result = generate(tmp_path / "data", option, value)
+    assert result.exit_code == 2
+    assert word in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_a_file_in_the_way_is_said(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    assert generate(tmp_path / "file").exit_code == 2
+    assert generate(tmp_path / "file" / "below").exit_code == 2
+
+
+def test_verify_finds_a_whole_dataset_whole(data: Path) -> None:
+    result = call("verify", data)
+    assert (result.exit_code, result.stdout) == (0, f"{data}: whole; 29 problems in 1 shard by the manifest\n")
+
+
+def test_verify_finds_damage(data: Path) -> None:
+    (data / "items-00000-00029.parquet").unlink()
+    result = call("verify", data)
+    assert result.exit_code == 1
+    assert "items-00000-00029.parquet: missing" in result.stdout
+    report = call("verify", data, "--json")
+    assert report.exit_code == 1
+    assert json.loads(report.stdout)["ok"] is False
+
+
+def test_verify_refuses_what_is_no_dataset(tmp_path: Path) -> None:
+    result = call("verify", tmp_path)
+    assert result.exit_code == 2
+    assert "no manifest.json here" in result.stderr
+
+
+def test_show_prints_problems_with_their_answers(data: Path) -> None:
+    result = call("show", data, "-n", 3)
+    assert result.exit_code == 0
+    assert result.stdout.count("Answer: ") == 3
+    assert "incline" in result.stdout
+    assert "pulley" in result.stdout
+
+
+def test_show_finds_one_by_its_id(data: Path) -> None:
+    result = call("show", data, "--id", "pulley-easy-numeric-0-4", "--scene")
+    assert "name: pulley-easy-numeric-0-4" in result.stdout
+    items = json.loads(call("show", data, "--id", "pulley-easy-numeric-0-4", "--json").stdout)
+    assert [item["id"] for item in items] == ["pulley-easy-numeric-0-4"]
+    assert call("show", data, "--id", "nobody").exit_code == 1
+    assert call("show", data / "nowhere").exit_code == 2
+
+
+def test_show_more_than_there_are(data: Path) -> None:
+    assert call("show", data, "-n", 100).stdout.count("Answer: ") == 29

@@ -1,0 +1,113 @@
+"""What every command shares: help with an example, exit codes, one-line errors, quiet pipes."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import click
+import pytest
+from click.testing import CliRunner
+
+from sim2reason.cli import Commands, main
+from sim2reason.errors import SceneError
+
+COMMANDS = main.list_commands(click.Context(main)) if isinstance(main, Commands) else []
+CODE = "from sim2reason.cli import main; main()"
+
+
+def run(*args: str) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run([sys.executable, "-c", CODE, *args], capture_output=True, text=True, check=False)
+
+
+def test_commands_are_found_by_walking() -> None:
+    assert {"generate", "list", "show", "verify"} <= set(COMMANDS)
+    assert not {"console", "kinds"} & set(COMMANDS)
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_shows_an_example(name: str) -> None:
+    result = CliRunner().invoke(main, [name, "--help"])
+    assert result.exit_code == 0
+    assert "Example:" in result.stdout
+    assert f"sim2reason {name}" in result.stdout.partition("Example:")[2]
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_an_unknown_option_is_one_line_and_exit_code_two(name: str) -> None:
+    result = CliRunner().invoke(main, [name, "--no-such-option"])
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert f"See: main {name} --help" in result.stderr
+
+
+def test_help_lists_all_commands_and_loads_nothing_heavy() -> None:
+    code = (
+        "import sys\nfrom sim2reason.cli import main\n"
+        "try: main(['--help'])\n"
+        "except SystemExit as end: assert end.code == 0\n"
+        "heavy = {'numpy', 'mujoco', 'pyarrow', 'pydantic', 'yaml', 'rich.progress', 'matplotlib', 'torch'}\n"
+        "assert not heavy & sys.modules.keys(), heavy & sys.modules.keys()"
+    )
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
+    assert all(name in result.stdout for name in COMMANDS)
+
+
+def test_no_command_shows_help_or_asks_for_one() -> None:
+    assert CliRunner().invoke(main, ["fly"]).exit_code == 2
+    assert CliRunner().invoke(main, ["../errors"]).exit_code == 2
+    assert CliRunner().invoke(main, ["console"]).exit_code == 2
+
+
+def test_the_version_is_that_of_the_package() -> None:
+    from importlib.metadata import version
+
+    assert version("sim2reason") in run("--version").stdout
+
+
+@pytest.fixture
+def broken(monkeypatch: pytest.MonkeyPatch) -> "list[BaseException]":
+    """A command that raises what is put into the list."""
+    errors: list[BaseException] = []
+
+    @click.command()
+    def command() -> None:
+        raise errors[0]
+
+    monkeypatch.setattr(Commands, "get_command", lambda *_: command)
+    return errors
+
+
+@pytest.mark.parametrize(
+    ("error", "code", "line"),
+    [
+        (SceneError("scene.entities[0]", "no type", "say one"), 2, "sim2reason: scene.entities[0]: no type; say one\n"),
+        (FileNotFoundError(2, "No such file or directory", "x.yaml"), 2, "sim2reason: x.yaml: No such file"),
+        (OSError(28, "No space left on device"), 2, "sim2reason: No space left on device; check"),
+        (click.ClickException("bad"), 2, "sim2reason: bad\n"),
+        (KeyboardInterrupt(), 130, "sim2reason: interrupted\n"),
+    ],
+)
+def test_errors_are_one_line(broken: "list[BaseException]", error: BaseException, code: int, line: str) -> None:
+    broken.append(error)
+    result = CliRunner().invoke(main, ["anything"])
+    assert result.exit_code == code
+    assert result.stderr.lstrip("\n").startswith(line)
+    assert result.stderr.strip().count("\n") == 0
+
+
+def test_a_defect_keeps_its_traceback(broken: "list[BaseException]") -> None:
+    broken.append(ZeroDivisionError("a defect"))
+    assert isinstance(CliRunner().invoke(main, ["anything"]).exception, ZeroDivisionError)
+
+
+def test_a_reader_that_goes_away_ends_it_quietly(tmp_path: Path) -> None:
+    big = tmp_path / "cmd.py"
+    big.write_text(
+        "import click\nfrom sim2reason.cli import Commands, main\n"
+        "@click.command()\ndef command():\n    for k in range(100_000): click.echo(f'line {k} of many')\n"
+        "Commands.get_command = lambda *_: command\nmain(['anything'])\n"
+    )
+    line = f"'{sys.executable}' '{big}' | head -1; exit ${{PIPESTATUS[0]}}"
+    result = subprocess.run(["bash", "-c", line], capture_output=True, text=True, check=False)
+    assert (result.stdout, result.stderr, result.returncode) == ("line 0 of many\n", "", 141)

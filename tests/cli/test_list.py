@@ -1,0 +1,70 @@
+import json
+from dataclasses import dataclass
+
+import pytest
+from click.testing import CliRunner
+
+from sim2reason.cli import kinds, main
+from sim2reason.errors import UnknownNameError
+from sim2reason.registry import Registry
+
+
+@dataclass
+class Fact:
+    name: str
+    unit: str
+    weight: float
+
+
+def work() -> None:
+    """Do some work.
+
+    And more.
+    """
+
+
+@pytest.fixture
+def fakes(monkeypatch: pytest.MonkeyPatch) -> None:
+    things: Registry[object] = Registry("things")
+    monkeypatch.setattr(things, "_filled", True)
+    things.add("work", work)
+    things.add("mass", Fact("mass", "kg", 1.0))
+    monkeypatch.setattr(kinds, "registries", lambda: {"things": things})
+
+
+@pytest.mark.usefixtures("fakes")
+def test_list_tells_names_and_what_they_are() -> None:
+    result = CliRunner().invoke(main, ["list"])
+    lines = [line.split() for line in result.stdout.splitlines() if line]
+    assert lines[0] == ["things", "(2)"]
+    assert lines[2:] == [["mass", "unit", "kg"], ["work", "Do", "some", "work."]]
+
+
+@pytest.mark.usefixtures("fakes")
+def test_list_speaks_to_programs() -> None:
+    value = json.loads(CliRunner().invoke(main, ["list", "things", "--json"]).stdout)
+    assert value == {"things": [{"name": "mass", "summary": "unit kg"}, {"name": "work", "summary": "Do some work."}]}
+
+
+@pytest.mark.usefixtures("fakes")
+def test_names_are_chosen_by_commas_or_all() -> None:
+    assert kinds.chosen("things", "all") == ("mass", "work")
+    assert kinds.chosen("things", " work,mass,work") == ("work", "mass")
+    with pytest.raises(UnknownNameError, match="did you mean: mass"):
+        kinds.chosen("things", "mas")
+
+
+def test_an_unknown_kind_is_said_with_the_known() -> None:
+    result = CliRunner().invoke(main, ["list", "nonsense"])
+    assert result.exit_code == 2
+    assert "no such kind: 'nonsense'; there are: " in result.stderr
+    assert "quantities" in result.stderr
+
+
+def test_every_registry_of_the_library_is_found_and_filled() -> None:
+    result = CliRunner().invoke(main, ["list", "--json"])
+    assert result.exit_code == 0, result.stderr
+    value = json.loads(result.stdout)
+    assert "quantities" in value
+    assert all(members for members in value.values())
+    assert all(member["summary"] for members in value.values() for member in members)

@@ -1,0 +1,66 @@
+"""Rules of the house that no linter knows."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+from statistics import median
+
+import pytest
+
+import sim2reason
+
+ROOT = Path(__file__).parents[1]
+MODULES = sorted((ROOT / "src").rglob("*.py"))
+HEAVY = {"mujoco", "torch", "matplotlib", "trl", "vllm", "transformers", "sympy", "scipy"}
+
+
+def lines(node: ast.FunctionDef | ast.AsyncFunctionDef) -> int:
+    return (node.end_lineno or node.lineno) - node.lineno + 1
+
+
+def functions(path: Path) -> list[ast.FunctionDef]:
+    return [node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.FunctionDef)]
+
+
+def test_the_public_surface_is_sorted_and_small() -> None:
+    names = list(getattr(sim2reason, "__all__", ()))
+    assert names == sorted(names)
+    assert len(names) <= 30
+    assert all(hasattr(sim2reason, name) for name in names)
+
+
+def test_import_loads_nothing_heavy() -> None:
+    code = "import sim2reason, sys; print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert not HEAVY & set(loaded)
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(ROOT / "src/sim2reason")))
+def test_modules_and_functions_are_short(path: Path) -> None:
+    assert len(path.read_text("utf-8").splitlines()) <= 300
+    assert not [f"{f.name}: {lines(f)}" for f in functions(path) if lines(f) > 40]
+
+
+def test_the_usual_function_is_a_few_lines() -> None:
+    assert median(lines(f) for path in MODULES for f in functions(path)) <= 10
+    assert median(len(path.read_text("utf-8").splitlines()) for path in MODULES) <= 120
+
+
+def test_every_ignored_rule_is_justified() -> None:
+    text = (ROOT / "pyproject.toml").read_text("utf-8")
+    block = text[text.index("[tool.ruff.lint]") : text.index("[tool.ruff.lint.pydocstyle]")]
+    rules = [line for line in block.splitlines() if line.startswith('    "')]
+    assert rules
+    assert all(" # " in line for line in rules)
+
+
+EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.name)
+def test_examples_are_short_and_run(path: Path, tmp_path: Path) -> None:
+    assert len(path.read_text("utf-8").splitlines()) <= 40
+    result = subprocess.run([sys.executable, str(path)], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
