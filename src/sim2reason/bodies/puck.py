@@ -8,7 +8,7 @@ from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.measures import Coordinate, Mass, Measure, Range, Velocity
 from sim2reason.dsl.template import Word
 
-YCoordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimals=1), Range(-2.0, 2.0)]
+YCoordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimals=2), Range(-2.0, 2.0)]
 
 
 @body

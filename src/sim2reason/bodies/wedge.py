@@ -45,12 +45,12 @@ class Prism(Body):
     nouns = ("prism",)
     letters = "WVUY"
     lone = (
-        "a prism of mass {mass}, whose {surface} faces rise to the apex at {left} on the left and {right} on the right",
-        "a {mass} prism, whose {surface} left face is at {left} to the horizontal and whose right face is at {right},",
+        "a prism of mass {mass} with {surface} faces that rise to the apex at {left} on the left and {right} on the right",
+        "a {mass} prism with {surface} faces at {left} (left) and {right} (right) to the horizontal",
     )
     named = (
-        "prism {letter} of mass {mass}, whose {surface} faces rise to the apex at {left} on the left and {right} on the right",
-        "prism {letter} ({mass}), whose {surface} left face is at {left} to the horizontal and whose right face is at {right},",
+        "prism {letter} of mass {mass} with {surface} faces that rise to the apex at {left} on the left and {right} on the right",
+        "prism {letter} ({mass}) with {surface} faces at {left} (left) and {right} (right) to the horizontal",
     )
     words = {"surface": Smoothness}
     symbols = {"mass": "M", "left": r"\alpha", "right": r"\beta"}

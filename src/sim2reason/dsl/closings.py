@@ -57,19 +57,19 @@ CLOSINGS: tuple[Closing, ...] = (
         "rest",
         _from_rest,
         (
-            "everything is released from rest at t = 0.",
-            "all bodies are held still and let go at t = 0.",
-            "at t = 0 the bodies are released from rest.",
-            "the motion starts from rest at t = 0.",
+            "everything is released from rest.",
+            "all bodies start from rest.",
+            "the bodies are let go from rest.",
+            "the motion starts from rest.",
         ),
     ),
     Closing(
         "light pulleys",
         _has_light_pulleys_only,
         (
+            "the pulleys are frictionless.",
+            "pulleys turn without friction.",
             "there is no friction at the pulleys.",
-            "every pulley turns without friction.",
-            "friction at the pulleys is negligible.",
         ),
     ),
     Closing(
@@ -77,26 +77,26 @@ CLOSINGS: tuple[Closing, ...] = (
         _has_massive_pulley,
         (
             "pulleys turn without friction, and no string slips on them.",
-            "the strings do not slip on the pulleys, which turn without friction.",
-            "no pulley has friction at its axle, and the strings never slip on a rim.",
+            "the strings do not slip on the pulleys, which turn freely.",
+            "axles are frictionless, and strings do not slip on pulleys.",
         ),
     ),
     Closing(
         "room for strings",
         _has_room,
         (
-            "the strings are long enough that no body reaches a pulley.",
-            "no body gets as far as a pulley in the time considered.",
-            "there is enough string for the motion considered.",
+            "no body reaches a pulley.",
+            "the strings are long enough for the motion.",
+            "there is string enough for the motion.",
         ),
     ),
     Closing(
         "room on faces",
         _on_faces,
         (
-            "there is room enough for the motion: nothing reaches a pulley or an edge.",
-            "nothing gets as far as a pulley or an edge in the time considered.",
-            "in the time considered no body reaches an edge or a pulley.",
+            "nothing reaches a pulley or an edge.",
+            "no body gets to a pulley or an edge.",
+            "there is room for the motion.",
         ),
     ),
     Closing(

@@ -136,13 +136,17 @@ Choices = Mapping[str, Choice]
 a tuple of class names to pick a part from, a fixed value, or a chance between 0 and 1 that an optional thing is there."""
 
 
-def draw(model: type[M], rng: np.random.Generator, choices: Choices) -> M:
-    """A random value of a model class; every number is rounded to what will be spoken.
+def draw(
+    model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object] | None = None
+) -> M:
+    """A random value of a model class, but for the fields `given`; every number is rounded to what will be spoken.
 
     `choices` overrides what the class declares, by ``Class.field``, field or measure name, the most special first.
     """
-    values: dict[str, object] = {}
+    values: dict[str, object] = dict(given or {})
     for name, kind in field_types(model).items():
+        if name in values:
+            continue
         info = model.model_fields[name]
         if kind.optional or not info.is_required():
             chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")

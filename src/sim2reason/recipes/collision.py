@@ -1,0 +1,118 @@
+"""Pucks that meet on a table."""
+
+from dataclasses import dataclass
+from math import cos, hypot, pi, sin
+
+import numpy as np
+
+from sim2reason.bodies.puck import Puck, Table
+from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.model import field_types
+from sim2reason.dsl.scene import Named, Scene
+from sim2reason.entities.two_d_collision_plane import Pair, TwoDCollisionPlane
+from sim2reason.recipes import Difficulty, recipe
+
+PLACES = Range(-1.5, 1.5)  # m
+CLEAR = 4.0  # radii between any two pucks at the start
+
+
+@dataclass(frozen=True)
+class CollisionTier:
+    """How hard: how many pucks, how fast, how bouncy, how steep."""
+
+    pucks: Count
+    mass: Range
+    speed: Range
+    restitution: tuple[str, ...]  # elastic, partial, dead
+    tilt: float = 0.0  # the chance of a tilted table
+    pairs: float = 0.0  # the chance that one pair has a restitution of its own
+
+
+TIERS = {
+    "easy": CollisionTier(Count(2, 3), Range(0.5, 3.0), Range(0.5, 1.5), ("elastic",)),
+    "medium": CollisionTier(Count(2, 4), Range(0.5, 8.0), Range(0.5, 3.0), ("elastic", "partial", "partial"), 0.0, 0.3),
+    "hard": CollisionTier(
+        Count(3, 5), Range(0.1, 20.0), Range(1.0, 5.0), ("elastic", "partial", "partial", "dead"), 0.6, 0.3
+    ),
+}
+
+
+@recipe("collision")
+def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
+    """Two to five pucks, each aimed so that it meets the one before it in the list."""
+    tier = TIERS[difficulty]
+    radius = _drawn(TwoDCollisionPlane, "radius", rng)
+    count = int(rng.integers(tier.pucks.low, tier.pucks.high + 1))
+    places = _places(count, CLEAR * radius, rng)
+    pucks: list[Puck] = []
+    for index, place in enumerate(places):
+        velocity = _aim(pucks[-1], place, radius, tier, rng) if pucks else _any(tier.speed, rng)
+        mass = _drawn(Puck, "mass", rng, tier.mass)
+        vx, vy = (_rounded(Puck, "vx", part) for part in velocity)
+        pucks.append(Puck(mass=mass, x=place[0], y=place[1], vx=vx, vy=vy))
+    tilt = _drawn(Table, "tilt", rng, Range(2.0, 70.0)) if rng.random() < tier.tilt else 0.0
+    entity = TwoDCollisionPlane(
+        table=Table(tilt=tilt),
+        radius=radius,
+        pucks=tuple(pucks),
+        restitution=_restitution(tier, rng),
+        pairs=_pairs(count, tier, rng),
+    )
+    return Scene(entities=(Named(name="table", entity=entity),))
+
+
+def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None = None) -> float:
+    """A number of a class, from its own range or a narrower one."""
+    held = field_types(kind)[name]
+    found = drawn or held.drawn
+    assert held.measure is not None
+    assert found is not None
+    return held.measure.draw(rng, found.low, found.high)
+
+
+def _rounded(kind: type, name: str, value: float) -> float:
+    measure = field_types(kind)[name].measure
+    assert measure is not None
+    return measure.round(value)
+
+
+def _places(count: int, clear: float, rng: np.random.Generator) -> list[tuple[float, float]]:
+    """Points at least `clear` apart, in metres."""
+    found: list[tuple[float, float]] = []
+    while len(found) < count:
+        point = (_drawn(Puck, "x", rng, PLACES), _drawn(Puck, "y", rng, PLACES))
+        if all(hypot(point[0] - x, point[1] - y) >= clear for x, y in found):
+            found.append(point)
+    return found
+
+
+def _any(speed: Range, rng: np.random.Generator) -> tuple[float, float]:
+    """A velocity of any direction."""
+    size, angle = rng.uniform(speed.low, speed.high), rng.uniform(0.0, 2.0 * pi)
+    return (size * cos(angle), size * sin(angle))
+
+
+def _aim(
+    target: Puck, place: tuple[float, float], radius: float, tier: CollisionTier, rng: np.random.Generator
+) -> tuple[float, float]:
+    """A velocity with which a puck would meet another, were they alone: more or less off centre."""
+    dx, dy = target.x - place[0], target.y - place[1]
+    distance = hypot(dx, dy)
+    offset = rng.uniform(-1.4, 1.4) * radius
+    ux, uy = (dx - offset * dy / distance) / distance, (dy + offset * dx / distance) / distance
+    speed = rng.uniform(tier.speed.low, tier.speed.high)
+    return (target.vx + speed * ux, target.vy + speed * uy)
+
+
+def _restitution(tier: CollisionTier, rng: np.random.Generator) -> float:
+    kind = tier.restitution[int(rng.integers(len(tier.restitution)))]
+    if kind == "partial":
+        return _drawn(Pair, "restitution", rng)
+    return 1.0 if kind == "elastic" else 0.0
+
+
+def _pairs(count: int, tier: CollisionTier, rng: np.random.Generator) -> tuple[Pair, ...]:
+    if count < 3 or rng.random() >= tier.pairs:
+        return ()
+    first = int(rng.integers(count - 1))
+    return (Pair(first=first, second=first + 1, restitution=_drawn(Pair, "restitution", rng)),)

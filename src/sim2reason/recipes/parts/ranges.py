@@ -1,0 +1,37 @@
+"""Where the numbers of string-and-plane scenes come from, by difficulty."""
+
+from collections.abc import Mapping
+
+from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.model import Choice
+from sim2reason.recipes import Difficulty
+
+NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
+    "easy": {
+        "mass": Range(0.5, 3.0),
+        "pulley mass": Range(0.1, 0.5),
+        "force": Range(1.0, 10.0),
+        "angle": Range(10.0, 45.0),
+        "blocks": Count(1, 1),
+        "left_blocks": Count(1, 1),
+        "right_blocks": Count(1, 1),
+    },
+    "medium": {
+        "mass": Range(0.5, 8.0),
+        "pulley mass": Range(0.2, 1.0),
+        "force": Range(0.5, 20.0),
+        "angle": Range(10.0, 60.0),
+        "blocks": Count(1, 2),
+        "left_blocks": Count(1, 1),
+        "right_blocks": Count(1, 2),
+    },
+    "hard": {
+        "mass": Range(0.1, 20.0),
+        "pulley mass": Range(0.5, 2.0),
+        "force": Range(0.1, 50.0),
+        "angle": Range(10.0, 70.0),
+        "blocks": Count(1, 3),
+        "left_blocks": Count(1, 2),
+        "right_blocks": Count(1, 2),
+    },
+}
