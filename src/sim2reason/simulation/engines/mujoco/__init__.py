@@ -1,0 +1,27 @@
+"""The MuJoCo engine: the same mechanism through another program, as a witness.
+
+`plant` compiles the mechanism with MjSpec and is the only module that talks to the library; `balance` lets its
+solver find forces and impulses free of the softness of its constraints; `forces` reads from them what is taut,
+sticks or slides; `watch` foresees events; `engine` goes from event to event in steps of RK4; `record` keeps
+what the steps leave. The library is loaded when the first mechanism is simulated.
+"""
+
+from importlib import import_module
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array
+from sim2reason.simulation.trace import ENGINES, Trace
+
+__all__ = ["simulate"]
+
+
+@ENGINES.register("mujoco")
+def simulate(mechanism: Mechanism, times: Array) -> Trace:
+    """The motion at `times` (m,), in seconds, increasing from 0.
+
+    Raises:
+        UnsupportedError: a string bends as it moves.
+        SceneError: two sites of a string coincide, or two bodies overlap, at the start.
+        SimulationError: no consistent forces, more than 500 events, or any warning of the library.
+    """
+    return import_module(f"{__name__}.engine").run(mechanism, times)

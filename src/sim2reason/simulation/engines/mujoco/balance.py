@@ -1,0 +1,128 @@
+"""Forces, and impulses, that MuJoCo's own solver finds, freed of the softness of its constraints.
+
+The solver gives a constraint the acceleration K·overlap − B·rate − R·force. So the limit of a string under
+tension must be overstepped a little, by R·f/K, and a body that friction holds must creep, at −R·f/B, or the
+acceleration is wrong. Both are found by iteration: solve, shift limits and speeds by what the forces say, solve
+again. Each turn shrinks the error by about R, 1e-5. A sliding contact's force is µN, N from the turn before.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.plant import Flags, Integers, Plant
+
+TURNS = 12
+ROUNDS = 60
+CLOSE = 1e-10  # of the largest force: forces that differ by less are the same
+EQUAL = 1e-7  # the same where they are not unique
+LEAST = 1e-12  # m; an overlap that still makes a row
+
+
+@dataclass(frozen=True)
+class Demand:
+    """What may act at an instant."""
+
+    q: Array
+    v: Array
+    strings: Flags  # those that are just straight
+    pairs: Flags  # those that touch
+    sliding: Array  # of each contact: ±1 if it slides, else 0
+    applied: Array  # joint forces, N
+    targets: Array  # of each slot: the least acceleration at which its gap opens, m/s²
+    normal: Array | None = None  # a first guess of the normal forces, N
+
+
+@dataclass(frozen=True)
+class Balance:
+    """What acts, and the creep that makes the library find it at once."""
+
+    creep: Array  # joint velocities, m/s or rad/s
+    a: Array
+    forces: Array  # by slot, N
+    rows: Integers
+
+
+def balance(plant: Plant, demand: Demand) -> Balance:
+    """Solve for all forces.
+
+    Raises:
+        SimulationError: friction and normal forces drive each other without end.
+    """
+    plant.stand(demand.q)
+    rough = plant.friction > 0.0
+    normal = np.zeros(len(rough)) if demand.normal is None else demand.normal
+    history: list[tuple[Array, Array]] = []
+    for _ in range(ROUNDS):
+        found = _turns(plant, demand, normal)
+        fresh = found.forces[plant.presses]
+        change = np.where(rough, fresh - normal, 0.0)
+        if np.abs(change).max(initial=0.0) <= 10.0 * CLOSE * (_largest(found.forces) + 1e-6):
+            return found
+        history.append((normal, change))
+        normal = np.maximum(_mixed(history), 0.0)
+    raise SimulationError("MuJoCo: friction and normal forces find no balance; friction may be too strong")
+
+
+def _mixed(history: list[tuple[Array, Array]]) -> Array:
+    """Anderson's mixing: the best next guess if the change depends linearly on the guess, as it does."""
+    guess, change = history[-1]
+    if len(history) == 1:
+        return guess + change
+    guesses = np.array([guess - g for g, _ in history[-6:-1]]).T
+    changes = np.array([change - c for _, c in history[-6:-1]]).T
+    weights = np.linalg.lstsq(changes, change, rcond=1e-9)[0]
+    return guess + change - (guesses + changes) @ weights
+
+
+def _turns(plant: Plant, demand: Demand, normal: Array) -> Balance:
+    """Iterate overlaps and creep for given normal forces behind the friction."""
+    limits = np.where(demand.sliding == 0.0, plant.friction * normal, 0.0)
+    applied = demand.applied.copy()
+    np.subtract.at(applied, plant.rubs, demand.sliding * plant.friction * normal)
+    plant.arm(demand.strings, demand.pairs, limits, applied)
+    overlap, creep = np.full(plant.slots, LEAST), np.zeros(plant.size)
+    last: Balance | None = None
+    for turn in range(TURNS):
+        plant.overlap(overlap)
+        plant.load(demand.q, demand.v + creep)
+        rows = plant.rows()
+        found = Balance(creep, plant.a, plant.forces(rows), rows)
+        if last is not None and _same(found, last, CLOSE if turn < 5 else EQUAL):
+            return found
+        overlap, creep = _corrected(plant, demand, found, limits)
+        last = found
+    raise SimulationError("MuJoCo: its constraints find no balance")
+
+
+def _largest(values: Array) -> float:
+    return float(np.abs(values).max(initial=0.0))
+
+
+def _same(a: Balance, b: Balance, close: float) -> bool:
+    if not np.array_equal(a.rows, b.rows):
+        return False
+    if _largest(a.forces - b.forces) <= close * _largest(a.forces) + 1e-15:
+        return True
+    return close == EQUAL and _largest(a.a - b.a) <= EQUAL * (_largest(a.a) + 1.0)
+
+
+def _corrected(plant: Plant, demand: Demand, found: Balance, limits: Array) -> tuple[Array, Array]:
+    """Overlaps and creep under which the forces found need no acceleration beyond the targets."""
+    overlap = np.full(plant.slots, LEAST)
+    if not len(found.rows):
+        return overlap, found.creep
+    soft, forces = plant.softness(), found.forces[found.rows]
+    give, rate = soft.regularisation * forces, soft.gradient @ demand.v
+    friction = found.rows >= plant.grips.start
+    stiffness = np.where(friction, 1.0, soft.stiffness)
+    overlap[found.rows] = (give + demand.targets[found.rows] + soft.damping * rate) / stiffness
+    held = friction & (np.abs(forces) < np.append(np.zeros(plant.grips.start), limits)[found.rows])
+    if not held.any():
+        return np.maximum(overlap, LEAST), np.zeros(plant.size)
+    kept = ~friction | held
+    speeds = np.where(held, -give / soft.damping - rate, 0.0)
+    creep = np.linalg.lstsq(soft.gradient[kept], speeds[kept], rcond=1e-10)[0]
+    return np.maximum(overlap, LEAST), creep.astype(np.float64)

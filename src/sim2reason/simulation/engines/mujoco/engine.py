@@ -1,0 +1,230 @@
+"""The loop of the MuJoCo engine: impacts, forces, steps until the next event, and again."""
+
+from math import inf
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.simulation.engines.mujoco.forces import Mode, Settled, settle, strike, weightless
+from sim2reason.simulation.engines.mujoco.plant import STEP, Flags, Integers, Plant
+from sim2reason.simulation.engines.mujoco.record import Record
+from sim2reason.simulation.engines.mujoco.watch import STILL, TOUCHING, Watch
+from sim2reason.simulation.trace import Event, Trace
+
+SEGMENTS = 500
+STEPS = 100_000
+CLOSER = 20  # times that a step is shortened to end where bodies meet
+CROWD = 5e-3  # s; a body that is hit again sooner is hit by too much at once
+TIE = 1e-9  # s; events that are no further apart are simultaneous
+REST = 1e-8  # m/s or rad/s; what rounding leaves of a speed that is zero
+SHORT = 1e-7  # s; how long before two sites meet the last step ends, since there a string has no direction
+ORDER = ("collision", "taut", "slack", "stick", "slip", "turn", "reach", "limit", "lift", "crowd", "indeterminate")
+
+
+def run(mechanism: Mechanism, times: Array) -> Trace:
+    """The motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
+    motion = Motion(mechanism, float(times[-1]))
+    while motion.advance():
+        if motion.segments > SEGMENTS:
+            raise SimulationError(f"more than {SEGMENTS} events before {times[-1]:g} s; simulate a shorter time")
+    record = motion.record
+    events = sorted(motion.events, key=lambda event: (event.time, ORDER.index(event.kind)))
+    return Trace("mujoco", record.state(times), tuple(events), motion.now, motion.cut, record.state)
+
+
+class Motion:
+    """A motion in the making."""
+
+    def __init__(self, mechanism: Mechanism, duration: float) -> None:
+        """Compile the mechanism, and stand at its start."""
+        self.mechanism, self.duration = mechanism, duration
+        self.plant = Plant(mechanism)
+        self.watch = Watch(self.plant)
+        self.now = 0.0
+        self.q = np.zeros(self.plant.size)
+        self.v = np.zeros(self.plant.size)
+        self.v[self.plant.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
+        self.mode: Mode | None = None
+        self.record = Record(mechanism)
+        self.events: list[Event] = []
+        self.hits: dict[str, tuple[float, tuple[str, str]]] = {}
+        self.segments, self.steps, self.cut = 0, 0, ""
+
+    def advance(self) -> bool:
+        """Go on to just before the next event; False at the end."""
+        self.v[np.abs(self.v) < REST] = 0.0
+        snapped = self._impact()
+        if self.cut:
+            return False
+        self.segments += 1
+        settled = settle(self.plant, self.watch, self.q, self.v)
+        self._note_changes(settled.mode, snapped)
+        if self._ended(settled):
+            return False
+        self.mode = settled.mode
+        return self._travel(settled)
+
+    # ---- impacts
+
+    def _impact(self) -> Flags:
+        """Let what meets bounce and what is full jerk; gives the strings that snapped taut."""
+        zero = np.zeros(self.plant.size)
+        strings = self.watch.strings(self.q, self.v, zero)
+        snapped = (strings.value <= TOUCHING) & (strings.rate < -STILL)
+        gaps = self.watch.approach(self.q, self.v, zero).gaps
+        hits = np.flatnonzero((gaps.value <= TOUCHING) & (gaps.rate < -STILL))
+        if not (snapped.any() or len(hits)) or self._crowded(hits):
+            return snapped
+        self.v, lifted = strike(self.plant, self.watch, self.q, self.v)
+        self.v[np.abs(self.v) < REST] = 0.0
+        for number in hits:
+            pair = self.mechanism.collisions[number]
+            self._note("collision", pair.a, pair.b)
+            self.hits |= dict.fromkeys(self._movable(int(number)), (self.now, (pair.a, pair.b)))
+        self._lift(lifted)
+        if self.cut and not self.record.times:
+            self._note_forces(settle(self.plant, self.watch, self.q, self.v))
+        return snapped
+
+    def _movable(self, number: int) -> list[str]:
+        pair = self.mechanism.collisions[number]
+        return [name for name in (pair.a, pair.b) if self.plant.center(name)[1].any()]
+
+    def _crowded(self, hits: Integers) -> bool:
+        """End at the earlier hit if a body is hit again too soon."""
+        recent = [self.hits[name] for number in hits for name in self._movable(int(number)) if name in self.hits]
+        early = min((hit for hit in recent if TIE < self.now - hit[0] < CROWD), default=None)
+        if early is None:
+            return False
+        self.now = early[0]
+        self.events = [event for event in self.events if event.time <= self.now]
+        self._end("crowd", *early[1])
+        return True
+
+    # ---- forces
+
+    def _note_changes(self, mode: Mode, snapped: Flags) -> None:
+        before = self.mode
+        for number, string in enumerate(self.mechanism.strings):
+            if snapped[number] or (before is not None and mode.taut[number] and not before.taut[number]):
+                self._note("taut", string.name)
+            elif before is not None and before.taut[number] and not mode.taut[number]:
+                self._note("slack", string.name)
+        for number, name in enumerate(self.mechanism.contacts):
+            if before is not None and before.rubbing[number] != mode.rubbing[number]:
+                self._note("slip" if mode.rubbing[number] else "stick", name)
+
+    def _ended(self, settled: Settled) -> bool:
+        if not self.record.times:
+            self._note_forces(settled)
+        self._lift(settled.lifted)
+        gaps = self.watch.approach(self.q, self.v, settled.balance.a).gaps
+        pressed = (gaps.value <= TOUCHING) & (np.abs(gaps.rate) <= STILL) & (gaps.second < -STILL)
+        if not self.cut and settled.loose:
+            self._end("indeterminate", *self._unheld())
+        elif not self.cut and pressed.any():
+            pair = self.mechanism.collisions[int(np.flatnonzero(pressed)[0])]
+            self._end("crowd", pair.a, pair.b)
+        return bool(self.cut)
+
+    def _unheld(self) -> list[str]:
+        free = np.abs(weightless(self.plant)).max(axis=1)[self.plant.coordinates] > 1e-6
+        return [c.name for c, moves in zip(self.mechanism.coordinates, free, strict=True) if moves]
+
+    # ---- motion
+
+    def _travel(self, settled: Settled) -> bool:
+        """Step to the next event; False at the end."""
+        self._note_forces(settled)
+        creep, a = settled.balance.creep, settled.balance.a
+        start = self.now
+        while True:
+            loose = ~settled.mode.taut
+            change = self.watch.next_change(self.q, self.v, a, loose, settled.mode.rubbing)
+            ends = self.watch.finish(self.q, self.v, a).used_up()
+            finish, left = float(ends.min(initial=inf)), self.duration - self.now
+            if min(finish, left) <= change + TIE and finish <= left and finish <= SHORT:
+                return self._finish(ends)
+            if left <= TIE:
+                self.now = self.duration
+                return False
+            if change <= TIE:
+                return True
+            self._step(min(change, finish - 0.5 * SHORT, left, STEP), start, creep)
+            a = self.plant.a
+            self._note_step(settled, a)
+
+    def _step(self, duration: float, start: float, creep: Array) -> None:
+        """Step once, no further than to where bodies meet, if a curved approach was foreseen a little wrong."""
+        q, v, now = self.plant.q, self.plant.v, self.now
+        for _ in range(CLOSER):
+            self.plant.step(duration)
+            self.now = now + duration
+            self.q = self.plant.q - (self.now - start) * creep
+            self.v = self.plant.v - creep
+            back = self.watch.too_far(self.q, self.v, duration)
+            if back == 0.0:
+                break
+            duration -= back
+            self.plant.load(q, v)
+        self.steps += 1
+        if self.steps > STEPS:
+            raise SimulationError("MuJoCo: the budget of steps is used up")
+        self.plant.check()
+        if not self.watch.check_straight():
+            raise UnsupportedError("a string bends as it moves")
+
+    def _finish(self, ends: Array) -> bool:
+        soonest = float(ends.min())
+        self.now += soonest
+        for number in np.flatnonzero(ends <= soonest + TIE):
+            kind, subjects = self.watch.ends[int(number)]
+            self._end(kind, *subjects)
+        return False
+
+    # ---- notes
+
+    def _note_forces(self, settled: Settled) -> None:
+        self._keep(settled, self.q, self.v, settled.balance.a, settled.balance.forces)
+
+    def _note_step(self, settled: Settled, a: Array) -> None:
+        rows = settled.balance.rows
+        if not np.array_equal(self.plant.rows(), rows):
+            raise SimulationError("MuJoCo: a constraint came or went between two events")
+        before, time = self.record.motion[-1], self.record.times[-1]
+        self._keep(settled, self.q, self.v, a, self.plant.forces(rows))
+        self._note_turns(before, time)
+
+    def _keep(self, settled: Settled, q: Array, v: Array, a: Array, forces: Array) -> None:
+        plant, n = self.plant, self.plant.coordinates
+        normal = forces[plant.presses]
+        friction = forces[plant.grips] - settled.mode.rubbing * plant.friction * normal
+        known = np.where(settled.undetermined, np.nan, forces)
+        friction = np.where(settled.undetermined[plant.grips], np.nan, friction)
+        shown = np.concatenate([known[plant.strings], known[plant.presses], friction])
+        self.record.add(self.now, np.concatenate([q[n], v[n], a[n]]), shown)
+
+    def _note_turns(self, before: Array, time: float) -> None:
+        """Speeds of joints without friction that pass through zero within a step."""
+        n = len(self.mechanism.coordinates)
+        old, new = before[n : 2 * n], self.record.motion[-1][n : 2 * n]
+        rough = set(self.plant.rubs[self.plant.friction > 0.0])
+        for number in np.flatnonzero((old * new < 0.0) & (np.abs(old) > REST) & (np.abs(new) > REST)):
+            if self.plant.coordinates[number] not in rough:
+                part = old[number] / (old[number] - new[number])
+                when = time + float(part) * (self.now - time)
+                self.events.append(Event(when, "turn", (self.mechanism.coordinates[number].name,)))
+
+    def _lift(self, contacts: tuple[int, ...]) -> None:
+        names = list(self.mechanism.contacts)
+        for number in contacts:
+            self._end("lift", names[number])
+
+    def _note(self, kind: str, *subjects: str) -> None:
+        self.events.append(Event(self.now, kind, subjects))
+
+    def _end(self, kind: str, *subjects: str) -> None:
+        self._note(kind, *subjects)
+        self.cut = self.cut or kind

@@ -1,0 +1,121 @@
+"""A mechanism in the library's own terms, said with MjSpec.
+
+Bodies move by slide and hinge joints. Each string is a tendon with an upper limit: through its sites, or, if
+it turns massive pulleys, a sum of joint positions whose coefficients are filled in later. A body on a face has
+one more slide joint, along the face's normal, with a lower limit: the limit's force is the normal force.
+Friction is the joint's `frictionloss`. A pull is a motor on a tendon. Each pair that may collide has a tendon
+of joint positions, which acts in impacts alone.
+"""
+
+from importlib import import_module
+from typing import Any, Literal, TypeAlias
+
+from sim2reason.dsl.mechanism import Body, Mechanism, Pull, String
+from sim2reason.errors import SimulationError
+
+mujoco: Any = import_module("mujoco")  # it ships no types; nothing beyond this module and `plant` sees it
+Element: TypeAlias = Any  # of a specification: a body, a joint, a site, a tendon
+
+STEP = 0.2  # s; motion between events is quadratic, which RK4 integrates exactly
+TINY = 1e-9  # kg or kg m²; what a massless moving body weighs here, since the library divides by mass
+IMPEDANCE = 0.9999  # the hardest that the library admits
+FAR = 1e6  # m; a limit that is never reached
+
+
+class Specification:
+    """The specification under construction; names are numbers, since any text may be a name in a mechanism."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        """Say everything that the library has to know of the mechanism."""
+        self.spec: Any = mujoco.MjSpec()
+        self.bodies: dict[str, Element] = {}
+        self.joints: dict[str, Element] = {}
+        self.faces: dict[str, Element] = {}
+        self.sites: dict[str, Element] = {}
+        self.paths: list[Element] = []
+        self.carriers: list[Element] = []
+        self.lines: list[String | Pull] = [*mechanism.strings, *mechanism.pulls]
+        self._options(mechanism)
+        for body in mechanism.bodies:
+            self._body(body)
+        for site in mechanism.sites:
+            made = self._carrier(site.body).add_site(name=f"s{len(self.sites)}", pos=site.at)
+            self.sites[site.name] = made
+        for line in self.lines:
+            self._line(line)
+        self.strings = self.carriers[: len(mechanism.strings)]
+        for pull in self.carriers[len(mechanism.strings) :]:
+            self._motor(pull)
+        self.pairs = [self._sum(f"pair{number}") for number in range(len(mechanism.collisions))]
+
+    def compile(self) -> tuple[Any, Any]:
+        """The library's model and data; SimulationError for what it refuses."""
+        try:
+            model = self.spec.compile()
+        except ValueError as error:
+            raise SimulationError(f"MuJoCo does not compile this mechanism: {error}") from error
+        return model, mujoco.MjData(model)
+
+    def _options(self, mechanism: Mechanism) -> None:
+        option = self.spec.option
+        option.gravity = mechanism.gravity
+        option.timestep = STEP
+        option.integrator = mujoco.mjtIntegrator.mjINT_RK4
+        option.solver = mujoco.mjtSolver.mjSOL_NEWTON
+        option.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
+        option.tolerance, option.iterations = 1e-30, 100  # until rounding stops it
+        option.ls_tolerance, option.ls_iterations = 1e-8, 100
+
+    def _name(self, prefix: str) -> str:
+        return f"{prefix}{len(self.carriers)}"
+
+    def _carrier(self, body: str | None) -> Element:
+        return self.spec.worldbody if body is None else self.bodies[body]
+
+    def _body(self, body: Body) -> None:
+        made = self._carrier(body.parent).add_body(pos=body.at)
+        self.bodies[body.name] = made
+        light = TINY if body.coordinates else 0.0
+        made.explicitinertial, made.ipos = True, (0.0, 0.0, 0.0)
+        made.mass = max(body.mass, light)
+        made.inertia = [max(body.inertia, made.mass * 1e-3)] * 3
+        if any(c.kind == "hinge" for c in body.coordinates):
+            made.inertia = [max(body.inertia, TINY)] * 3
+        if body.contact is not None:
+            face = self._joint(made, "slide", body.contact.normal)
+            face.limited, face.range = 1, (0.0, FAR)
+            self.faces[body.name] = face
+        for coordinate in body.coordinates:
+            self.joints[coordinate.name] = self._joint(made, coordinate.kind, coordinate.axis)
+
+    def _joint(self, body: Element, kind: Literal["slide", "hinge"], axis: tuple[float, float, float]) -> Element:
+        types = {"slide": mujoco.mjtJoint.mjJNT_SLIDE, "hinge": mujoco.mjtJoint.mjJNT_HINGE}
+        name = f"j{len(self.joints) + len(self.faces)}"
+        joint = body.add_joint(name=name, type=types[kind], axis=axis, limited=0)
+        joint.solref_limit = joint.solref_friction = (2.0 * STEP, 1.0)
+        joint.solimp_limit = joint.solimp_friction = (IMPEDANCE, IMPEDANCE, 0.001, 0.5, 2.0)
+        return joint
+
+    def _tendon(self, name: str) -> Element:
+        tendon = self.spec.add_tendon(name=name, limited=0, range=(-FAR, FAR))
+        tendon.solref_limit = (2.0 * STEP, 1.0)
+        tendon.solimp_limit = (IMPEDANCE, IMPEDANCE, 0.001, 0.5, 2.0)
+        return tendon
+
+    def _sum(self, name: str) -> Element:
+        tendon = self._tendon(name)
+        for joint in (*self.faces.values(), *self.joints.values()):
+            tendon.wrap_joint(joint.name, 1.0)
+        return tendon
+
+    def _line(self, line: String | Pull) -> None:
+        path = self._tendon(self._name("path"))
+        for name in line.through:
+            path.wrap_site(self.sites[name].name)
+        self.paths.append(path)
+        self.carriers.append(self._sum(self._name("sum")) if line.wheels else path)
+
+    def _motor(self, tendon: Element) -> None:
+        actuator = self.spec.add_actuator(name=f"motor{tendon.name}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
+        actuator.target = tendon.name
+        actuator.set_to_motor()
