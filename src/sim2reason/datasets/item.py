@@ -1,6 +1,8 @@
 """An item: one problem with its answer, and all that is needed to check or make it again."""
 
-from pydantic import BaseModel, ConfigDict, FiniteFloat, JsonValue
+import json
+
+from pydantic import BaseModel, ConfigDict, FiniteFloat, JsonValue, field_validator
 
 
 class Record(BaseModel):
@@ -61,3 +63,10 @@ class Item(Record):
     certificate: dict[str, JsonValue]
     """How well the engines agree."""
     provenance: Provenance
+
+    @field_validator("certificate")
+    @classmethod
+    def _finite(cls, value: dict[str, JsonValue]) -> dict[str, JsonValue]:
+        """JSON knows no infinities; say so while the item is made, not when its shard is written."""
+        json.dumps(value, allow_nan=False)
+        return value

@@ -46,7 +46,7 @@ class _Worker:
         """What has become of the batch; None if nothing yet. DatasetError if no worker can work."""
         if self.pipe.poll():
             return self._take()
-        return self._lost(f"hung its worker for {self.patience:g} s") if time.monotonic() >= self.deadline else None
+        return self._lost("hung its worker") if time.monotonic() >= self.deadline else None
 
     def _take(self) -> Reply | None:
         try:
