@@ -1,0 +1,242 @@
+"""How well two engines agree on a motion, channel by channel, and until when.
+
+Their events are matched first: same kind and subjects, at times that differ by at most τ = 1e-4 of the
+duration, in the same order unless they concern different things. Then the samples are compared, but for
+those near an event, where a small error in its time is a large one in a speed.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.quantities import Quantity
+from sim2reason.simulation.channels import Channel, channels
+from sim2reason.simulation.trace import ENGINES, Event, Trace
+
+Flags = NDArray[np.bool_]
+
+SMOOTH = 1e-4  # the relative difference that is allowed where nothing changes mode
+EVENTFUL = 1e-3  # and where something does
+NEAR = 1e-4  # of the duration: events that differ by less in time are simultaneous
+CHANGES = frozenset({"collision", "taut", "slack", "stick", "slip"})
+INFORMATIVE = frozenset({"turn"})  # what no mode depends on need not be matched
+FLOORS: Mapping[str, float] = {"m": 0.1, "m/s": 0.1, "m/s^2": 1.0}  # a smaller scale would be rounding's
+HEAVY_FLOOR = 0.1  # the same for what is proportional to mass, times the largest mass
+RECORDED, WITNESS = "exact", "mujoco"
+
+
+class Match(NamedTuple):
+    """One event as both engines saw it."""
+
+    event: Event
+    apart: float  # s, the witness's time less the recorded one
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What two engines agree on.
+
+    `agreement` holds each channel's worst difference, relative to the scene's largest value of that quantity,
+    over all that was compared; `until` the time from which the channel is not to be trusted. Samples in the
+    `blind` intervals, around events, were not compared.
+    """
+
+    engines: tuple[str, str]
+    tolerance: float
+    stable_until: float  # s
+    reason: str  # why it ends before the duration: an event's kind, or what the engines disagree on; else ""
+    matched: tuple[Match, ...] = ()
+    blind: tuple[tuple[float, float], ...] = ()  # s
+    agreement: Mapping[Channel, float] = field(default_factory=dict[Channel, float])
+    until: Mapping[Channel, float] = field(default_factory=dict[Channel, float])
+
+    def covers(self, channel: Channel, time: float) -> bool:
+        """Whether a channel's value at a time, s, is vouched for by both engines."""
+        if any(start <= time <= stop for start, stop in self.blind):
+            return False
+        return time <= min(self.stable_until, self.until.get(channel, -1.0))
+
+    def document(self) -> dict[str, object]:
+        """The same as plain JSON values."""
+        return {
+            "engines": list(self.engines),
+            "tolerance": self.tolerance,
+            "stable_until": self.stable_until,
+            "reason": self.reason,
+            "matched": [[m.event.kind, list(m.event.subjects), m.event.time, m.apart] for m in self.matched],
+            "blind": [list(interval) for interval in self.blind],
+            "channels": [[*channel, worst, self.until[channel]] for channel, worst in self.agreement.items()],
+        }
+
+
+def certify(mechanism: Mechanism, times: Array) -> tuple[Trace, Certificate]:
+    """Simulate by both engines at `times` (n,), s, and compare; gives the exact trace, cut where they part.
+
+    A mechanism that the witness can't simulate has nothing certified: the certificate then ends at 0 and its
+    reason is the witness's.
+
+    Raises:
+        UnsupportedError, SimulationError, SceneError: what the recorded engine raises.
+    """
+    recorded = ENGINES[RECORDED](mechanism, times)
+    try:
+        witness = ENGINES[WITNESS](mechanism, times)
+    except (SimulationError, UnsupportedError) as error:
+        certificate = Certificate((RECORDED, WITNESS), SMOOTH, 0.0, f"no witness: {error}")
+    else:
+        certificate = compare(recorded, witness)
+    return truncated(recorded, certificate), certificate
+
+
+def truncated(trace: Trace, certificate: Certificate) -> Trace:
+    """The trace, to be used no longer than its certificate holds."""
+    if certificate.stable_until >= trace.stable_until:
+        return trace
+    return replace(trace, stable_until=certificate.stable_until, cut="certificate")
+
+
+def compare(recorded: Trace, witness: Trace) -> Certificate:
+    """Compare two traces of one mechanism, sampled at the same times."""
+    times = recorded.state.times
+    near = NEAR * float(times[-1])
+    end = min(recorded.stable_until, witness.stable_until)
+    reason = (recorded if recorded.stable_until <= witness.stable_until else witness).cut
+    matched, parted = _match(_telling(recorded.events), _telling(witness.events), near)
+    if parted is not None and parted.time < float(times[-1]) - near and parted.time <= end + near:
+        end, reason = min(end, parted.time), f"only one engine sees: {_told(parted)}"
+    changes = any(m.event.kind in CHANGES for m in matched)
+    blind = tuple(_around(match, near) for match in matched)
+    heard = (times <= end) & ~_inside(times, blind)
+    table = _Table(recorded.state, witness.state, times <= end, heard, EVENTFUL if changes else SMOOTH)
+    stable, worst = table.first_over()
+    if worst is not None and stable < end:
+        end, reason = stable, f"the engines disagree on the {worst.quantity} of {worst.subject}"
+    until = {channel: min(end, time) for channel, time in table.until.items()}
+    engines = (recorded.engine, witness.engine)
+    return Certificate(engines, table.tolerance, end, reason, matched, blind, table.agreement, until)
+
+
+def _told(event: Event) -> str:
+    return f"{event.kind} of {', '.join(event.subjects)} at {event.time:.6g} s"
+
+
+# ---- events
+
+
+def _telling(events: Iterable[Event]) -> list[Event]:
+    return [event for event in events if event.kind not in INFORMATIVE]
+
+
+def _match(recorded: list[Event], witness: list[Event], near: float) -> tuple[tuple[Match, ...], Event | None]:
+    """The events that both saw, and the first that only one of them saw, or saw out of order."""
+    left, matched, single = list(witness), list[Match](), list[Event]()
+    for event in recorded:
+        found = next((other for other in left if _same(event, other, near)), None)
+        if found is None:
+            single.append(event)
+            continue
+        before = left[: left.index(found)]
+        if any(set(event.subjects) & set(other.subjects) for other in before):
+            single.append(event)
+            continue
+        left.remove(found)
+        matched.append(Match(event, found.time - event.time))
+    single = sorted([*single, *left], key=lambda event: event.time)
+    if not single:
+        return tuple(matched), None
+    kept = tuple(match for match in matched if match.event.time <= single[0].time + near)
+    return kept, single[0]
+
+
+def _same(a: Event, b: Event, near: float) -> bool:
+    return a.kind == b.kind and a.subjects == b.subjects and abs(a.time - b.time) <= near
+
+
+def _around(match: Match, near: float) -> tuple[float, float]:
+    width = max(2.0 * abs(match.apart), near)
+    return (match.event.time - width, match.event.time + width)
+
+
+def _inside(times: Array, intervals: Iterable[tuple[float, float]]) -> Flags:
+    inside = np.zeros(len(times), dtype=bool)
+    for start, stop in intervals:
+        inside |= (times >= start) & (times <= stop)
+    return inside
+
+
+# ---- samples
+
+
+class _Table:
+    """The relative differences of all channels at the samples that count."""
+
+    def __init__(self, recorded: State, witness: State, living: Flags, heard: Flags, tolerance: float) -> None:
+        """`living` samples set the scales, `heard` ones are compared."""
+        self.tolerance = tolerance
+        self.agreement: dict[Channel, float] = {}
+        self.until: dict[Channel, float] = {}
+        self._over: dict[Channel, float] = {}
+        self._times, self._living, self._heard = recorded.times, living, heard
+        self._end = float(recorded.times[-1])
+        both = _joined(recorded, witness)
+        heaviest = max((body.mass for body in recorded.mechanism.bodies), default=1.0)
+        found: dict[str, tuple[Quantity, list[tuple[Channel, Array]]]] = {}
+        for channel, quantity in channels(recorded.mechanism):
+            values = quantity.evaluate(both, channel.subject)
+            columns = values if values.ndim == 2 else values[:, None]
+            found.setdefault(channel.quantity, (quantity, []))[1].append((channel, columns))
+        for quantity, members in found.values():
+            self._compare(quantity, members, heaviest)
+
+    def _compare(self, quantity: Quantity, members: list[tuple[Channel, Array]], heaviest: float) -> None:
+        """All subjects' columns side by side, (subjects, samples, components)."""
+        values = np.array([columns for _, columns in members])
+        n = values.shape[1] // 2
+        ours, theirs = values[:, :n], values[:, n:]
+        size = np.sqrt((ours * ours).sum(axis=2))
+        floor = FLOORS.get(quantity.unit, HEAVY_FLOOR * heaviest)
+        scale = max(float(np.nanmax(size[:, self._living], initial=0.0)), floor)
+        apart = np.sqrt(((ours - theirs) ** 2).sum(axis=2))[:, self._heard] / scale
+        silent = np.isfinite(size[:, self._heard]) & np.isnan(apart)
+        for row, (channel, _) in enumerate(members):
+            self.agreement[channel] = float(np.nanmax(apart[row], initial=0.0))
+            over = self._first(apart[row] > self.tolerance)
+            self.until[channel] = min(over, self._first(silent[row]))
+            if over < self._end:
+                self._over[channel] = over
+
+    def _first(self, bad: Flags) -> float:
+        """The last good time before the first bad one; the end if all are good."""
+        if not bad.any():
+            return self._end
+        first = int(bad.argmax())
+        return float(self._times[self._heard][first - 1]) if first else 0.0
+
+    def first_over(self) -> tuple[float, Channel | None]:
+        """When the first channel leaves the tolerance, and which."""
+        channel = min(self._over, key=lambda channel: self._over[channel], default=None)
+        return (self._end, None) if channel is None else (self._over[channel], channel)
+
+
+def _joined(a: State, b: State) -> State:
+    """Both motions as one, one after the other, so that each quantity is evaluated once."""
+
+    def forces(x: Mapping[str, Array], y: Mapping[str, Array]) -> dict[str, Array]:
+        return {name: np.concatenate([x[name], y[name]]) for name in x}
+
+    return State(
+        a.mechanism,
+        np.concatenate([a.times, b.times]),
+        np.concatenate([a.q, b.q]),
+        np.concatenate([a.v, b.v]),
+        np.concatenate([a.a, b.a]),
+        forces(a.tension, b.tension),
+        forces(a.normal, b.normal),
+        forces(a.friction, b.friction),
+    )

@@ -1,0 +1,27 @@
+"""All that can be read off a motion: a channel is one quantity of one subject."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities import QUANTITIES, Quantity
+
+
+class Channel(NamedTuple):
+    """A quantity, by its registered name, of a body, string part or resting body."""
+
+    subject: str
+    quantity: str
+
+
+def channels(mechanism: Mechanism) -> Iterator[tuple[Channel, Quantity]]:
+    """The channels of a mechanism, quantity by quantity in the order of their names."""
+    for name, quantity in QUANTITIES.items():
+        for subject in quantity.subjects(mechanism):
+            yield Channel(subject, name), quantity
+
+
+def read(state: State) -> dict[Channel, Array]:
+    """Every channel of a motion at n instants: (n,), or (n, 3) of a vector."""
+    return {channel: quantity.evaluate(state, channel.subject) for channel, quantity in channels(state.mechanism)}
