@@ -19,7 +19,7 @@ class Balance:
     normal: Row
     friction: Row
     mode: Mode
-    lifted: tuple[int, ...]  # contacts that their face would have to pull
+    lifted: int | None  # the contact that its face would have to pull, and most of all
     loose: bool  # a massless part that no force holds
 
 
@@ -50,9 +50,14 @@ def balance(system: Equations, v: Row, tight: list[int], guess: Mode) -> Balance
     found = search(problem, start)
     open_ended = _open(stiffest(problem, found).spare, found.forces)
     small, _ = scales(problem, found.x)
-    lifted = tuple(i for i, force in enumerate(found.forces.normal) if force < -small)
     loose = found.loose or _unheld(system, problem, found, open_ended, small)
-    return _spread(system, tight, found, open_ended, lifted, loose=loose)
+    return _spread(system, tight, found, open_ended, lifted(found.forces.normal, small), loose=loose)
+
+
+def lifted(normal: Row, small: float) -> int | None:
+    """The contact whose face would have to pull it, by more than rounding; of several the one it pulls most."""
+    worst = min(range(len(normal)), key=normal.__getitem__, default=None)
+    return None if worst is None or normal[worst] >= -small else worst
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
@@ -87,7 +92,7 @@ def _unheld(system: Equations, problem: Problem, found: Solution, forces: Forces
 
 
 def _spread(
-    system: Equations, tight: list[int], found: Solution, forces: Forces, lifted: tuple[int, ...], *, loose: bool
+    system: Equations, tight: list[int], found: Solution, forces: Forces, lifted: int | None, *, loose: bool
 ) -> Balance:
     """From the strings and contacts that took part to all of them."""
     tension, acting = [0.0] * len(system.strings), [False] * len(system.strings)
@@ -95,7 +100,7 @@ def _spread(
         tension[number], acting[number] = _clipped(force), acts
     friction = [0.0] * len(system.press)
     for grip, force in zip(system.grips, forces.friction, strict=True):
-        friction[grip.contact] = force
+        friction[grip.contact] = 0.0 if found.forces.normal[grip.contact] < 0.0 else force
     mode = Mode(tuple(acting), found.mode.rubbing)
     return Balance(found.x, tension, [_clipped(force) for force in forces.normal], friction, mode, lifted, loose)
 

@@ -5,7 +5,7 @@ from math import inf
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.exact.balance import Balance, balance
+from sim2reason.simulation.engines.exact.balance import Balance, balance, lifted
 from sim2reason.simulation.engines.exact.equations import TOUCHING, Equations, Pair, equations
 from sim2reason.simulation.engines.exact.events import STILL, Approach, approach, crossing, stop
 from sim2reason.simulation.engines.exact.impulses import strike
@@ -90,12 +90,16 @@ class _Run:
         self.v = [0.0 if abs(speed) < REST else speed for speed in found.x]
         self._rest(found.mode.rubbing)
         for pair in hits:
-            names = (pair.collision.a, pair.collision.b)
-            self._record("collision", *names)
-            self.hits |= dict.fromkeys(pair.movable, (self.now, names))
+            self._record("collision", *pair.names)
+            self.hits |= dict.fromkeys(pair.movable, (self.now, pair.names))
         small = 1e-9 * max(map(abs, found.forces.normal), default=0.0)
-        lifted = [i for i, impulse in enumerate(found.forces.normal) if impulse < -small]
-        return self._lift(lifted) if lifted else snapped
+        away = lifted(found.forces.normal, small)
+        if away is not None:
+            for number in sorted(snapped):
+                self._record("taut", self.system.mechanism.strings[number].name)
+            self._lift(away)
+            return None
+        return snapped
 
     def _rest(self, rubbing: tuple[int, ...]) -> None:
         for grip, side in zip(self.system.grips, rubbing, strict=True):
@@ -128,7 +132,7 @@ class _Run:
         still = tuple(0 if self._stopped(number) else side for number, side in enumerate(before.rubbing))
         found = balance(system, self.v, tight, Mode(acting, still))
         pressing = next((pair for pair, near in self._approaches(found.a) if self._pressed(near)), None)
-        ended = found.lifted or found.loose or pressing
+        ended = found.lifted is not None or found.loose or pressing is not None
         if self.segments or snapped:
             self._note_changes(before, found.mode, snapped)
         if not ended or not self.segments:
@@ -136,12 +140,12 @@ class _Run:
         self.mode = found.mode
         if not ended:
             return found
-        if found.lifted:
-            self._lift(list(found.lifted))
+        if found.lifted is not None:
+            self._lift(found.lifted)
         elif found.loose:
             self._end("indeterminate", *self._unheld())
         elif pressing is not None:
-            self._end("crowd", pressing.collision.a, pressing.collision.b)
+            self._end("crowd", *pressing.names)
         return None
 
     def _stopped(self, number: int) -> bool:
@@ -236,7 +240,7 @@ class _Run:
 
     def _spare(self, number: int) -> float:
         """How much a string may still lengthen, m."""
-        return self.system.mechanism.strings[number].slack - self.system.strings[number].rate(self.q)
+        return self.system.slack[number] - self.system.strings[number].rate(self.q)
 
     def _approaches(self, a: Row | None = None) -> list[tuple[Pair, Approach]]:
         a = a or [0.0] * len(self.q)
@@ -248,10 +252,8 @@ class _Run:
         names = [c.name for number, c in enumerate(self.system.mechanism.coordinates) if number in moving]
         return tuple(names)
 
-    def _lift(self, contacts: list[int]) -> None:
-        names = list(self.system.mechanism.contacts)
-        for number in contacts:
-            self._end("lift", names[number])
+    def _lift(self, contact: int) -> None:
+        self._end("lift", list(self.system.mechanism.contacts)[contact])
 
     def _record(self, kind: str, *subjects: str) -> None:
         self.events.append(Event(self.now, kind, subjects))

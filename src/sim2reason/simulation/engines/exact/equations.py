@@ -60,7 +60,9 @@ class Grip:
 class Pair:
     """Two bodies that may collide: their separation is `apart` + Σ axis·q."""
 
-    collision: Collision
+    names: tuple[str, str]
+    distance: float
+    restitution: float
     apart: Vector
     slides: Steps
     normals: Steps
@@ -77,6 +79,7 @@ class Equations:
     force: Row  # (n,), gravity and pulls, N or N m
     press: Row  # (c,), N
     strings: tuple[Gradient, ...]
+    slack: Row  # of each string at the start, m
     runs: tuple[Run, ...]
     limits: tuple[Limit, ...]
     grips: tuple[Grip, ...]
@@ -85,7 +88,7 @@ class Equations:
 
 
 def equations(mechanism: Mechanism) -> Equations:
-    """Read a mechanism.
+    """Read a mechanism; its numbers become plain floats, whatever they were.
 
     Raises:
         UnsupportedError: a string would bend as it moves, a wheel carries something off its axle, or a
@@ -101,15 +104,16 @@ def equations(mechanism: Mechanism) -> Equations:
     strings = tuple(_gradient(line, points, index, (n, c), runs) for line in mechanism.strings)
     for pull in mechanism.pulls:
         gradient = _gradient(pull, points, index, (n, c), runs)
-        force = [a - pull.force * b for a, b in zip(force, gradient.along, strict=True)]
-        press = [a - pull.force * b for a, b in zip(press, gradient.lift, strict=True)]
+        hand = float(pull.force)
+        force = [a - hand * b for a, b in zip(force, gradient.along, strict=True)]
+        press = [a - hand * b for a, b in zip(press, gradient.lift, strict=True)]
     pairs = tuple(_pair(collision, points) for collision in mechanism.collisions)
     weightless: tuple[Row, ...] = ()
     if any(body.coordinates and body.mass == 0.0 for body in mechanism.bodies):
         weightless = tuple(solve([[*row, 0.0] for row in mass]).nulls)
-    limits = _limits(mechanism)
+    limits, slack = _limits(mechanism), [float(string.slack) for string in mechanism.strings]
     return Equations(
-        mechanism, mass, lifted, force, press, strings, tuple(runs.values()), limits, grips, pairs, weightless
+        mechanism, mass, lifted, force, press, strings, slack, tuple(runs.values()), limits, grips, pairs, weightless
     )
 
 
@@ -121,7 +125,7 @@ def _inertia(mechanism: Mechanism, points: Kinematics, n: int, c: int) -> tuple[
     for body in mechanism.bodies:
         hinge = points.hinges.get(body.name)
         if hinge is not None:
-            mass[hinge][hinge] += body.inertia
+            mass[hinge][hinge] += float(body.inertia)
         if body.mass == 0.0:
             continue
         point, weight = points.bodies[body.name], float(body.mass)
@@ -144,7 +148,7 @@ def _gradient(
     """The gradient of a string's length; enters its runs, which strings may share, into `runs`."""
     along, lift = [0.0] * size[0], [0.0] * size[1]
     for wheel in line.wheels:
-        along[index[wheel.coordinate]] += wheel.radius
+        along[index[wheel.coordinate]] += float(wheel.radius)
     for pair in zip(line.through, line.through[1:], strict=False):
         run = runs.get(pair) or _run(line.name, pair, points, size)
         if run is None:
@@ -204,9 +208,9 @@ def _limits(mechanism: Mechanism) -> tuple[Limit, ...]:
     limits: list[Limit] = []
     for number, coordinate in enumerate(mechanism.coordinates):
         if coordinate.lower > -float("inf"):
-            limits.append(Limit(number, coordinate.name, -coordinate.lower, 1.0))
+            limits.append(Limit(number, coordinate.name, -float(coordinate.lower), 1.0))
         if coordinate.upper < float("inf"):
-            limits.append(Limit(number, coordinate.name, coordinate.upper, -1.0))
+            limits.append(Limit(number, coordinate.name, float(coordinate.upper), -1.0))
     return tuple(limits)
 
 
@@ -215,7 +219,7 @@ def _grips(mechanism: Mechanism, index: dict[str, int]) -> tuple[Grip, ...]:
     for number, (name, contact) in enumerate(mechanism.contacts.items()):
         _check_face(mechanism.body[name])
         if contact.friction > 0.0:
-            grips.append(Grip(number, index[contact.along], contact.friction))
+            grips.append(Grip(number, index[contact.along], float(contact.friction)))
     return tuple(grips)
 
 
@@ -238,4 +242,5 @@ def _pair(collision: Collision, points: Kinematics) -> Pair:
     if hypot(*apart) < collision.distance - TOUCHING:
         raise SceneError(collision.a, f"it overlaps {collision.b} at the start", "move them apart")
     movable = tuple(name for name in (collision.a, collision.b) if points.bodies[name].slides)
-    return Pair(collision, apart, slides, normals, movable)
+    names = (collision.a, collision.b)
+    return Pair(names, float(collision.distance), float(collision.restitution), apart, slides, normals, movable)

@@ -97,7 +97,7 @@ def approach(pair: Pair, q: Row, v: Row, a: Row) -> Approach:
         (start[0] + apart[0], start[1] + apart[1], start[2] + apart[2]),
         _carried(pair.slides, v),
         _carried(pair.slides, a),
-        pair.collision.distance,
+        pair.distance,
     )
 
 

@@ -44,7 +44,7 @@ def strike(
     for pair, approach in pairs:
         rows.append(closing(pair, approach, size))
         acting.append(approach.rate < -STILL)
-        targets.append(min(0.0, pair.collision.restitution * approach.rate))
+        targets.append(min(0.0, pair.restitution * approach.rate))
     problem = Problem(
         system.mass,
         system.lifted,

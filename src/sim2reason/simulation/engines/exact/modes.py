@@ -98,14 +98,26 @@ class Flips:
 def search(problem: Problem, guess: Mode) -> Solution:
     """The solution that violates nothing, nearest to the guess.
 
+    Normal forces may come out negative: the caller then ends the motion. Friction has no law for them, so only
+    if no mode is consistent is friction let off where the normal force is negative.
+
     Raises:
         SimulationError: no mode is consistent, as can happen with strong friction.
     """
+    found = _searched(problem, guess, lenient=False) or _searched(problem, guess, lenient=True)
+    if found is None:
+        raise SimulationError(
+            "no forces are consistent with the strings and rough contacts; friction may be too strong"
+        )
+    return found
+
+
+def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | None:
     tried: set[Mode] = set()
     mode = guess
     for _ in range(FLIPS):
         solution = evaluate(problem, mode)
-        flips = _flips(problem, solution)
+        flips = _flips(problem, solution, lenient=lenient)
         if solution.consistent and not flips.count():
             return solution
         tried.add(mode)
@@ -114,23 +126,22 @@ def search(problem: Problem, guess: Mode) -> Solution:
         if fresh is None:
             break
         mode = fresh
-    return _exhausted(problem, tried)
+    return _exhausted(problem, tried, lenient=lenient)
 
 
-def _exhausted(problem: Problem, tried: set[Mode]) -> Solution:
+def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution | None:
     """Try all modes in order, those with most that acts and sticks first."""
     choices = [(True, False)] * len(problem.rows) + [((side,) if side else (0, 1, -1)) for side in problem.sliding]
     if prod(map(len, choices)) > MODES:
-        counts = f"{len(problem.rows)} strings and {len(problem.grips)} rough contacts"
-        raise SimulationError(f"found no consistent forces among {counts}; simplify the scene")
+        return None
     for choice in product(*choices):
         mode = Mode(tuple(map(bool, choice[: len(problem.rows)])), tuple(map(int, choice[len(problem.rows) :])))
         if mode in tried:
             continue
         solution = evaluate(problem, mode)
-        if solution.consistent and not _flips(problem, solution).count():
+        if solution.consistent and not _flips(problem, solution, lenient=lenient).count():
             return solution
-    raise SimulationError("no forces are consistent with the strings and rough contacts; friction may be too strong")
+    return None
 
 
 def evaluate(problem: Problem, mode: Mode) -> Solution:
@@ -211,7 +222,7 @@ def scales(problem: Problem, x: Row) -> tuple[float, float]:
     return TOLERANCE * max(force, 1e-3), TOLERANCE * size
 
 
-def _flips(problem: Problem, solution: Solution) -> Flips:
+def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Flips:
     flips = Flips()
     mode, x = solution.mode, solution.x
     small_force, small_x = scales(problem, x)
@@ -226,6 +237,8 @@ def _flips(problem: Problem, solution: Solution) -> Flips:
         if problem.sliding[number]:
             continue
         friction, normal = solution.forces.friction[number], solution.forces.normal[grip.contact]
+        if lenient and normal < -small_force:
+            continue
         if side == 0 and abs(friction) > grip.friction * normal + small_force:
             flips.rubbing.append((number, -1 if friction > 0.0 else 1))
         elif side * x[grip.coordinate] < -small_x:
