@@ -2,7 +2,7 @@
 
 from typing import Final
 
-__all__ = ["COMMANDS", "FUNCTIONS", "GREEK", "GREEK_NAMES", "HEDGES", "SCRIPTS", "SIGNS", "VARIANTS"]
+__all__ = ["CLOSES", "COMMANDS", "FUNCTIONS", "GREEK", "GREEK_NAMES", "HEDGES", "SCRIPTS", "SIGNS", "VARIANTS"]
 
 _ELEMENTARY: Final = """
     sin cos tan cot sec csc arcsin arccos arctan arccot arcsec arccsc asin acos atan
@@ -63,3 +63,4 @@ SIGNS: Final = {
     "π": ("constant", "pi"),
 }
 HEDGES: Final = frozenset({"or", "and", "to", "between", "either", "through", "versus", "vs"})
+CLOSES: Final = {"(": ")", "[": "]", "{": "}", "\\{": "\\}"}

@@ -40,7 +40,8 @@ def boxed(response: str) -> str:
     text = _spoken(response)
     open_braces: list[int] = []  # where the content of a box begins, or -1 for any other brace
     found: tuple[int, int] | None = None
-    for match in _BRACE.finditer(text, max(text.find(r"\boxed"), 0)):
+    start = len(text[: max(text.find(r"\boxed"), 0)].rstrip("\\"))  # an even number of backslashes boxes nothing
+    for match in _BRACE.finditer(text, start):
         brace = match[0]
         if brace == "}":
             begin = open_braces.pop() if open_braces else -1

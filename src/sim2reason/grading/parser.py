@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from sim2reason.grading import arithmetic
+from sim2reason.grading.alphabet import CLOSES
 from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
@@ -17,7 +18,6 @@ __all__ = ["parse"]
 MAX_DEPTH: Final = 32
 _STARTS: Final = frozenset({"symbol", "constant", "function", "root", "fraction"})
 _SIGNS: Final = frozenset({"plus", "minus", "dash"})
-_CLOSES: Final = {"(": ")", "[": "]", "{": "}", "\\{": "\\}"}
 
 
 def _unreadable(why: str) -> Refused:
@@ -101,17 +101,15 @@ class _Parser:
 
     def starts(self) -> bool:
         """Whether a factor may begin here without a sign."""
-        token = self.next
-        if token.text == "{":  # unseen in print: 3{.5} reads as 3.5
-            return not token.upright and self.tokens[self.at + 1].kind in _STARTS | {"open"}
-        if token.kind == "open":
-            return not token.upright
+        token, inside = self.next, self.tokens[self.at + 1].kind
+        if token.kind == "open":  # braces are unseen in print, where 3{.5} reads as 3.5
+            return inside in _STARTS | {"open"} or (token.text != "{" and inside != "word")
         return token.kind in _STARTS or (token.kind == "bar" and not self.in_bars)
 
     def is_cross(self) -> bool:
         """Whether the letter x here is the times sign of a power of ten."""
         cross = self.next
-        if cross.kind != "word" or cross.text not in {"x", "X"} or cross.upright:
+        if cross.kind != "word" or cross.text not in {"x", "X"}:
             return False
         ten, power = self.tokens[self.at + 1 : self.at + 3]
         return ten.text == "10" and power.kind in {"power", "script"}
@@ -121,9 +119,9 @@ class _Parser:
         raised = self.tokens[self.at - 2].kind == "power"
         if self.next.kind != "fraction" or self.tokens[self.at - 1].kind != "number" or raised:
             return False
-        inside = [token for token in self.tokens[self.at + 1 : self.at + 7] if token.kind not in {"open", "close"}]
-        digits = inside[0].kind == "number" and self.tokens[self.at + 1].kind == "number" and len(inside[0].text) > 1
-        return digits or [token.kind for token in inside[:2]] == ["number", "number"]
+        after = self.tokens[self.at + 1]
+        inside = [token.kind for token in self.tokens[self.at + 1 : self.at + 7] if token.kind not in {"open", "close"}]
+        return inside[:2] == ["number", "number"] or (after.kind == "number" and len(after.text) > 1)
 
     def power(self) -> Node:
         base = self.atom()
@@ -198,7 +196,7 @@ class _Parser:
         self.deeper()
         in_bars, self.in_bars = self.in_bars, False
         inside = self.expression()
-        if self.next.kind != "close" or self.take().text != _CLOSES[opening.text]:
+        if self.next.kind != "close" or self.take().text != CLOSES[opening.text]:
             raise self.unexpected()
         self.in_bars = in_bars
         self.depth -= 1

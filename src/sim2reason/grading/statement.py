@@ -4,6 +4,7 @@ from collections.abc import Collection, Sequence
 
 from sim2reason.dsl.units import Unit, UnitError
 from sim2reason.dsl.units import parse as parse_unit
+from sim2reason.grading.alphabet import CLOSES
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token, tokenize
 
@@ -39,7 +40,7 @@ def _unwrapped(tokens: list[Token]) -> list[Token]:
     for position, token in enumerate(tokens):
         if token.kind == "open":
             stack.append(position)
-        elif token.kind == "close" and stack:
+        elif token.kind == "close" and stack and CLOSES[tokens[stack[-1]].text] == token.text:
             closings[stack.pop()] = position
     first, last = 0, len(tokens) - 1
     while first < last and closings.get(first) == last:

@@ -1,0 +1,100 @@
+"""Grading whole files: the adapter for items, and the command."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from fake_makers import steady
+from sim2reason.cli.grade import command
+from sim2reason.datasets import store
+from sim2reason.datasets.build import build
+from sim2reason.datasets.grade import Response, grade, responses, tallies
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.plan import Config, Request
+from sim2reason.errors import DatasetError
+
+
+@pytest.fixture
+def item() -> Item:
+    made = steady(Request("pulley", "easy", "numeric", 0, 1)).item
+    assert made is not None
+    return made
+
+
+@pytest.fixture
+def data(tmp_path: Path) -> Path:
+    config = Config(items=8, recipes=("pulley",), difficulties=("easy",), maker="fake_makers:steady")
+    build(tmp_path / "data", config, workers=1)
+    return tmp_path / "data"
+
+
+@pytest.fixture
+def said(tmp_path: Path, data: Path) -> Path:
+    """Right, in another unit, unitless nonsense, silent: two items of each."""
+    answers = [r"\boxed{%r}", r"\boxed{%r \text{ kg m/s}^2}", r"\boxed{%r \text{ m}}", "%r"]
+    lines = [
+        json.dumps({"id": item.id, "response": answers[i % 4] % item.answer.value, "sample": 0})
+        for i, item in enumerate(store.read(data))
+    ]
+    (tmp_path / "said.jsonl").write_text("\n".join(lines) + "\n\n", encoding="utf-8")
+    return tmp_path / "said.jsonl"
+
+
+def test_an_item_is_graded_in_its_unit_and_tolerance(item: Item) -> None:
+    value = item.answer.value
+    assert grade(item, rf"\boxed{{{value!r}}}").reward
+    assert grade(item, rf"\boxed{{{value / 1000!r}\text{{ kN}}}}").reward
+    assert not grade(item, rf"\boxed{{{value!r}\text{{ kN}}}}").reward
+    assert not grade(item, f"{value!r} N").reward
+    assert grade(item, f"{value!r} N", lenient=True).reward
+    strict = item.model_copy(update={"answer": item.answer.model_copy(update={"tolerance": 0.001})})
+    assert not grade(strict, rf"\boxed{{{1.01 * value!r}}}").reward
+
+
+def test_tallies_by_recipe_and_kind(item: Item) -> None:
+    graded = [(item, grade(item, text)) for text in (rf"\boxed{{{item.answer.value!r}}}", r"\boxed{0}", "")]
+    rows = tallies(graded)
+    assert [(row.by, row.name) for row in rows] == [("all", ""), ("recipe", "pulley"), ("kind", "state")]
+    assert all(row.responses == 3 and row.reward == pytest.approx(1 / 3) for row in rows)
+    assert rows[0].outcomes == {
+        "correct": 1, "wrong": 1, "wrong unit": 0, "no answer": 1, "unreadable": 0, "too long": 0,
+    }  # fmt: skip
+    assert tallies([]) == []
+
+
+def test_the_command_writes_scores_and_a_summary(data: Path, said: Path, tmp_path: Path) -> None:
+    scores = tmp_path / "scores.jsonl"
+    result = CliRunner().invoke(command, [str(data), "--responses", str(said), "-o", str(scores)])
+    assert result.exit_code == 0, result.output
+    assert "wrong unit" in result.output
+    assert "0.500" in result.output
+    lines = [json.loads(line) for line in scores.read_text(encoding="utf-8").splitlines()]
+    assert [line["outcome"] for line in lines[:4]] == ["correct", "correct", "wrong unit", "no answer"]
+    assert set(lines[0]) == {"id", "reward", "outcome", "parsed", "why"}
+
+
+def test_the_command_speaks_json(data: Path, said: Path) -> None:
+    result = CliRunner().invoke(command, [str(data), "--responses", str(said), "--json", "--lenient"])
+    rows = json.loads(result.output)
+    assert rows[0]["by"] == "all"
+    assert rows[0]["reward"] == 0.75
+    assert sum(rows[0]["outcomes"].values()) == rows[0]["responses"] == 8
+
+
+@pytest.mark.parametrize(
+    "line", ["{", '{"id": "x"}', '{"id": 3, "response": "x"}', '["x"]', '{"id": "x", "response": null}']
+)
+def test_a_bad_line_is_named(line: str, tmp_path: Path) -> None:
+    path = tmp_path / "said.jsonl"
+    path.write_text('{"id": "x", "response": ""}\n' + line + "\n", encoding="utf-8")
+    with pytest.raises(DatasetError, match=r"said\.jsonl:2: .*a line is"):
+        list(responses(path))
+
+
+def test_an_unknown_id_is_an_error(data: Path, said: Path) -> None:
+    said.write_text(Response(id="nobody", response="").model_dump_json(), encoding="utf-8")
+    result = CliRunner().invoke(command, [str(data), "--responses", str(said)])
+    assert isinstance(result.exception, DatasetError)
+    assert "'nobody' is no item of" in str(result.exception)
