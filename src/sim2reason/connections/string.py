@@ -83,8 +83,7 @@ class String(Connection):
                 verbs.append(OVER + speaker.at(order.pop(0)))
             port = stop.port
             verbs.append(speaker.render(port.arrives if isinstance(port, End) else port.passes, stop.owner))
-        string = "another light string" if speaker.strings_told else "a light string"
-        speaker.strings_told += 1
+        string = "another light string" if speaker.heard("light string") else "a light string"
         return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
 
 

@@ -17,7 +17,8 @@ from sim2reason.dsl.ports import Chain, End, Pass, Stop
 from sim2reason.errors import SceneError
 
 MAX_ENTITIES = 8
-Name = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,39}$")]
+NAME = r"^[a-z][a-z0-9_]{0,39}$"
+Name = Annotated[str, Field(pattern=NAME)]
 
 
 class World(Model):
@@ -73,10 +74,24 @@ class Scene(Model):
                 if (link.entity, link.port) in used:
                     raise SceneError(place, f"port {link} is used twice", "use each port once")
                 used.add((link.entity, link.port))
+            self._check_order(connection, f"connections.{number}")
         for named in self.entities:
             for port, declared in outer_ports(type(named.entity)).items():
                 if declared.required and (named.name, port) not in used:
                     raise SceneError(f"entities.{named.name}", f"its port {port!r} is open", "connect it to something")
+
+    def _check_order(self, connection: Connection, place: str) -> None:
+        """A path begins and ends at ends, and passes only what can be passed."""
+        last = len(connection.links) - 1
+        if last < 1:
+            raise SceneError(place, "it has fewer than two ends", "give it two")
+        for index, link in enumerate(connection.links):
+            passed = isinstance(outer_ports(type(self.entity(link.entity)))[link.port], Pass)
+            if passed != (0 < index < last):
+                problem = "can only be passed" if passed else "can't be passed"
+                raise SceneError(place, f"{link} {problem}", "lead the string on" if passed else "end it there")
+            if link.flipped and not passed:
+                raise SceneError(place, f"{link} is an end and has no sides to flip", "leave flipped out")
 
     def _check_forest(self) -> None:
         """Strings may branch at entities, but not close a ring: a ring would fix where entities stand twice."""
@@ -130,6 +145,10 @@ class Scene(Model):
     def mechanism(self) -> Mechanism:
         """What an engine simulates; SceneError if the parts do not fit together."""
         return self.builder.finish()
+
+    def check(self) -> None:
+        """Build it, to see whether its parts fit together; SceneError if they do not."""
+        _ = self.mechanism
 
     @cached_property
     def bodies(self) -> dict[str, Body]:

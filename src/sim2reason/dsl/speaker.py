@@ -88,7 +88,7 @@ class Speaker:
         """Nothing is introduced yet."""
         self.scene, self.names, self._rng, self._voice = scene, names, rng, voice
         self.introduced: dict[str, None] = {}
-        self.strings_told = 0
+        self._finished: list[str] = []
 
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
@@ -190,7 +190,12 @@ class Speaker:
 
     def finish(self, sentence: str) -> str:
         """A rendered sentence with its capital."""
-        return sentence[:1].upper() + sentence[1:]
+        self._finished.append(sentence[:1].upper() + sentence[1:])
+        return self._finished[-1]
+
+    def heard(self, words: str) -> bool:
+        """Whether some words stand in an earlier sentence."""
+        return any(words in sentence for sentence in self._finished)
 
     def render(self, template: str, address: str) -> str:
         """A template of the entity or part at `address`, introducing bodies at their first mention."""

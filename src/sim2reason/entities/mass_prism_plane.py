@@ -46,7 +46,7 @@ class MassPrismPlane(Entity):
         either(
             "the coefficient of friction (static and kinetic) on both faces is {prism.friction}.",
             "on both faces the coefficient of friction, static and kinetic, is {prism.friction}.",
-            "friction on its faces, static and kinetic, has the coefficient {prism.friction}.",
+            "friction on either face, static and kinetic, has the coefficient {prism.friction}.",
         ),
     )
     left = End(

@@ -84,9 +84,13 @@ def certify(mechanism: Mechanism, times: Array) -> tuple[Trace, Certificate]:
     Raises:
         UnsupportedError, SimulationError, SceneError: what the recorded engine raises.
     """
-    recorded = ENGINES[RECORDED](mechanism, times)
+    return witnessed(ENGINES[RECORDED](mechanism, times))
+
+
+def witnessed(recorded: Trace) -> tuple[Trace, Certificate]:
+    """The second half of `certify`, for a motion that the recorded engine has already found."""
     try:
-        witness = ENGINES[WITNESS](mechanism, times)
+        witness = ENGINES[WITNESS](recorded.mechanism, recorded.state.times)
     except (SimulationError, UnsupportedError) as error:
         certificate = Certificate((RECORDED, WITNESS), SMOOTH, 0.0, f"no witness: {error}")
     else:

@@ -1,0 +1,48 @@
+"""Items by their coordinates: any one at once, or as many as are wanted in order."""
+
+from collections.abc import Iterator
+
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Config, Request
+from sim2reason.errors import DrawError
+from sim2reason.recipes import DIFFICULTIES, RECIPES
+
+
+def item(
+    recipe: str = "pulley", difficulty: str = "medium", mode: str = "numeric", *, seed: int = 0, index: int = 0
+) -> Item:
+    """The `index`-th problem of a recipe, difficulty, mode and seed: the same one wherever and whenever it is made.
+
+    Raises:
+        UnknownNameError: no such recipe or mode.
+        DrawError: no draw passed the filters within the budget; take another index.
+    """
+    request = Request(recipe, difficulty, mode, seed, index)
+    made = make(request)
+    if made.item is None:
+        refused = ", ".join(f"{count} {name}" for name, count in sorted(made.rejected.items()))
+        raise DrawError(f"{request.id}: no draw passed the filters ({refused}); take another index")
+    return made.item
+
+
+def stream(
+    recipe: str = "all", difficulty: str = "all", mode: str = "numeric", *, seed: int = 0, start: int = 0
+) -> Iterator[Item]:
+    """Problems without end, dealt in turn to the recipes and difficulties; `start` goes straight to a position.
+
+    The few requests that no draw fills are passed over, as in a dataset.
+    """
+    config = Config(
+        items=0,
+        recipes=tuple(RECIPES) if recipe == "all" else (recipe,),
+        difficulties=DIFFICULTIES if difficulty == "all" else (difficulty,),
+        modes=(mode,),
+        seed=seed,
+    )
+    position = start
+    while True:
+        made = make(config.request(position))
+        position += 1
+        if made.item is not None:
+            yield made.item

@@ -1,0 +1,47 @@
+"""Drops a question whose answer is nothing, or stands in the text."""
+
+import numpy as np
+
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.quantities import QUANTITIES
+
+SMALLEST = 0.01  # of the scene's largest value of the quantity: two spoken digits can't tell less from zero
+FLOORS = {"m": 1e-3, "m/s": 1e-2, "m/s^2": 1e-2, "s": 1e-2}
+FLOOR = 1e-3
+SAME = 2e-3  # relative: what rounds to the same three digits
+
+
+class Degenerate:
+    """The answer is zero, too small to be told from zero, or one of the stated numbers."""
+
+    needs_witness = False
+    order = 0
+
+    def reason(self, candidate: Candidate) -> str:
+        """Compare the answer with zero, with the scene's scale and with every number of the text."""
+        answer, unit = abs(candidate.question.answer), candidate.question.unit
+        if answer <= max(FLOORS.get(unit, FLOOR), SMALLEST * _scale(candidate)):
+            return "the answer can not be told from zero"
+        said = (p for p in candidate.scene.parameters if not p.hidden and p.value is not None and p.measure.unit == unit)
+        if any(abs(answer - abs(p.value or 0.0)) <= SAME * answer for p in said):
+            return "the answer is a stated number"
+        return ""
+
+
+def _scale(candidate: Candidate) -> float:
+    """The largest value of the asked quantity on any subject while the motion is described."""
+    target, trace = candidate.question.ask.target, candidate.trace
+    if target is None:
+        return 0.0
+    quantity = QUANTITIES[target.quantity]
+    state = trace.state
+    within = state.times <= trace.stable_until
+    largest = 0.0
+    for subject in quantity.subjects(state.mechanism):
+        values = quantity.evaluate(state, subject)[within]
+        size = np.abs(values) if values.ndim == 1 else np.linalg.norm(values, axis=1)
+        largest = max(largest, float(np.nanmax(size, initial=0.0)))
+    return largest
+
+
+FILTERS.add("degenerate", Degenerate())

@@ -1,0 +1,36 @@
+"""What is the quantity when something happens for the first time?"""
+
+import numpy as np
+
+from sim2reason.questions import KINDS, Ask, Target, Words
+from sim2reason.questions.choices import happenings, pick, varying
+from sim2reason.questions.moments import Moved
+from sim2reason.questions.phrasing import asking
+from sim2reason.simulation.trace import Trace
+
+
+class EventKind:
+    """A collision, a body that comes to rest, or one that has moved a stated distance."""
+
+    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
+        """An event of this motion and a quantity that it bears on."""
+        found = happenings(trace, words, rng)
+        if not found:
+            return None
+        moment = found[int(rng.integers(len(found)))]
+        offered = varying(targets)
+        if isinstance(moment, Moved):  # how far it is then, the question itself says
+            offered = {p: t for p, t in offered.items() if not (t.quantity == "displacement" and t.subject == moment.body)}
+        else:
+            offered = {p: t for p, t in offered.items() if t.subject in moment.subjects} or offered
+        target = pick(offered, rng)
+        return Ask("event", target, moment) if target is not None else None
+
+    def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+        """*What is the speed of B when it is first 0.50 m from its starting point?*"""
+        assert ask.target is not None
+        phrases = ask.moment.phrases(words.mentions, released=words.released)
+        return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))
+
+
+KINDS.add("event", EventKind())

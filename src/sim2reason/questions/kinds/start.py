@@ -1,0 +1,28 @@
+"""What is the quantity just after the start?"""
+
+import numpy as np
+
+from sim2reason.questions import KINDS, Ask, Target, Words
+from sim2reason.questions.choices import immediate, pick
+from sim2reason.questions.moments import AtStart
+from sim2reason.questions.phrasing import asking
+from sim2reason.simulation.trace import Trace
+
+
+class StartKind:
+    """Accelerations and forces at t = 0⁺, which the text does not give."""
+
+    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
+        """A quantity that can differ from zero before anything has moved."""
+        del trace, words
+        target = pick(immediate(targets), rng)
+        return Ask("start", target, AtStart()) if target is not None else None
+
+    def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+        """*Find the tension in the string just after release.*"""
+        assert ask.target is not None
+        phrases = ask.moment.phrases(words.mentions, released=words.released)
+        return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))
+
+
+KINDS.add("start", StartKind())

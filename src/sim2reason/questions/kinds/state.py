@@ -1,0 +1,33 @@
+"""What is the quantity at a stated time?"""
+
+import numpy as np
+
+from sim2reason.questions import KINDS, Ask, Target, Words
+from sim2reason.questions.choices import apart, pick, varying
+from sim2reason.questions.moments import AtTime, spoken
+from sim2reason.questions.phrasing import asking
+from sim2reason.simulation.trace import Trace
+
+EARLIEST, LATEST = 0.15, 0.95  # of the stretch that can be asked about
+
+
+class StateKind:
+    """A drawn quantity at a drawn time of two digits."""
+
+    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
+        """A time away from events, and a quantity that changes over the motion."""
+        del words
+        target = pick(varying(targets), rng)
+        moment = AtTime(spoken(rng.uniform(EARLIEST, LATEST) * trace.stable_until))
+        if target is None or moment.time(trace) is None or not apart(moment.after, trace):
+            return None
+        return Ask("state", target, moment)
+
+    def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+        """*What is the speed of A 0.80 s after release?*"""
+        assert ask.target is not None
+        phrases = ask.moment.phrases(words.mentions, released=words.released)
+        return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))
+
+
+KINDS.add("state", StateKind())

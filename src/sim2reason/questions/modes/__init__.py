@@ -1,0 +1,1 @@
+"""The modes of questions, one file each."""

@@ -1,0 +1,50 @@
+"""The numeric mode: every number is given, and a number is asked for."""
+
+import numpy as np
+
+from sim2reason.questions import KINDS, MODES, Ask, Question, Words
+from sim2reason.questions.targets import targets
+from sim2reason.simulation.trace import Trace
+
+SHARES = {"state": 0.25, "start": 0.25, "event": 0.3, "time_to_event": 0.2}  # at most 30 % states
+
+
+def numeric(trace: Trace, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
+    """A question of a kind (by default drawn by quota) about a motion, or None if it offers none."""
+    chosen = kind or _drawn(rng)
+    offered = targets(trace.mechanism, words.mentions)
+    ask = KINDS[chosen].draw(trace, words, offered, rng)
+    if ask is None:
+        return None
+    answer = ask.answer(trace)
+    if answer is None or not np.isfinite(answer):
+        return None
+    noun = next((phrase for phrase, target in offered.items() if target == ask.target), "")
+    shapes = KINDS[chosen].shapes(ask, words, noun)
+    text = shapes[int(rng.random() * len(shapes))]
+    target = ask.target
+    sign = target.sense.positive if target is not None and target.sense is not None else ""
+    return Question("numeric", ask, text[0].upper() + text[1:], answer, target.unit if target else "s", sign)
+
+
+def _drawn(rng: np.random.Generator) -> str:
+    names = sorted({*KINDS} & {*SHARES})
+    weights = np.array([SHARES[name] for name in names])
+    return names[int(rng.choice(len(names), p=weights / weights.sum()))]
+
+
+def read(text: str, trace: Trace, words: Words) -> Ask | None:
+    """The question that a sentence asks about a motion, found by trying every phrase of every kind; None if no one.
+
+    Times and distances are read from the sentence; the rest must be word for word what `shapes` gives.
+    """
+    from sim2reason.questions.reading import candidates
+
+    for ask, noun in candidates(text, trace, words):
+        for shape in KINDS[ask.kind].shapes(ask, words, noun):
+            if shape[0].upper() + shape[1:] == text:
+                return ask
+    return None
+
+
+MODES.add("numeric", numeric)

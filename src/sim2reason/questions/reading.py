@@ -1,0 +1,46 @@
+"""A question's sentence read back: every ask that its words could mean."""
+
+import re
+from collections.abc import Iterator
+
+from sim2reason.questions import KINDS, Ask, Moment, Target, Words
+from sim2reason.questions.moments import AtStart, AtTime, Collided, Moved, Stopped
+from sim2reason.questions.phrasing import FAR, FAST
+from sim2reason.questions.targets import targets
+from sim2reason.simulation.trace import Trace
+
+_SECONDS = re.compile(r"(\d{1,6}(?:\.\d{1,6})?) s\b")
+_METRES = re.compile(r"(\d{1,6}(?:\.\d{1,6})?) m\b")
+
+
+def candidates(text: str, trace: Trace, words: Words) -> Iterator[tuple[Ask, str]]:
+    """Asks, with their noun phrases, whose numbers and names all stand in a sentence."""
+    offered = targets(trace.mechanism, words.mentions)
+    nouns: dict[str, Target] = {phrase: target for phrase, target in offered.items() if _heard(phrase, text)}
+    for moment in _moments(text, trace, words):
+        yield Ask("time_to_event", None, moment), ""
+        kind = {AtTime: "state", AtStart: "start"}.get(type(moment), "event")
+        for noun, target in nouns.items():
+            yield Ask(kind, target, moment), noun
+
+
+def _heard(phrase: str, text: str) -> bool:
+    """Whether a noun phrase stands in a sentence, or what a question word makes of it."""
+    core = phrase.removeprefix(FAST).removeprefix(FAR).partition(" from its")[0].partition(" relative to")[0]
+    return phrase in text or (core != phrase and core.lower() in text.lower())
+
+
+def _moments(text: str, trace: Trace, words: Words) -> Iterator[Moment]:
+    yield AtStart()
+    yield from (AtTime(float(number)) for number in _SECONDS.findall(text))
+    named = [name for name in trace.mechanism.body if words.mentions.get(name, "\0") in text]
+    for name in named:
+        yield Stopped(name)
+        yield from (Moved(name, float(number)) for number in _METRES.findall(text))
+        for other in named:
+            if other != name:
+                yield Collided(name, other, after=True)
+                yield Collided(name, other, after=False)
+
+
+__all__ = ["KINDS", "candidates"]
