@@ -162,7 +162,10 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
     if not spare or loose or not _flips(problem, solution).count():
         return solution
     better = bearing(problem, mode, x)
-    return solution if better is None else Solution(mode, x, _forces(problem, mode, x, better, 1.0), spare, loose)
+    if better is None:
+        return solution
+    acting = _spread(better, active, len(mode.acting))
+    return Solution(mode, x, _forces(problem, mode, x, acting, 1.0), spare, loose)
 
 
 def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> list[Row]:
