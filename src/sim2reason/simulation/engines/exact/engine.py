@@ -159,8 +159,6 @@ class _Run:
         return near.touching and abs(near.rate) <= STILL and near.second < -STILL
 
     def _append(self, found: Balance) -> None:
-        if self.segments and self.segments[-1].start == self.now:
-            self.segments.pop()
         segment = Segment(self.now, self.q, self.v, found.a, found.tension, found.normal, found.friction, found.mode)
         self.segments.append(segment)
 
