@@ -12,7 +12,7 @@ class ConstantForcePuller(Entity):
 
     force: Force
 
-    end = End(sites=("hand",), arrives="ends in a hand that pulls it with a steady force of {force}", required=True)
+    end = End(sites=("hand",), arrives="ends in a hand that pulls with a steady {force}", required=True)
 
     def build(self, room: Frame) -> None:
         """A fixed point at which the string is drawn in."""

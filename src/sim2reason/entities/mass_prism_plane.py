@@ -52,14 +52,14 @@ class MassPrismPlane(Entity):
     left = End(
         sites=("left_lowest", "left_foot"),
         tied="{left_blocks.first}",
-        leaves="runs down the face, passes round a small light pulley at its foot and continues horizontally to the left",
-        arrives="comes in from the left to a small light pulley at the foot of the left face and runs up the face to {left_blocks.first}",
+        leaves="runs down the face, round a small light pulley at its foot and on to the left",
+        arrives="comes in from the left round a small light pulley at the foot of the left face and up to {left_blocks.first}",
     )
     right = End(
         sites=("right_lowest", "right_foot"),
         tied="{right_blocks.first}",
-        leaves="runs down the face, passes round a small light pulley at its foot and continues horizontally to the right",
-        arrives="comes in from the right to a small light pulley at the foot of the right face and runs up the face to {right_blocks.first}",
+        leaves="runs down the face, round a small light pulley at its foot and on to the right",
+        arrives="comes in from the right round a small light pulley at the foot of the right face and up to {right_blocks.first}",
     )
 
     def build(self, room: Frame) -> None:

@@ -1,6 +1,5 @@
 """A movable pulley that hangs in the bight of a string, with a load on its axle."""
 
-
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.pulley import MovablePulley
 from sim2reason.dsl.builder import Frame, scale
@@ -28,7 +27,7 @@ class MassWithReverseMovablePulley(Entity):
     )
     under = Pass(
         sites=("pulley.left", "pulley.right"),
-        passes="runs straight down, passes under {pulley} and runs straight up",
+        passes="goes straight down, under {pulley} and straight up again",
         required=True,
     )
     bottom = End(

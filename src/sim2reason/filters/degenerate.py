@@ -22,7 +22,9 @@ class Degenerate:
         answer, unit = abs(candidate.question.answer), candidate.question.unit
         if answer <= max(FLOORS.get(unit, FLOOR), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"
-        said = (p for p in candidate.scene.parameters if not p.hidden and p.value is not None and p.measure.unit == unit)
+        said = (
+            p for p in candidate.scene.parameters if not p.hidden and p.value is not None and p.measure.unit == unit
+        )
         if any(abs(answer - abs(p.value or 0.0)) <= SAME * answer for p in said):
             return "the answer is a stated number"
         return ""

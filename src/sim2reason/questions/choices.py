@@ -59,7 +59,9 @@ def happenings(trace: Trace, words: Words, rng: np.random.Generator) -> list[Mom
 def _free(trace: Trace, words: Words) -> list[str]:
     """Bodies of the text that move along one line in the room and ride on nothing."""
     mechanism = trace.mechanism
-    return [n for n in mechanism.body if n in words.mentions and len(axes(mechanism, n)) == 1 and not carried(mechanism, n)]
+    return [
+        n for n in mechanism.body if n in words.mentions and len(axes(mechanism, n)) == 1 and not carried(mechanism, n)
+    ]
 
 
 def _moved(trace: Trace, words: Words, rng: np.random.Generator) -> Moved | None:

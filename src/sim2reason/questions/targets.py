@@ -188,5 +188,3 @@ def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers:
     if site.body in carriers:
         return f"the axle of {mentions[carriers[site.body]]}"
     return ""
-
-

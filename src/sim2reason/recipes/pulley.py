@@ -6,15 +6,21 @@ from sim2reason.dsl.measures import Count
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import MOVABLE, REVERSE, Tier, grow
-from sim2reason.recipes.parts.ranges import NUMBERS
+from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
 
 POOL = {"MassWithFixedPulley": 2.0, MOVABLE: 1.5, REVERSE: 1.5}
 SYSTEMS = ("MassWithFixedPulley.system", f"{MOVABLE}.left", f"{MOVABLE}.right")
 HANGING = dict.fromkeys(SYSTEMS, ("Hanging",))
 TIERS = {
-    "easy": Tier(Count(1, 2), POOL, {**NUMBERS["easy"], **HANGING}, massive=0.4),
-    "medium": Tier(Count(2, 3), POOL, {**NUMBERS["medium"], **HANGING, SYSTEMS[0]: ("Hanging", "OnPlane")}, massive=0.4),
-    "hard": Tier(Count(3, 4), POOL, NUMBERS["hard"], rough=0.4, massive=0.5),
+    "easy": Tier(Count(1, 2), POOL, {**NUMBERS["easy"], **HANGING}, massive=0.4, words=WORDS["easy"]),
+    "medium": Tier(
+        Count(2, 3),
+        POOL,
+        {**NUMBERS["medium"], **HANGING, SYSTEMS[0]: ("Hanging", "OnPlane")},
+        massive=0.4,
+        words=WORDS["medium"],
+    ),
+    "hard": Tier(Count(3, 4), POOL, NUMBERS["hard"], rough=0.4, massive=0.5, words=WORDS["hard"]),
 }
 
 

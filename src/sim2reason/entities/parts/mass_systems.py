@@ -21,7 +21,6 @@ Blocks = Annotated[tuple[Block, ...], Len(1, MAX_BLOCKS), Count(1, 2)]
 FreeLength = Annotated[float, Gt(0), Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
 
 
-
 class MassSystem(Part):
     """The base: `tail` is the free end of its string, `length` the free string between it and the next pulley."""
 
@@ -117,8 +116,8 @@ class OnWedge(MassSystem):
     tail = End(
         sites=("hook", "corner"),
         tied="{blocks.last}",
-        leaves="runs up the face, passes over a small light pulley at the top of {wedge} and continues horizontally",
-        arrives="comes in horizontally to a small light pulley at the top of {wedge} and runs down the face to {blocks.last}",
+        leaves="runs up the face, over a small light pulley at the top of {wedge} and on horizontally",
+        arrives="comes in horizontally over a small light pulley at the top of {wedge} and down the face to {blocks.last}",
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:
@@ -149,6 +148,3 @@ def link(room: Frame, count: int, first: str = "hook0", last: str = "") -> None:
         hooks = [*(f"hook{index}" for index in range(count - 1)), last]
     for index, (one, other) in enumerate(zip(hooks, hooks[1:], strict=False)):
         room.string(f"link{index}", room.address(one), room.address(other))
-
-
-

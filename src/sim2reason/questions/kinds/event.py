@@ -20,7 +20,9 @@ class EventKind:
         moment = found[int(rng.integers(len(found)))]
         offered = varying(targets)
         if isinstance(moment, Moved):  # how far it is then, the question itself says
-            offered = {p: t for p, t in offered.items() if not (t.quantity == "displacement" and t.subject == moment.body)}
+            offered = {
+                p: t for p, t in offered.items() if not (t.quantity == "displacement" and t.subject == moment.body)
+            }
         else:
             offered = {p: t for p, t in offered.items() if t.subject in moment.subjects} or offered
         target = pick(offered, rng)

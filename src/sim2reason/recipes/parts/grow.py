@@ -11,9 +11,13 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import Choice, draw
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Named, Scene
+from sim2reason.dsl.speaker import tell
+from sim2reason.errors import SceneError
 
 REVERSE = "MassWithReverseMovablePulley"
 MOVABLE = "MassWithMovablePulley"
+TRIES = 30
+LONGEST_SENTENCE = 40  # words
 HAND, HOOK = "ConstantForcePuller", "FixedSupport"
 PREFIX = {
     "MassWithFixedPulley": "fixed",
@@ -42,6 +46,7 @@ class Tier:
     massive: float = 0.3
     more: float = 0.4
     speed: float = 0.0  # the chance that a plane without strings starts with a speed
+    words: int = 200  # the longest text
 
 
 class Grower:
@@ -67,7 +72,9 @@ class Grower:
         first = self._add(self._pick(self.tier.pool))
         self._open_ports(first)
         string = CONNECTIONS["tendon"]
-        return Scene(entities=tuple(self.entities), connections=tuple(self._strung(string, path) for path in self.paths))
+        return Scene(
+            entities=tuple(self.entities), connections=tuple(self._strung(string, path) for path in self.paths)
+        )
 
     def _strung(self, kind: type[Connection], path: tuple[Link, ...]) -> Connection:
         drawn = draw(kind, self.rng, {}, given={"links": path})
@@ -97,7 +104,9 @@ class Grower:
     def _open_ports(self, named: Named) -> None:
         """Give every port of a new entity its string, if it must or happens to have one."""
         ports = outer_ports(type(named.entity))
-        for port, declared in sorted(ports.items(), key=lambda item: item[0] != "bottom"):  # while there is room for a load
+        for port, declared in sorted(
+            ports.items(), key=lambda item: item[0] != "bottom"
+        ):  # while there is room for a load
             if (named.name, port) in self.used:
                 continue
             if not declared.required and not self._wants(named.entity, port):
@@ -153,5 +162,19 @@ class Grower:
 
 
 def grow(tier: Tier, rng: np.random.Generator) -> Scene:
-    """A random scene of a tier; SceneError if its parts do not fit together."""
-    return Grower(tier, rng).scene()
+    """A random scene of a tier, drawn again while it takes too many words to tell.
+
+    Raises:
+        SceneError: its parts do not fit together, or nothing short enough was drawn.
+    """
+    for _ in range(TRIES):
+        scene = Grower(tier, rng).scene()
+        if _is_short(scene, tier.words):
+            return scene
+    raise SceneError("recipe", f"no scene of {TRIES} can be told in {tier.words} words", "draw again")
+
+
+def _is_short(scene: Scene, words: int) -> bool:
+    """Whether the whole text and every sentence about a string keep within their bounds."""
+    lengths = [len(sentence.split()) for sentence in tell(scene).sentences]
+    return sum(lengths) <= words and max(lengths) <= LONGEST_SENTENCE
