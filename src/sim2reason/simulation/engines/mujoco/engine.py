@@ -59,7 +59,8 @@ class Motion:
         if self.cut:
             return False
         self.segments += 1
-        settled = settle(self.plant, self.watch, self.q, self.v)
+        taut = snapped | (np.ones_like(snapped) if self.mode is None else self.mode.taut)
+        settled = settle(self.plant, self.watch, self.q, self.v, taut)
         self._note_changes(settled.mode, snapped)
         if self._ended(settled):
             return False
@@ -84,9 +85,15 @@ class Motion:
             self._note("collision", pair.a, pair.b)
             self.hits |= dict.fromkeys(self._movable(int(number)), (self.now, (pair.a, pair.b)))
         self._lift(lifted)
+        if self.cut:
+            self._note_snapped(snapped)
         if self.cut and not self.record.times:
-            self._note_forces(settle(self.plant, self.watch, self.q, self.v))
+            self._note_forces(settle(self.plant, self.watch, self.q, self.v, snapped))
         return snapped
+
+    def _note_snapped(self, snapped: Flags) -> None:
+        for number in np.flatnonzero(snapped):
+            self._note("taut", self.mechanism.strings[number].name)
 
     def _movable(self, number: int) -> list[str]:
         pair = self.mechanism.collisions[number]

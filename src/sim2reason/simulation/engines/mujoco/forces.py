@@ -12,7 +12,7 @@ from sim2reason.simulation.engines.mujoco.watch import STILL, TOUCHING, Watch
 
 SCALE = 1e-3  # an impact is solved for a thousandth of its velocities, so that no overlap is large
 FAINT = 1e-7  # of the largest load: no tension
-LIFT = 1e-4  # of the largest speed: a face is left only faster
+LIFT = 1e-6  # of the largest speed: a face is left only faster
 
 
 class Mode(NamedTuple):
@@ -33,8 +33,12 @@ class Settled:
     loose: bool  # a massless part that nothing holds
 
 
-def settle(plant: Plant, watch: Watch, q: Array, v: Array) -> Settled:
-    """Find the mode and the forces at a state between impacts; SimulationError if there are none."""
+def settle(plant: Plant, watch: Watch, q: Array, v: Array, taut: Flags) -> Settled:
+    """Find the mode and the forces at a state between impacts.
+
+    `taut` are the strings that were so, or have just become so: they remain so under no tension while nothing
+    moves their ends together. Raises SimulationError if no forces are found.
+    """
     zero = np.zeros(plant.size)
     spare = watch.strings(q, v, zero)
     tight = (spare.value <= TOUCHING) & (np.abs(spare.rate) <= STILL)
@@ -43,18 +47,19 @@ def settle(plant: Plant, watch: Watch, q: Array, v: Array) -> Settled:
     none = np.zeros(len(plant.pairs), dtype=bool)
     demand = Demand(q, v, tight, none, sliding, zero, np.zeros(plant.slots))
     first = balance(plant, demand)
-    taut = tight & (first.forces[plant.strings] > FAINT * plant.load_scale)
+    idle = taut & (np.abs(watch.strings(q, v, first.a).second) <= STILL)
+    pulling = tight & (first.forces[plant.strings] > FAINT * plant.load_scale)
     started = rough & (sliding == 0.0) & (np.abs(first.a[plant.rubs]) > STILL)
     rubbing = np.where(started, np.sign(first.a[plant.rubs]), sliding)
     last = first
-    if started.any() or not np.array_equal(taut, tight):
-        last = balance(plant, replace(demand, strings=taut, sliding=rubbing, normal=first.forces[plant.presses]))
+    if started.any() or not np.array_equal(pulling, tight):
+        last = balance(plant, replace(demand, strings=pulling, sliding=rubbing, normal=first.forces[plant.presses]))
     lifted = tuple(int(i) for i in np.flatnonzero(last.a[plant.faces] > STILL))
     still = tight & (np.abs(watch.strings(q, v, last.a).second) <= STILL)
     held = rough & (v[plant.rubs] == 0.0) & (np.abs(last.a[plant.rubs]) <= STILL)
-    return Settled(
-        Mode(taut, rubbing), last, _undetermined(plant, still, held, rubbing), lifted, _loose(plant, taut, rubbing)
-    )
+    open_ended = _undetermined(plant, still, held, rubbing)
+    mode = Mode(pulling | (tight & idle), rubbing)
+    return Settled(mode, last, open_ended, lifted, _loose(plant, pulling, rubbing))
 
 
 def strike(plant: Plant, watch: Watch, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
