@@ -69,6 +69,7 @@ def test_where_the_answer_stands(response: str, outcome: str) -> None:
         r"\begin{cases}9.8\end{cases}",
         r"9.8 \lor 10",
         r"9.8 → 10",
+        r"x \not= 9.8",
     ],
 )
 def test_hedges_are_wrong(answer: str) -> None:

@@ -59,6 +59,8 @@ WRAPPERS = [
     r"\boxed{{{}}}",
     r"{}\,",
     r"x = {}",
+    r"\vec{{v}}' = {}",
+    r"\Delta t_{{\text{{fall}}}} = {}",
     r"v_0 \approx {}",
     r"\approx {}",
     r"a = b = {}",

@@ -146,5 +146,3 @@ def summary(certificate: Certificate) -> dict[str, object]:
         "stable_until": certificate.stable_until,
         "events": len(certificate.matched),
     }
-
-

@@ -266,8 +266,11 @@ class Builder:
         pulley = self._rims.get((first, last)) or self._rims.get((last, first))
         if pulley is None or pulley.coordinate is None:
             return None
-        # The wheel turns right-handed about y: its left rim rises, its right rim sinks.
-        return Wheel(pulley.coordinate, pulley.radius if first == pulley.left else -pulley.radius)
+        # The wheel turns right-handed about y: its left rim rises and takes in string that hangs from it, but
+        # gives out string that holds it from above.
+        upwards = self.faces[first]
+        under = upwards is not None and upwards[2] > 0.0
+        return Wheel(pulley.coordinate, pulley.radius if (first == pulley.left) != under else -pulley.radius)
 
     def add_collision(self, collision: Collision) -> None:
         """Enter a pair that may bounce."""

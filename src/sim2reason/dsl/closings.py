@@ -30,7 +30,10 @@ def _has_massive_pulley(scene: Scene) -> bool:
 
 
 def _has_light_pulleys_only(scene: Scene) -> bool:
-    return bool(_pulleys(scene)) and not _has_massive_pulley(scene)
+    """Small pulleys at corners count, too: strings that turn have more than two sites."""
+    mechanism = scene.mechanism
+    turns = any(len(line.through) > 2 for line in (*mechanism.strings, *mechanism.pulls))
+    return (turns or bool(_pulleys(scene))) and not _has_massive_pulley(scene)
 
 
 def _has_strings(scene: Scene) -> bool:
@@ -38,11 +41,15 @@ def _has_strings(scene: Scene) -> bool:
 
 
 def _has_room(scene: Scene) -> bool:
-    return _has_strings(scene) and not _on_faces(scene)
+    return _has_strings(scene) and not scene.mechanism.contacts
 
 
-def _on_faces(scene: Scene) -> bool:
-    return bool(scene.mechanism.contacts)
+def _has_faces(scene: Scene) -> bool:
+    return bool(scene.mechanism.contacts) and not _has_strings(scene)
+
+
+def _has_both(scene: Scene) -> bool:
+    return bool(scene.mechanism.contacts) and _has_strings(scene)
 
 
 def _weighs(scene: Scene) -> bool:
@@ -67,9 +74,9 @@ CLOSINGS: tuple[Closing, ...] = (
         "light pulleys",
         _has_light_pulleys_only,
         (
-            "the pulleys are frictionless.",
+            "no pulley has friction.",
             "pulleys turn without friction.",
-            "there is no friction at the pulleys.",
+            "friction at pulleys is negligible.",
         ),
     ),
     Closing(
@@ -92,11 +99,16 @@ CLOSINGS: tuple[Closing, ...] = (
     ),
     Closing(
         "room on faces",
-        _on_faces,
+        _has_faces,
+        ("no edge is reached.", "no body gets to an edge.", "there is room for the motion."),
+    ),
+    Closing(
+        "room on faces and for strings",
+        _has_both,
         (
             "nothing reaches a pulley or an edge.",
             "no body gets to a pulley or an edge.",
-            "there is room for the motion.",
+            "there is room enough for the motion.",
         ),
     ),
     Closing(

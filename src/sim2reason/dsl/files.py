@@ -90,16 +90,18 @@ class _Slot(NamedTuple):
 
     models: dict[str, type[Model]]  # by kind
     many: bool
+    optional: bool
     default: object
 
 
 @cache
 def _slots(cls: type[Model]) -> dict[str, _Slot]:
     kinds = field_types(cls)
-    return {
-        name: _Slot({snake(m.__name__): m for m in kinds[name].models}, is_many(info.annotation), info.default)
-        for name, info in cls.model_fields.items()
-    }
+    found: dict[str, _Slot] = {}
+    for name, info in cls.model_fields.items():
+        many, models = is_many(info.annotation), {snake(model.__name__): model for model in kinds[name].models}
+        found[name] = _Slot(models, many, kinds[name].optional and not many, info.default)
+    return found
 
 
 def _read(path: Path) -> str:
@@ -129,11 +131,12 @@ def _scene(data: Plain) -> Scene:
     top = _mapping(data, "scene", ("scene",), root=True)
     body = _mapping(top.get("scene"), "scene", SCENE_KEYS)
     entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
-    classes = {named.name: type(named.entity) for named in entities}
+    classes = _classes(entities)
     pairs = [read_pair(e, f"scene.connections[{i}]", classes) for i, e in enumerate(_list(body, "connections"))]
     found = list(paths(pairs))
     connections = tuple(_made(path.kind, path.own, path.first, {"links": path.links}) for path in found)
     world = _made(World, body.get("world", {}), "scene.world")
+    glued = _glued(body)
     places = {f"{c.key}_{i + 1}": found[i].first for i, c in enumerate(connections)}
     try:
         scene = Scene(
@@ -141,7 +144,7 @@ def _scene(data: Plain) -> Scene:
             entities=entities,
             connections=connections,
             world=world,
-            glued=_glued(body),
+            glued=glued,
         )
         _ = scene.mechanism
     except ValidationError as error:
@@ -163,6 +166,15 @@ def _entity(entry: Plain, place: str) -> Named:
         return Named(name=str(held["name"]), entity=entity)
     except ValidationError as error:
         raise explained(Named, error, place) from None
+
+
+def _classes(entities: tuple[Named, ...]) -> dict[str, type[Entity]]:
+    found: dict[str, type[Entity]] = {}
+    for index, named in enumerate(entities):
+        if named.name in found:
+            raise SceneError(f"scene.entities[{index}].name", f"two entities are called {named.name}", "rename one")
+        found[named.name] = type(named.entity)
+    return found
 
 
 @cache
@@ -198,7 +210,7 @@ def _value(slot: _Slot, data: Plain, place: str) -> object:
 
 
 def _one(slot: _Slot, data: Plain, place: str) -> object:
-    if data is None or not slot.models:
+    if not slot.models or (data is None and slot.optional):
         return data
     if len(slot.models) == 1:
         return _made(next(iter(slot.models.values())), data, place)

@@ -122,7 +122,8 @@ def _end(end: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FileEnd
         raise SceneError(f"{place}.entity", f"no entity is called {shown(entity)}", f"there are: {', '.join(near)}")
     known = directions(classes[entity])
     if (direction, point) not in known:
-        names = ", ".join(" with connecting_point ".join(filter(None, said)) for said in known) or "none"
+        short = [name for name, side in known if not side]
+        names = ", ".join(short or [f"{name} with connecting_point {side}" for name, side in known])
         said = shown(direction) + (f" with connecting_point {shown(point)}" if point else "")
         kind = classes[entity].__name__
         raise SceneError(f"{place}.direction", f"{kind} has no direction {said}", f"it has: {names}")

@@ -36,8 +36,10 @@ COMMANDS: Final = {
         ("percent", "%", "%"),
         ("relation", "=", "approx simeq cong equiv sim doteq"),
         ("hedge", "±", "pm mp"),
-        ("hedge", "<", "lt gt le ge leq geq leqslant geqslant ne neq ll gg lesssim gtrsim in"),
+        ("hedge", "<", "lt gt le ge leq geq leqslant geqslant ne neq not ll gg lesssim gtrsim in"),
         ("hedge", ",", "\\ lor land vee wedge cup to rightarrow ldots dots cdots begin end"),
+        ("mark", "a prime", "prime"),
+        ("mark", "an accent", "vec dot ddot hat bar tilde overline overrightarrow mathcal"),
         ("constant", "pi", "pi"),
         ("constant", "inf", "infty"),
     )
@@ -59,6 +61,8 @@ SIGNS: Final = {
     "|": ("bar", "|"),
     "%": ("percent", "%"),
     "√": ("root", "sqrt"),
+    "'": ("mark", "a prime"),
+    "′": ("mark", "a prime"),
     "∞": ("constant", "inf"),
     "π": ("constant", "pi"),
 }

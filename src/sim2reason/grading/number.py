@@ -73,7 +73,8 @@ def _judge(value: float, stated: Unit | None, reference: float, asked: Unit | No
     expected = f"expected {_show(reference, asked)} within {100 * tolerance:g} %"
     said = _show(value, stated or asked)
     if factor is None:
-        return Score.of(Outcome.WRONG_UNIT, value, f"{said} is no quantity in {_name(asked)}; {expected}")
+        kind = f"quantity in {asked.display}" if asked and asked.name else "pure number"
+        return Score.of(Outcome.WRONG_UNIT, value, f"{said} is no {kind}; {expected}")
     found = value * factor
     close = abs(found - reference) <= tolerance * abs(reference)
     converted = f"{said} is {_show(found, asked)}" if factor != 1 else f"the answer is {said}"
@@ -90,7 +91,3 @@ def _factor(stated: Unit | None, asked: Unit | None) -> float | None:
 
 def _show(value: float, unit: Unit | None) -> str:
     return unit.quantity(f"{value:.6g}") if unit else f"{value:.6g}"
-
-
-def _name(unit: Unit | None) -> str:
-    return unit.display if unit and unit.name else "a pure number"

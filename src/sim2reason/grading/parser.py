@@ -186,6 +186,8 @@ class _Parser:
         match self.next.kind:
             case "end":
                 return _unreadable("the answer breaks off")
+            case "mark":  # primes and accents may stand on the left of an equation only
+                return _unreadable(f"{self.next.text} has no meaning in a value")
             case "word":
                 return _unreadable(f"{self.next.text!r} is neither a number nor a symbol of the problem")
             case _:

@@ -18,7 +18,7 @@ class Token(NamedTuple):
     r"""A piece of an answer.
 
     `kind` is number, symbol, constant, function, word, open, close, bar, root, fraction, power, script, plus,
-    minus, dash, times, slash, degree, percent, relation, hedge or end; `text` its normal form; `begin` and `finish`
+    minus, dash, times, slash, degree, percent, relation, hedge, mark or end; `text` its normal form; `begin` and `finish`
     where it stands; `apart` whether an explicit space such as ``\,`` precedes it; `upright` whether it stands
     inside ``\text{…}``.
     """
@@ -240,8 +240,6 @@ def canonical(name: str) -> str:
 
 
 def _show(character: str) -> str:
-    if character == "'":
-        return "a prime"
     if character == "!":
         return "a factorial"
     return repr(character) if character.isprintable() else f"U+{ord(character):04X}"

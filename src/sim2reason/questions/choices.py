@@ -13,7 +13,8 @@ from sim2reason.simulation.trace import Trace
 CLEAR = 1e-3  # of the duration: how far a time stays away from events
 AT_ONCE = frozenset({"acceleration", "net force", "tension", "normal force", "friction force"})
 WEIGHTS = {"velocity": 3.0, "displacement": 2.0, "acceleration": 2.0, "tension": 3.0}  # what a person would ask
-FARTHEST = 0.9
+FARTHEST = 0.9  # of how far a body gets
+LONG = 3.0  # m; strings are not longer
 
 
 def pick(targets: Mapping[str, Target], rng: np.random.Generator) -> Target | None:
@@ -71,7 +72,7 @@ def _moved(trace: Trace, words: Words, rng: np.random.Generator) -> Moved | None
     name = names[int(rng.integers(len(names)))]
     state = trace.sample(np.linspace(0.0, trace.stable_until, 17))
     reached = float(np.linalg.norm(QUANTITIES["displacement"].evaluate(state, name), axis=1).max())
-    distance = rng.uniform(0.2, FARTHEST) * reached
+    distance = rng.uniform(0.2, FARTHEST) * min(reached, LONG)
     if distance < 0.01:
         return None
     moment = Moved(name, spoken(distance))
