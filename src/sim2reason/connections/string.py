@@ -1,20 +1,25 @@
 """A light inextensible string: one path, one constraint, one sentence, however many pulleys it passes."""
 
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-from annotated_types import Gt, Le
+from annotated_types import Le
 
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder, add, scale
-from sim2reason.dsl.connection import Connection, connection
+from sim2reason.dsl.connection import Connection, Link, connection
 from sim2reason.dsl.layout import opposite
-from sim2reason.dsl.measures import Hidden, Measure, Range
+from sim2reason.dsl.measures import LEAST, Hidden, Measure, Range
 from sim2reason.dsl.mechanism import ZERO
 from sim2reason.dsl.ports import End, Stop
 from sim2reason.errors import SceneError
 
 if TYPE_CHECKING:
+    from sim2reason.dsl.reading.heard import Heard
+    from sim2reason.dsl.reading.hearer import Hearer
+    from sim2reason.dsl.reading.trails import Leg, Told, Trail
     from sim2reason.dsl.speaker import Speaker
 
 OPENINGS = (
@@ -31,7 +36,7 @@ class String(Connection):
     """A string through ports, from end to end. Where neighbours' directions need a fixed pulley it brings one."""
 
     key: ClassVar[str] = "tendon"
-    free: Annotated[float, Gt(0), Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()] = FREE
+    free: Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()] = FREE
 
     @classmethod
     def owned(cls, name: str, stops: list[Stop], builder: Builder) -> dict[str, Body]:
@@ -53,6 +58,8 @@ class String(Connection):
                     away = scale(values.get("free", FREE), builder.faces[site] or ZERO)
                     frame.site(f"pulley{number}.{mark}", at=add(builder.position(site), away))
                     path.append(f"{name}.pulley{number}.{mark}")
+        if all(builder.carrier(site) is None for site in path):
+            raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
         force = builder.hands.get(path[-1])
         if force is None and path[0] in builder.hands:
             path, force = path[::-1], builder.hands[path[0]]
@@ -62,6 +69,11 @@ class String(Connection):
             builder.add_string(name, path, 0.0)
         else:
             builder.add_pull(name, path, force)
+
+    @classmethod
+    def hear(cls, name: str, place: int, heard: "Heard", hearer: "Hearer", trail: "Trail") -> Iterator["Told"]:
+        """Read its sentence back: the opening, what it is tied to, then verb by verb."""
+        return Ear(name, hearer, trail).sentence(place, heard)
 
     @classmethod
     def tell(cls, name: str, stops: list[Stop], speaker: "Speaker") -> str:
@@ -85,6 +97,11 @@ class String(Connection):
             verbs.append(speaker.render(port.arrives if isinstance(port, End) else port.passes, stop.owner))
         string = "another light string" if speaker.heard("light string") else "a light string"
         return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
+
+
+def called(told: int) -> str:
+    """What a string is called, of which `told` others were spoken before."""
+    return "another light string" if told else "a light string"
 
 
 def _worth(stop: Stop) -> int:
@@ -116,8 +133,86 @@ def turns(stops: list[Stop], builder: Builder) -> list[tuple[str, str] | None]:
 
 def joined(verbs: list[str]) -> str:
     """V, V and V; a repeated verb becomes *then*."""
-    said = [verbs[0]]
-    for before, verb in zip(verbs, verbs[1:], strict=False):
-        again = verb.startswith(OVER) and before.startswith(OVER)
-        said.append("then over " + verb.removeprefix(OVER) if again else verb)
+    said = [verbs[0], *(after(before, verb) for before, verb in zip(verbs, verbs[1:], strict=False))]
     return said[0] if len(said) == 1 else ", ".join(said[:-1]) + " and " + said[-1]
+
+
+def after(before: str, verb: str) -> str:
+    """A verb phrase as it is said after another one."""
+    return "then over " + verb.removeprefix(OVER) if verb.startswith(OVER) and before.startswith(OVER) else verb
+
+
+class Ear:
+    """Follows one sentence of a string through all that it can mean."""
+
+    def __init__(self, name: str, hearer: "Hearer", trail: "Trail") -> None:
+        """`trail` knows where the string may begin and go on."""
+        self._name, self._hearer, self._trail = name, hearer, trail
+        self._text = self._end = ""
+
+    def sentence(self, place: int, heard: "Heard") -> Iterator["Told"]:
+        """All readings of the piece at `place`."""
+        if place >= len(self._hearer.pieces):
+            return
+        self._text = self._hearer.pieces[place]
+        for number, opening in enumerate(OPENINGS):
+            start, rest = opening.replace("{string}", called(heard.strings_told)).split("{tied}")
+            between, self._end = rest.split("{verbs}")
+            at = self._hearer.literal(self._text, 0, start)
+            for told in self._tied(at, between, heard.chose(number)) if at is not None else ():
+                self._hearer.reach = max(self._hearer.reach, place + 1)
+                yield told
+
+    def _tied(self, at: int, between: str, heard: "Heard") -> Iterator["Told"]:
+        """What it is tied to, and how it leaves there."""
+        for leg in self._trail.legs(heard, ()):
+            stop = leg.stops[0]
+            if not isinstance(stop.port, End) or not stop.port.tied:
+                continue
+            for end, then in self._hearer.template(self._text, at, stop.port.tied, stop.owner, leg.heard):
+                begin = self._hearer.literal(self._text, end, between)
+                rest = replace(leg, stops=leg.stops[1:])
+                if begin is not None and stop.port.leaves:
+                    for here, left in self._hearer.template(self._text, begin, stop.port.leaves, stop.owner, then):
+                        yield from self._on(here, replace(rest, heard=left), (leg.link,), (), stop.port.leaves)
+                elif begin is not None:
+                    yield from self._on(begin, replace(rest, heard=then), (leg.link,), (), "")
+
+    def _on(
+        self, at: int, leg: "Leg", links: tuple[Link, ...], owned: tuple[str, ...], before: str
+    ) -> Iterator["Told"]:
+        """The verbs from `at` on: the other stops of this leg, then of the legs to come."""
+        if leg.stops:
+            yield from self._next(at, leg, links, owned, before)
+        elif not leg.last:
+            for new in self._trail.legs(leg.heard, links):
+                yield from self._on(at, new, (*links, new.link), owned, before)
+        elif self._text[at:] == self._end:
+            yield self._trail.told(replace(leg.heard, strings_told=leg.heard.strings_told + 1), links, owned)
+
+    def _next(
+        self, at: int, leg: "Leg", links: tuple[Link, ...], owned: tuple[str, ...], before: str
+    ) -> Iterator["Told"]:
+        """The next stop, perhaps behind a pulley that the string brings."""
+        stop, rest = leg.stops[0], leg.stops[1:]
+        verb = stop.port.arrives if isinstance(stop.port, End) else stop.port.passes
+        final = leg.last and not rest
+        for end, then in self._verb(at, verb, before, leg.heard, stop.owner, final=final):
+            yield from self._on(end, replace(leg, stops=rest, heard=then), links, owned, verb)
+        if owned and before == OVER + f"{{{owned[-1]}}}":
+            return  # there is one pulley in a gap at most
+        address = f"{self._name}.pulley{len(owned) + 1}"
+        own = replace(leg.heard.knowing(address, FixedPulley), values={**leg.heard.values, f"{address}.mass": 0.0})
+        over = OVER + f"{{{address}}}"
+        for end, then in self._verb(at, over, before, own, "", final=False):
+            yield from self._next(end, replace(leg, heard=then), links, (*owned, address), over)
+
+    def _verb(
+        self, at: int, verb: str, before: str, heard: "Heard", owner: str, *, final: bool
+    ) -> Iterator[tuple[int, "Heard"]]:
+        """One verb phrase with what joins it to the one before."""
+        said, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
+        begin = self._hearer.literal(self._text, at, comma)
+        if begin is None:
+            return
+        yield from self._hearer.template(self._text, begin, said, owner, heard)

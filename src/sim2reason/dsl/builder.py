@@ -187,6 +187,10 @@ class Builder:
         found = self._sites[site]
         return add(self._origin[found.body], found.at)
 
+    def carrier(self, site: str) -> str | None:
+        """The body that a site is on; None for the room."""
+        return self._sites[site].body
+
     def extent(self) -> tuple[float, float]:
         """The least and greatest x of all sites and bodies."""
         across = [self.position(site)[0] for site in self._sites] + [at[0] for name, at in self._origin.items() if name]

@@ -2,7 +2,7 @@
 
 One line declares a number; validation, sampling, prose, symbols and the schema read it:
 
-    Mass = Annotated[float, Gt(0), Measure("mass", "kg", "m"), Range(0.5, 10)]
+    Mass = Annotated[float, Ge(1e-6), Measure("mass", "kg", "m"), Range(0.5, 10)]
 """
 
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from math import floor, isfinite, log10
 from typing import Annotated
 
 import numpy as np
-from annotated_types import Ge, Gt, Le, Lt
+from annotated_types import Ge, Le, Lt
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,13 +91,14 @@ def join_unit(number: str, unit: str) -> str:
     return number + shown if shown in ("", "°") else f"{number} {shown}"
 
 
-Mass = Annotated[float, Gt(0), Le(1e6), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
+LEAST = Ge(1e-6)  # of what must be greater than zero: less is a slip of the pen, and lost beside a kilogram in engines
+Mass = Annotated[float, LEAST, Le(1e6), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
 Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
 Friction = Annotated[float, Ge(0), Le(2), Measure("friction", "", r"\mu", decimals=2), Range(0.1, 0.7)]
-Force = Annotated[float, Gt(0), Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
-Speed = Annotated[float, Gt(0), Le(1e3), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
+Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
+Speed = Annotated[float, LEAST, Le(1e3), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
 Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-3.0, 3.0)]
 Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-2.0, 2.0)]
-Length = Annotated[float, Gt(0), Le(1e3), Measure("length", "m", r"\ell"), Range(0.5, 2.0)]
+Length = Annotated[float, LEAST, Le(1e3), Measure("length", "m", r"\ell"), Range(0.5, 2.0)]
 Restitution = Annotated[float, Ge(0), Le(1), Measure("restitution", "", "e", decimals=2), Range(0.3, 0.95)]
 Gravity = Annotated[float, Ge(0), Le(100), Measure("gravity", "m/s^2", "g")]

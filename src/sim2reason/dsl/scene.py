@@ -143,8 +143,12 @@ class Scene(Model):
 
     @cached_property
     def mechanism(self) -> Mechanism:
-        """What an engine simulates; SceneError if the parts do not fit together."""
-        return self.builder.finish()
+        """What an engine simulates; SceneError if the parts do not fit together or nothing can move."""
+        found = self.builder.finish()
+        if not found.coordinates:
+            place = "glued" if self.glued else "entities"
+            raise SceneError(place, "nothing in this scene can move", "leave something free to move")
+        return found
 
     def check(self) -> None:
         """Build it, to see whether its parts fit together; SceneError if they do not."""

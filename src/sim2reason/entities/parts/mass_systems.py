@@ -3,14 +3,14 @@
 from math import cos, radians, sin
 from typing import Annotated
 
-from annotated_types import Gt, Le, Len
+from annotated_types import Le, Len
 
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.wedge import Wedge
 from sim2reason.dsl.builder import Frame, scale
 from sim2reason.dsl.entity import Part
-from sim2reason.dsl.measures import Count, Hidden, Measure, Range
+from sim2reason.dsl.measures import LEAST, Count, Hidden, Measure, Range
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.ports import End
 from sim2reason.dsl.template import either
@@ -18,7 +18,7 @@ from sim2reason.dsl.template import either
 MAX_BLOCKS = 5
 SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters
 Blocks = Annotated[tuple[Block, ...], Len(1, MAX_BLOCKS), Count(1, 2)]
-FreeLength = Annotated[float, Gt(0), Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
+FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
 
 
 class MassSystem(Part):
