@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from sim2reason.datasets.items import item, stream
     from sim2reason.dsl.files import dump, load
     from sim2reason.dsl.mechanism import Mechanism
-    from sim2reason.dsl.reader import read
+    from sim2reason.dsl.reading import read
     from sim2reason.dsl.scene import Scene
     from sim2reason.dsl.speaker import tell
     from sim2reason.errors import Sim2ReasonError
@@ -36,7 +36,7 @@ _HOMES = {
     "grade": "datasets.grade",
     "item": "datasets.items",
     "load": "dsl.files",
-    "read": "dsl.reader",
+    "read": "dsl.reading",
     "simulate": "simulation.scenes",
     "stream": "datasets.items",
     "tell": "dsl.speaker",

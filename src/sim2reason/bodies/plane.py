@@ -1,7 +1,10 @@
 """A plane fixed in the room, level or inclined."""
 
+from math import cos, radians, sin
+
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.measures import Angle, Friction
+from sim2reason.dsl.mechanism import Vector
 from sim2reason.dsl.template import Word
 
 Smoothness = Word("friction", {0.0: "smooth"}, "rough")
@@ -26,3 +29,8 @@ class Plane(Body):
         "below": Word("angle", {0.0: "from the left"}, "from below, along the slope"),
         "order": Word("angle", {0.0: "left to right"}, "the lowest to the highest"),
     }
+
+    def directions(self) -> tuple[Vector, Vector]:
+        """The unit vectors up the slope, which rises to the right, and out of the plane."""
+        slope = radians(self.angle)
+        return (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))

@@ -7,7 +7,7 @@ from functools import cache
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, ValidationError
 
 from sim2reason.dsl.measures import Count, Hidden, Measure, Range
 from sim2reason.errors import SceneError
@@ -130,6 +130,7 @@ def changed(value: V, path: str, new: object) -> V:
     return type(value)(**{**fields, step: inner})  # type: ignore[return-value]
 
 
+REDRAWS = 20
 Choice = Range | Count | tuple[str, ...] | float | int | bool | None
 Choices = Mapping[str, Choice]
 """How a recipe narrows a draw, by field name or by the name of a measure: a `Range` or `Count` to draw from,
@@ -142,8 +143,21 @@ def draw(
     """A random value of a model class, but for the fields `given`; every number is rounded to what will be spoken.
 
     `choices` overrides what the class declares, by ``Class.field``, field or measure name, the most special first.
+    What the class's own validators refuse is drawn again.
+
+    Raises:
+        SceneError: a number has no range, or nothing valid was drawn within the budget.
     """
-    values: dict[str, object] = dict(given or {})
+    for _ in range(REDRAWS):
+        try:
+            return _drawn(model, rng, choices, given or {})
+        except ValidationError as error:
+            refused = error
+    raise SceneError(model.__name__, f"nothing valid in {REDRAWS} draws: {refused.errors()[0]['msg']}", "widen a range")
+
+
+def _drawn(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object]) -> M:
+    values: dict[str, object] = dict(given)
     for name, kind in field_types(model).items():
         if name in values:
             continue

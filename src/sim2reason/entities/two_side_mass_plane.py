@@ -1,7 +1,5 @@
 """Blocks in a row on a fixed plane, open to strings on either side."""
 
-from math import cos, radians, sin
-
 from sim2reason.bodies.plane import Plane
 from sim2reason.dsl.builder import Frame, scale
 from sim2reason.dsl.entity import Entity, entity
@@ -51,8 +49,7 @@ class TwoSideMassPlane(Entity):
 
     def build(self, room: Frame) -> None:
         """Blocks that rest on the room's face, the first one lowest."""
-        slope = radians(self.plane.angle)
-        uphill, normal = (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
+        uphill, normal = self.plane.directions()
         for index, block in enumerate(self.blocks):
             frame = room.body(f"blocks.{index}", block.mass, at=scale(index * SPACING, uphill))
             frame.rest(uphill, normal, self.plane.friction, self.speed or 0.0).site(f"hook{index}")
