@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.dsl import units
+from sim2reason.dsl import unit_text, units
 from sim2reason.dsl.units import UnitError, parse
 
 
@@ -17,6 +17,10 @@ from sim2reason.dsl.units import UnitError, parse
         (r"\frac{\text{m}}{\text{s}^2}", "m/s^2", "m/s²"),
         (r"\mathrm{N\,m}", "N*m", "N·m"),
         ("Nm", "N*m", "N·m"),
+        (r"{\rm m\,s}^{-2}", "m/s^2", "m/s²"),
+        (r"\frac{\frac{m}{s}}{s}", "m/s^2", "m/s²"),
+        ("kgm^2", "kg*m^2", "kg·m²"),
+        ("Nm^{-1}", "N/m", "N/m"),
         ("kg·m²", "kg*m^2", "kg·m²"),
         ("kg*m/s", "kg*m/s", "kg·m/s"),
         ("J/(kg K)", "J/(kg*K)", "J/(kg·K)"),
@@ -43,6 +47,7 @@ def test_spellings(text: str, name: str, display: str) -> None:
     "text",
     [
         "J/kg K",
+        "1/Nm",
         "m/s·kg",
         "m2",
         "furlong",
@@ -110,3 +115,7 @@ def test_no_two_units_share_a_symbol() -> None:
     symbols = [prefix + symbol for symbol, *_ in units._PREFIXED for prefix in units._PREFIXES]
     symbols += [symbol for symbol, *_ in units._PLAIN]
     assert len(symbols) == len(set(symbols))
+
+
+def test_no_unit_looks_like_two_run_together() -> None:
+    assert not [word for word in units._WORDS if unit_text._RUN_TOGETHER.fullmatch(word)]

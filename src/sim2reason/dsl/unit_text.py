@@ -23,6 +23,8 @@ _SPOKEN: Final = {
     "cubed": ("power", "3"),
     "per cent": ("word", "%"),
 }
+# Products that are commonly run together; a power after one belongs to its second unit.
+_RUN_TOGETHER: Final = re.compile(r"(kg|[kM]?[NJWV]|A)([mshd])")
 _LOWERED: Final = str.maketrans("⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹−–", "-+0123456789--")
 
 _TOKEN: Final = re.compile(
@@ -111,21 +113,28 @@ class _Reader:
 
 
 def _tokens(text: str) -> list[tuple[str, str]]:
-    """Kinds and texts; the braces of an upright text only wrap and become spaces, `per` becomes a slash."""
+    """Kinds and texts; braces that print does not show become spaces, `per` a slash."""
     tokens: list[tuple[str, str]] = []
-    wrappers: list[bool] = []  # for each open brace: does it only wrap?
-    at = 0
+    unseen: list[bool] = []  # for each open brace or parenthesis
+    arguments = at = 0  # how many groups the fractions so far still take
     while at < len(text):
         match = _TOKEN.match(text, at)
         if match is None:
             raise UnitError(f"{text[at]!r} stands in no unit")
         kind, word, at = str(match.lastgroup), match[0], match.end()
-        if kind in {"wrap", "open"}:
-            wrappers.append(kind == "wrap")
-        closes_wrapper = kind == "close" and bool(wrappers) and wrappers.pop()
-        tokens.append(("space", " ") if kind == "wrap" or closes_wrapper else _lexeme(kind, word))
+        arguments += 2 * (kind == "fraction")
+        shown = word == "(" or (word == "{" and arguments > 0)
+        if kind in {"open", "wrap"}:
+            unseen.append(not shown)
+            arguments -= shown and word == "{"
+            kind = "open" if shown else "space"
+        elif kind == "close" and unseen:
+            kind = "space" if unseen.pop() else "close"
+        tokens.append(_lexeme(kind, word))
+        if together := _RUN_TOGETHER.fullmatch(word):
+            tokens[-1:] = [("word", together[1]), ("word", together[2])]
         if kind == "word" and "{" in word:  # \mu\mathrm{m}: the brace is part of the word, its closing is not
-            wrappers.append(True)
+            unseen.append(True)
     return tokens
 
 

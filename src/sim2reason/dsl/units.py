@@ -144,17 +144,6 @@ def _words() -> dict[str, Unit]:
 
 
 _WORDS: Final = _words()
-# Products that are commonly run together; everything else must be separated.
-_RUN_TOGETHER: Final = re.compile(r"(kg|[kM]?[NJWV]|A)([mshd])")
-
-
-def _known(word: str) -> list[Unit]:
-    if word in _WORDS:
-        return [_WORDS[word]]
-    split = _RUN_TOGETHER.fullmatch(word)
-    if split is None:
-        raise UnitError(f"{word!r} is not in the table of units")
-    return [_WORDS[split[1]], _WORDS[split[2]]]
 
 
 def _name(powers: dict[str, int]) -> str:
@@ -176,10 +165,12 @@ def parse(text: str) -> Unit:
     powers: dict[str, int] = {}
     factor, dimension = 1.0, Dimension()
     for word, power in factors(text):
-        for unit in _known(word):
-            powers[unit.name] = powers.get(unit.name, 0) + power
-            factor *= unit.factor**power
-            dimension = Dimension(*(a + power * b for a, b in zip(dimension, unit.dimension, strict=True)))
+        if word not in _WORDS:
+            raise UnitError(f"{word!r} is not in the table of units")
+        unit = _WORDS[word]
+        powers[unit.name] = powers.get(unit.name, 0) + power
+        factor *= unit.factor**power
+        dimension = Dimension(*(a + power * b for a, b in zip(dimension, unit.dimension, strict=True)))
     if not isfinite(factor) or factor == 0:
         raise UnitError("a unit beyond the range of floats")
     return Unit(_name(powers), factor, dimension)

@@ -175,10 +175,12 @@ class _Parser:
         return arithmetic.constant(float(token.text if token.kind == "number" else arithmetic.CONSTANTS[token.text]))
 
     def visible_group(self) -> Node:
-        """A group that print shows as one: braces around a sum are not seen."""
-        opening, group = self.next.text, self.group()
-        if opening == "{" and self.is_sum:
-            raise _unreadable("a sum beside other factors needs parentheses that can be seen")
+        """A group that print shows as one: braces around a sum, or around a product with a power, are not seen."""
+        opening, begin, group = self.next.text, self.at + 1, self.group()
+        raised = self.next.kind in {"power", "script"}
+        product = self.at - begin > 2 and self.tokens[begin].kind not in {"open", "root"}
+        if opening == "{" and (self.is_sum or (raised and product)):
+            raise _unreadable("what belongs together needs parentheses that can be seen")
         return group
 
     def unexpected(self) -> Refused:

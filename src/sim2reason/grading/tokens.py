@@ -17,10 +17,10 @@ __all__ = ["Token", "canonical", "tokenize"]
 class Token(NamedTuple):
     r"""A piece of an answer.
 
-    `kind` is number, symbol, constant, function, word, open, close, bar, root, fraction, power, script, plus,
-    minus, dash, times, slash, degree, percent, relation, hedge, mark or end; `text` its normal form; `begin` and `finish`
-    where it stands; `apart` whether an explicit space such as ``\,`` precedes it; `upright` whether it stands
-    inside ``\text{…}``.
+    `kind` is number, symbol, constant, function, word, open, close, bar, root, fraction, power, script, plus, minus,
+    dash, times, slash, degree, percent, relation, hedge, mark or end; `text` its normal form; `begin` and `finish`
+    where it stands; `apart` whether an explicit space such as ``\,`` precedes it; `upright` whether it stands inside
+    ``\text{…}``.
     """
 
     kind: str
