@@ -159,7 +159,7 @@ def carts(
 
 
 def train(rng: np.random.Generator) -> Mechanism:
-    """Carts in a row, some tied, some loose, some that bounce, some carrying a block or a wedge, drawn by a tree of pulleys."""
+    """Carts in a row, some tied, some loose, some that bounce, some carrying a block or a slope, drawn by pulleys."""
     builder = Builder()
     room = builder.room()
     previous: Frame | None = None

@@ -109,8 +109,8 @@ def compare(recorded: Trace, witness: Trace) -> Certificate:
     """Compare two traces of one mechanism, sampled at the same times."""
     times = recorded.state.times
     near = NEAR * float(times[-1])
-    end = min(recorded.stable_until, witness.stable_until)
-    reason = (recorded if recorded.stable_until <= witness.stable_until else witness).cut
+    first = recorded if recorded.stable_until <= witness.stable_until + near else witness
+    end, reason = first.stable_until, first.cut
     matched, parted = _match(_telling(recorded.events), _telling(witness.events), near)
     if parted is not None and parted.time < float(times[-1]) - near and parted.time <= end + near:
         end, reason = min(end, parted.time), f"only one engine sees: {_told(parted)}"

@@ -88,16 +88,16 @@ def _floor(values: Array) -> float:
 
 
 def _deviation(values: Array, window: int) -> int:
-    """The first sample that stands out from a window it lies in, or the number of samples."""
+    """The sample that stands out in the first window that has one, or the number of samples."""
     if window < WINDOW:
         raise ValueError(f"a window of {window} samples is too short; take at least {WINDOW}")
     if len(values) < window:
         return len(values)
     windows = sliding_window_view(values, window)
     apart = np.abs(windows - windows.mean(axis=1, keepdims=True))
-    least = np.maximum(DEVIATIONS * windows.std(axis=1, keepdims=True), _floor(values))
-    rows, columns = np.nonzero(apart >= least)
-    return int((rows + columns).min(initial=len(values)))
+    out: Flags = apart >= np.maximum(DEVIATIONS * windows.std(axis=1, keepdims=True), _floor(values))
+    first = int(out.any(axis=1).argmax())
+    return first + int(out[first].argmax()) if out[first].any() else len(values)
 
 
 def _bend(values: Array, window: int) -> int:

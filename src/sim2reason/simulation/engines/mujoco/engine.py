@@ -61,6 +61,7 @@ class Motion:
         self.segments += 1
         taut = snapped | (np.ones_like(snapped) if self.mode is None else self.mode.taut)
         settled = settle(self.plant, self.watch, self.q, self.v, taut)
+        self.plant.check()
         self._note_changes(settled.mode, snapped)
         if self._ended(settled):
             return False

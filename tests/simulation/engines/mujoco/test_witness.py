@@ -1,0 +1,171 @@
+"""The MuJoCo engine against the exact one, and what it says when it can't go on."""
+
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import machines
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.mechanism import Mechanism, X, Z
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.simulation.certify import compare
+from sim2reason.simulation.engines.exact import simulate as exactly
+from sim2reason.simulation.engines.mujoco import simulate
+from sim2reason.simulation.engines.mujoco.plant import Plant
+from sim2reason.simulation.engines.mujoco.watch import Margins
+
+TIMES = np.linspace(0.0, 2.0, 101)
+DISAGREE = ("engines disagree", "no witness")
+
+
+def told(mechanism: Mechanism) -> list[tuple[str, tuple[str, ...]]]:
+    return [(event.kind, event.subjects) for event in simulate(mechanism, TIMES).events]
+
+
+@pytest.mark.parametrize("name", machines.SAMPLES)
+def test_engines_agree_far_below_the_tolerance(name: str) -> None:
+    mechanism = machines.SAMPLES[name]()
+    recorded, witness = exactly(mechanism, TIMES), simulate(mechanism, TIMES)
+    certificate = compare(recorded, witness)
+    assert certificate.reason == recorded.cut
+    assert certificate.stable_until == pytest.approx(recorded.stable_until, abs=1e-6)
+    assert max(certificate.agreement.values()) <= 1e-7
+    turns = [event for event in recorded.events if event.kind == "turn"]
+    seen = [event for event in witness.events if event.kind == "turn"]
+    assert [turn.subjects for turn in turns] == [turn.subjects for turn in seen]
+    assert [turn.time for turn in turns] == pytest.approx([turn.time for turn in seen], abs=1e-7)
+
+
+@settings(max_examples=150, deadline=None, derandomize=True)
+@given(seed=st.integers(0, 10**6))
+def test_engines_agree_on_random_trains(seed: int) -> None:
+    """Until they part, which ever smaller jerks or a lift may make them do, every sample agrees."""
+    mechanism = machines.train(np.random.default_rng(seed))
+    try:
+        recorded = exactly(mechanism, TIMES)
+    except SimulationError:
+        return
+    certificate = compare(recorded, simulate(mechanism, TIMES))
+    assert not any(text in certificate.reason for text in DISAGREE), certificate.reason
+    assert max(certificate.agreement.values(), default=0.0) <= 1e-5
+
+
+def test_events_are_named_as_the_exact_engine_names_them() -> None:
+    assert told(machines.tied_incline(2.0, 4.0)) == [("reach", ("hook", "edge"))]
+    assert told(machines.stack(force=1.0, speed=2.0)) == [("stick", ("upper",)), ("stick", ("lower",))]
+    limited = Builder()
+    limited.room().body("block", 1.0).slide(Z, limits=(-0.5, 0.5))
+    assert told(limited.finish()) == [("limit", ("block.slide",))]
+
+
+def test_a_massless_body_that_nothing_holds_ends_the_motion() -> None:
+    builder = Builder()
+    builder.room().body("light").slide(Z)
+    trace = simulate(builder.finish(), TIMES)
+    assert [(event.time, event.kind, event.subjects) for event in trace.events] == [
+        (0.0, "indeterminate", ("light.slide",))
+    ]
+    assert (trace.cut, trace.stable_until) == ("indeterminate", 0.0)
+
+
+def test_forces_that_are_not_determined_are_nan() -> None:
+    """A rough block between a wall that holds it by a string and a hand that draws it too weakly."""
+    builder = Builder()
+    room = builder.room()
+    room.site("wall", (-1.0, 0.0, 0.0)).site("hand", (1.0, 0.0, 0.0))
+    room.body("block", 1.0).rest(X, Z, 0.5).site("hook")
+    room.string("tie", "wall", "hook")
+    room.pull("pull", "hook", "hand", force=2.0)
+    state = simulate(builder.finish(), TIMES).state
+    assert np.isnan(state.tension["tie"]).all()
+    assert np.isnan(state.friction["block"]).all()
+    assert state.normal["block"] == pytest.approx(9.8, rel=1e-9)
+    assert state.tension["pull"] == pytest.approx(2.0)
+    assert np.abs(state.q).max() <= 1e-6
+
+
+def test_a_block_hit_twice_at_once_is_a_crowd() -> None:
+    """A ball between two walls that come together by bouncing: the last stretch is too fast to tell."""
+    builder = Builder(gravity=(0.0, 0.0, 0.0))
+    room = builder.room()
+    ball = room.body("ball", 1.0).slide(X, speed=1.0)
+    wall = room.body("wall", 1e3, at=(0.101, 0.0, 0.0))
+    heavy = room.body("heavy", 1e3, at=(-0.103, 0.0, 0.0)).slide(X, speed=0.5)
+    room.collide(ball, wall, 0.1, 1.0)
+    room.collide(ball, heavy, 0.1, 1.0)
+    trace = simulate(builder.finish(), TIMES)
+    assert trace.cut == "crowd"
+    assert [event.kind for event in trace.events] == ["collision", "crowd"]
+    assert trace.events[1].subjects == ("ball", "wall")
+
+
+def test_a_mechanism_that_can_not_start_is_refused() -> None:
+    builder = Builder()
+    room = builder.room()
+    a, b = room.body("a", 1.0).slide(X), room.body("b", 1.0, at=(0.1, 0.0, 0.0)).slide(X)
+    room.collide(a, b, 0.5, 1.0)
+    with pytest.raises(SceneError, match="overlaps"):
+        simulate(builder.finish(), TIMES)
+    builder = Builder()
+    room = builder.room()
+    room.site("nail").body("a", 1.0).slide(X).site("hook")
+    room.string("s", "nail", "hook")
+    with pytest.raises(SceneError, match="coincide"):
+        simulate(builder.finish(), TIMES)
+
+
+def test_a_string_that_bends_is_refused() -> None:
+    builder = Builder()
+    room = builder.room()
+    room.site("nail").body("bob", 1.0, at=(1.0, 0.0, -0.5)).slide(Z).site("hook")
+    room.string("s", "nail", "hook", slack=0.5)
+    with pytest.raises(UnsupportedError, match="bends"):
+        simulate(builder.finish(), TIMES)
+
+
+def test_what_the_library_refuses_or_warns_of_is_an_error() -> None:
+    mechanism = machines.incline()
+    wild = replace(mechanism, bodies=(replace(mechanism.bodies[0], mass=float("inf")),))
+    with pytest.raises(SimulationError, match="MuJoCo"):
+        simulate(wild, TIMES)
+    plant = Plant(mechanism)
+    plant.load(np.zeros(plant.size), np.full(plant.size, np.nan))
+    with pytest.raises(SimulationError, match="lost its numbers"):
+        plant.check()
+
+
+def test_any_name_is_a_name() -> None:
+    builder = Builder()
+    builder.room().body('a" mass="9', 1.0).slide(Z)
+    assert simulate(builder.finish(), TIMES).state.a[0, 0] == pytest.approx(-9.8)
+
+
+def test_margins_tell_the_next_root() -> None:
+    def one(f: float, b: float, c: float) -> float:
+        return float(Margins(np.array([f]), np.array([b]), np.array([c])).used_up()[0])
+
+    assert one(1.0, -2.0, 2.0) == pytest.approx(1.0)
+    assert one(1.0, -2.0, 2.1) == np.inf
+    assert one(1.0, 1.0, -4.0) == pytest.approx(1.0)
+    assert one(0.0, 1.0, -4.0) == pytest.approx(0.5)
+    assert one(0.0, -1.0, 4.0) == 0.0
+    assert one(0.0, 0.0, 0.0) == np.inf
+    assert one(1.0, -0.5, 0.0) == pytest.approx(2.0)
+
+
+def test_samples_do_not_depend_on_each_other() -> None:
+    mechanism = machines.carts()
+    many, few = simulate(mechanism, TIMES), simulate(mechanism, np.array([0.0, 0.4, 2.0]))
+    assert few.state.q[1] == pytest.approx(many.sample(np.array([0.4])).q[0], abs=1e-12)
+    assert simulate(mechanism, TIMES).state.q.tobytes() == many.state.q.tobytes()
+
+
+def test_the_library_is_loaded_only_when_something_is_simulated() -> None:
+    code = "import sys; from sim2reason.simulation.trace import ENGINES; ENGINES['exact']"
+    code += "; sys.exit('mujoco' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
