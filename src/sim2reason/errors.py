@@ -26,6 +26,10 @@ class SceneError(Sim2ReasonError):
         self.place, self.problem, self.remedy = place, problem, remedy
         super().__init__(f"{place}: {problem}" + (f"; {remedy}" if remedy else ""))
 
+    def __reduce__(self) -> "tuple[type[SceneError], tuple[str, str, str]]":
+        """Pickle the three parts, so that a worker process can send it."""
+        return type(self), (self.place, self.problem, self.remedy)
+
 
 class TextError(SceneError):
     """A problem text that no scene, or more than one, would have produced."""

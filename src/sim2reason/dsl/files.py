@@ -107,13 +107,17 @@ def _slots(cls: type[Model]) -> dict[str, _Slot]:
 def _read(path: Path) -> str:
     """The text of a file, no more of it than a scene may have."""
     with path.open("rb") as file:
-        data = file.read(MAX_BYTES + 4)
+        return decoded(file.read(MAX_BYTES + 1))
+
+
+def decoded(data: bytes) -> str:
+    """The text of a file's bytes; SceneError if they are too many or not UTF-8."""
+    if len(data) > MAX_BYTES:
+        raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
-        if len(data) > MAX_BYTES:
-            raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene") from None
         raise SceneError(f"line {line}", "the file is not UTF-8", "save it as UTF-8") from None
 
 

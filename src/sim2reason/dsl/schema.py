@@ -20,7 +20,7 @@ from sim2reason.dsl.tendons import directions, own_fields
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 Json = dict[str, Any]
-KINDS = {"number": "a number", "integer": "a whole number", "array": "a list", "null": "null"}
+KINDS = {"number": "a number", "integer": "a whole number", "array": "a list"}
 BASIC: dict[object, Json] = {
     float: {"type": "number"},
     int: {"type": "integer"},
@@ -209,7 +209,7 @@ def words(found: Json) -> str:
     if "enum" in found:
         return "one of: " + ", ".join(map(str, found["enum"]))
     if "oneOf" in found:
-        return " or ".join(words(option) for option in found["oneOf"])
+        return " or ".join(words(option) for option in found["oneOf"] if option.get("type") != "null")
     if "$ref" in found:
         return "keys of its own"
     kind = KINDS.get(found["type"], "a word")
@@ -228,4 +228,4 @@ def _limits(found: Json) -> list[str]:
         "minItems": "of at least {}",
         "maxItems": "of at most {}",
     }
-    return [text.format(f"{found[key]:g}") for key, text in said.items() if found.get(key) is not None]
+    return [text.format(f"{found[key]:.15g}") for key, text in said.items() if found.get(key) is not None]

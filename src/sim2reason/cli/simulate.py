@@ -1,0 +1,140 @@
+"""Simulate a scene by one engine or by both, and sum up what happens."""
+
+from math import isfinite
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sim2reason.cli import console, source
+from sim2reason.cli.guard import guarded
+from sim2reason.errors import SimulationError
+
+if TYPE_CHECKING:  # numpy is loaded where it is needed: in the worker
+    from sim2reason.simulation.trace import Trace
+
+EXAMPLE = """\b
+Example:
+    sim2reason simulate scene.yaml
+    sim2reason simulate scene.yaml --engine both --duration 1.5 -o trace.parquet
+
+Exit code 0: simulated; 1: the engines disagree (--engine both); 2: a scene that can't be simulated.
+"""
+PATIENCE = 20.0  # s; a safety net: budgets are counted in steps
+SHOWN = ("displacement", "velocity", "acceleration", "tension", "normal force", "friction force")
+STUCK = {
+    "indeterminate": ("nothing holds a massless part", "give it a mass or hang something on it"),
+    "lift": ("a body leaves its face", "pull on it with less force"),
+    "crowd": ("bodies that touch are pressed together", "move them apart"),
+    "reach": ("two points of a string meet", "leave more string between them"),
+    "limit": ("something stands at the end of its travel", "let it start elsewhere"),
+}
+
+Summary = dict[str, Any]
+"""What a run found, as plain JSON values."""
+
+
+@click.command("simulate", epilog=EXAMPLE)
+@click.argument("path", metavar="SCENE", type=click.Path(path_type=Path, allow_dash=True))
+@click.option("--engine", default="exact", show_default=True, help="One of: sim2reason list engines; or both.")
+@click.option("--duration", type=click.FloatRange(1e-6, 1e3), default=2.0, show_default=True, help="Seconds.")
+@click.option("--samples", type=click.IntRange(2, 100_001), default=101, show_default=True, help="Rows of a trace.")
+@click.option("-o", "out", type=click.Path(path_type=Path), help="Write the trace to this Parquet file.")
+@click.option("--json", "to_json", is_flag=True, help="For a program to read.")
+@click.option("--patience", type=click.FloatRange(0.01), default=PATIENCE, hidden=True)
+def command(
+    path: Path, engine: str, duration: float, samples: int, out: Path | None, to_json: bool, patience: float
+) -> int:
+    """Simulate the scene in the file SCENE, or on standard input if it is ``-``."""
+    content = source.text(path)
+    source.scene(path, content)  # what is wrong with the file is said here, with its name
+    part = out.with_name(f"{out.name}.part") if out is not None else None
+    try:
+        found = guarded(patience, run, content, engine, duration, samples, part)
+        if out is not None and part is not None:
+            part.replace(out)
+    finally:
+        if part is not None:
+            part.unlink(missing_ok=True)
+    if to_json:
+        console.as_json(found)
+    else:
+        _tell(found)
+    return 1 if found["cut"] == "certificate" else 0
+
+
+def run(content: str, engine: str, duration: float, samples: int, out: Path | None) -> Summary:
+    """Simulate the scene of a text, in a worker process; write the trace to `out`."""
+    from sim2reason.dsl.files import load
+    from sim2reason.simulation import files, scenes
+
+    scene, certificate = load(content), None
+    if engine == "both":
+        trace, certificate = scenes.certify(scene, duration, samples)
+    else:
+        trace = scenes.simulate(scene, duration, engine, samples)
+    if trace.stable_until == 0.0 and trace.cut in STUCK:
+        raise _stuck(trace)
+    if out is not None:
+        files.write(trace, out)
+    return {
+        "engine": engine,
+        "duration": duration,
+        "stable_until": trace.stable_until,
+        "cut": trace.cut,
+        "events": [{"time": e.time, "kind": e.kind, "subjects": list(e.subjects)} for e in trace.events],
+        "final": _final(trace),
+        "certificate": certificate.document() if certificate else None,
+    }
+
+
+def _stuck(trace: "Trace") -> SimulationError:
+    problem, remedy = STUCK[trace.cut]
+    what = ", ".join(trace.events[-1].subjects)
+    return SimulationError(f"{what}: there is no motion to follow: {problem} at the start; {remedy}")
+
+
+def _final(trace: "Trace") -> list[Summary]:
+    """Every channel at the last instant that may be used; null where a value is not determined."""
+    import numpy as np
+
+    from sim2reason.simulation.channels import channels
+
+    state = trace.sample(np.array([trace.stable_until]))
+    found: list[Summary] = []
+    for channel, quantity in channels(trace.mechanism):
+        value = quantity.evaluate(state, channel.subject)[0].tolist()
+        plain = [_plain(part) for part in value] if quantity.vector else _plain(value)
+        found.append({"subject": channel.subject, "quantity": quantity.name, "unit": quantity.unit, "value": plain})
+    return found
+
+
+def _plain(value: float) -> float | None:
+    return value + 0.0 if isfinite(value) else None
+
+
+def _tell(found: Summary) -> None:
+    until = found["stable_until"]
+    rows = [row for row in found["final"] if row["quantity"] in SHOWN]
+    rows.sort(key=lambda row: SHOWN.index(row["quantity"]))
+    head = ["subject", "quantity", f"at {until:.6g} s", "unit"]
+    console.table(head, [[r["subject"], r["quantity"], _number(r["value"]), r["unit"]] for r in rows])
+    for event in found["events"]:
+        click.echo(f"{event['time']:.6g} s: {event['kind']} of {', '.join(event['subjects'])}")
+    if found["cut"]:
+        click.echo(f"The motion is followed until {until:.6g} s, not {found['duration']:g} s: {found['cut']}")
+    if found["certificate"] is not None:
+        _tell_certificate(found["certificate"])
+
+
+def _number(value: Any) -> str:  # noqa: ANN401 - a number, a vector, or None
+    if isinstance(value, list):
+        return "(" + ", ".join(_number(part) for part in value) + ")"  # type: ignore[reportUnknownVariableType]
+    return "not determined" if value is None else f"{value:.6g}"
+
+
+def _tell_certificate(certificate: Summary) -> None:
+    engines, until = " and ".join(certificate["engines"]), certificate["stable_until"]
+    worst = max((apart for _, _, apart, _ in certificate["channels"]), default=0.0)
+    why = f" ({certificate['reason']})" if certificate["reason"] else ""
+    click.echo(f"{engines} agree until {until:.6g} s{why}; they differ by at most {worst:.1e} of the largest values")

@@ -1,0 +1,36 @@
+"""Reading the scene that a command is about: from a file, or from standard input."""
+
+import sys
+from pathlib import Path
+
+from sim2reason.dsl.files import decoded, load
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.yaml_text import MAX_BYTES
+from sim2reason.errors import SceneError
+
+STDIN = Path("-")
+
+
+def text(path: Path) -> str:
+    """What a scene file holds; ``-`` is standard input. SceneError if it is too large or not UTF-8."""
+    try:
+        if path == STDIN:
+            return decoded(sys.stdin.buffer.read(MAX_BYTES + 1))
+        with path.open("rb") as file:
+            return decoded(file.read(MAX_BYTES + 1))
+    except SceneError as error:
+        raise _in_file(path, error) from None
+
+
+def scene(path: Path, content: str | None = None) -> Scene:
+    """The scene of a file, or of its `content` if that was read before; an error names the file too."""
+    content = text(path) if content is None else content
+    try:
+        return load(content)
+    except SceneError as error:
+        raise _in_file(path, error) from None
+
+
+def _in_file(path: Path, error: SceneError) -> SceneError:
+    name = "standard input" if path == STDIN else str(path)
+    return SceneError(f"{name}: {error.place}", error.problem, error.remedy)
