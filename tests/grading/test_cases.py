@@ -268,6 +268,9 @@ def test_bindings_of_the_item() -> None:
     assert not drawn("mgh+L-2", "mgh", here).reward, "moves with a symbol that the reference ignores"
     assert not drawn("m^2gh/2", "mgh", [here]).reward
     assert drawn("mgh", "mgh", [here, here | {"m": 5.0}]).reward
+    edge = {"k": 1.2}
+    assert drawn(r"\cos^{1/2}(k^2)", r"\sqrt{\cos k^2}", edge).reward
+    assert not drawn("0.3611422278523312", r"\sqrt{\cos k^2}", edge).reward, "a move up leaves the domain"
 
 
 @pytest.mark.parametrize(

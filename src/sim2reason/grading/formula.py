@@ -99,7 +99,7 @@ def _truth(reference: str, given: tuple[_Frozen, ...], symbols: frozenset[str] |
     table = used if table is None else table
     if any(table - binding.keys() for binding in bindings):
         raise FormulaError(f"the bindings for {reference!r} leave out a symbol")
-    points = _around(bindings, reference) if bindings else _drawn(table, reference)
+    points = _around(bindings, reference, node) if bindings else _drawn(table, reference)
     valued = ((point, value) for point in points if (value := arithmetic.value(node, point)) is not None)
     values = list(valued if bindings else islice(valued, POINTS))
     if [point for point, _ in values[: len(bindings)]] != bindings:
@@ -128,13 +128,18 @@ def _drawn(table: frozenset[str], reference: str) -> Iterator[Bindings]:
         yield {name: LOWEST + (HIGHEST - LOWEST) * _share(reference, attempt, name) for name in sorted(table)}
 
 
-def _around(bindings: Sequence[Bindings], reference: str) -> Iterator[Bindings]:
-    """The given points, and the first with each symbol in turn moved by 1 to 5 %: the answer must move alike."""
+def _around(bindings: Sequence[Bindings], reference: str, node: Node) -> Iterator[Bindings]:
+    """The given points, and the first with each symbol in turn moved by 1 to 5 %: the answer must move alike.
+
+    Where a move leaves the domain of the reference, the other direction is taken, or a tenth of the way.
+    """
     yield from bindings
     first = bindings[0]
     for name in sorted(first):
         step = 0.01 + 0.04 * _share(reference, name)
-        yield {**first, name: first[name] * (1 + step) if first[name] else step}
+        moves = (first[name] * (1 + move) if first[name] else move for move in (step, -step, step / 10, -step / 10))
+        points = ({**first, name: moved} for moved in moves)
+        yield from islice((point for point in points if arithmetic.value(node, point) is not None), 1)
 
 
 def _value_of(content: str, tokens: Sequence[Token]) -> Node:
