@@ -38,11 +38,11 @@ def letters(order: Iterable[str], bodies: Mapping[str, Body]) -> dict[str, str]:
     found: dict[str, str] = {}
     for alphabet, members in series.items():
         if len(members) > 1:
-            found.update({address: _letter(alphabet, index) for index, address in enumerate(members)})
+            found.update({address: letter_at(alphabet, index) for index, address in enumerate(members)})
     return found
 
 
-def _letter(alphabet: str, index: int) -> str:
+def letter_at(alphabet: str, index: int) -> str:
     """The letter at a place of a series; after its end the series begins again with a digit."""
     turn, place = divmod(index, len(alphabet))
     return alphabet[place] + (str(turn + 1) if turn else "")

@@ -257,7 +257,7 @@ class Speaker:
         letter = self.names.letters.get(address, "")
         template = self.choose(body.named if letter else body.lone)
         text = self._of_body(template, address)
-        return _another(text) if again and not letter else text
+        return another(text) if again and not letter else text
 
     def _of_body(self, template: str, address: str) -> str:
         body = self.scene.bodies[address]
@@ -291,7 +291,7 @@ def join(items: list[str], last: str = " and ") -> str:
     return items[0] if len(items) == 1 else ", ".join(items[:-1]) + last + items[-1]
 
 
-def _another(text: str) -> str:
+def another(text: str) -> str:
     """An introduction of a second of its kind."""
     for article in ("a ", "an "):
         if text.startswith(article):

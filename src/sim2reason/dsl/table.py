@@ -34,7 +34,7 @@ def table(speaker: "Speaker", field: str, where: list[str], members: tuple[Body,
     lead = speaker.finish(speaker.choose(LEAD_INS).replace("{plural}", f"{noun}s"))
     columns = headings(type(members[0]))
     shared = [name for name in columns if len({getattr(member, name) for member in members}) == 1]
-    said = [_shared(columns[name], speaker.at(f"{where[0]}.{name}")) for name in shared]
+    said = [f"{shared_start(columns[name])}{speaker.at(f'{where[0]}.{name}')}." for name in shared]
     rows = [(noun, *(columns[name] for name in columns if name not in shared))]
     rows.append(tuple("---" for _ in rows[0]))
     for address in where:
@@ -44,10 +44,11 @@ def table(speaker: "Speaker", field: str, where: list[str], members: tuple[Body,
     return [*said, lead, f"\n\n{drawn}\n\n"]
 
 
-def _shared(heading: str, value: str) -> str:
-    return f"All have {heading.split(' (', maxsplit=1)[0]} = {value}."
+def shared_start(heading: str) -> str:
+    """How the sentence on a column that agrees begins, up to the number."""
+    return f"All have {heading.split(' (', maxsplit=1)[0]} = "
 
 
 def _cell(value: str) -> str:
     """A number without its unit, which the heading has."""
-    return value.split(" ")[0]
+    return value.split(" ", maxsplit=1)[0]

@@ -1,0 +1,77 @@
+"""From what was heard to a scene: told numbers where they belong, hidden ones drawn afresh."""
+
+from typing import Any
+
+import numpy as np
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.connection import Connection
+from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.model import FieldType, M, Model, field_types
+from sim2reason.dsl.reading.heard import Heard, Strung
+from sim2reason.dsl.scene import Named, Scene, World
+from sim2reason.errors import TextError
+
+
+def assembled(heard: Heard, rng: np.random.Generator) -> Scene:
+    """The scene of a reading.
+
+    Raises:
+        TextError: something is not told.
+        SceneError, ValueError: what is told can't be.
+    """
+    entities = [Named(name=name, entity=_model(heard, name, heard.kind(name, Entity), rng)) for name in heard.entities]
+    connections = tuple(_connection(strung, rng) for strung in heard.strung)
+    told = {path.removeprefix("world."): value for path, value in heard.values.items() if path.startswith("world.")}
+    return Scene(entities=tuple(entities), connections=connections, world=World.model_validate(told))
+
+
+def _connection(strung: Strung, rng: np.random.Generator) -> Connection:
+    drawn = {name: _drawn(held, rng) for name, held in field_types(strung.kind).items() if held.hidden and held.drawn}
+    return strung.kind(links=strung.links, **drawn)
+
+
+def _model(heard: Heard, address: str, kind: type[M], rng: np.random.Generator) -> M:
+    fields: dict[str, Any] = {}
+    for name, held in field_types(kind).items():
+        fields[name] = _field(heard, f"{address}.{name}", kind, held, rng)
+    return kind(**fields)
+
+
+def _field(heard: Heard, address: str, kind: type[Model], held: FieldType, rng: np.random.Generator) -> Any:
+    if held.hidden:
+        return _drawn(held, rng)
+    if address in heard.values:
+        return heard.values[address] if held.measure is not None else _index(heard.values[address])
+    if held.count is not None:
+        return _several(heard, address, held, rng)
+    if held.models and not (held.optional and _is_silent(heard, address)):
+        return _model(heard, address, heard.kinds.get(address, held.models[0]), rng)
+    if held.optional:
+        return None
+    what = held.measure.name if held.measure is not None else address.rpartition(".")[2]
+    raise TextError("text", f"the {what} of a {kind.__name__} is not told", "say it")
+
+
+def _drawn(held: FieldType, rng: np.random.Generator) -> float:
+    if held.measure is None or held.drawn is None:
+        raise TypeError("a hidden number needs a range to be drawn from")
+    return held.measure.draw(rng, held.drawn.low, held.drawn.high)
+
+
+def _index(value: float | None) -> int | None:
+    return None if value is None else int(value)
+
+
+def _several(heard: Heard, address: str, held: FieldType, rng: np.random.Generator) -> tuple[Model, ...]:
+    low, high = heard.count(address)
+    if low != high:
+        raise TextError("text", f"it is not told how many {address.rpartition('.')[2]} there are", "name them all")
+    members = [f"{address}.{index}" for index in range(high)]
+    return tuple(_model(heard, member, heard.kinds.get(member, held.models[0]), rng) for member in members)
+
+
+def _is_silent(heard: Heard, address: str) -> bool:
+    """Whether nothing was told of an optional body or part."""
+    kind = heard.kinds.get(address)
+    return kind is None or (issubclass(kind, Body) and address not in heard.letters)

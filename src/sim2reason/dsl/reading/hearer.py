@@ -1,0 +1,279 @@
+"""Templates read backwards: where in a sentence they can end, and what they tell until there."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.entity import Part
+from sim2reason.dsl.measures import Measure, join_unit
+from sim2reason.dsl.model import Model, field_types
+from sim2reason.dsl.reading.heard import MANY, Heard
+from sim2reason.dsl.speaker import another
+from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
+from sim2reason.errors import TextError
+
+MAX_STEPS = 200_000
+NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
+
+Found = tuple[int, Heard]
+"""Where a match ends, and what was heard until there."""
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """What stands at an address, as far as declarations tell: a number, a word, a list, or one of some models."""
+
+    measure: Measure | None = None
+    word: Word | None = None
+    several: bool = False
+    models: tuple[type[Model], ...] = ()
+
+
+class Hearer:
+    """Follows templates through the pieces of one text; counts its steps, so that no text takes for ever."""
+
+    def __init__(self, pieces: tuple[str, ...]) -> None:
+        """`reach` is the number of pieces that some reading got through."""
+        self.pieces = pieces
+        self.reach = 0
+        self._steps = 0
+
+    def sentence(self, place: int, template: str, owner: str, heard: Heard) -> Iterator[Heard]:
+        """What a whole sentence tells, read as a template of the part at `owner`."""
+        if place < len(self.pieces):
+            text = self.pieces[place]
+            for end, then in self.template(text, 0, template, owner, heard):
+                if end == len(text):
+                    self.reach = max(self.reach, place + 1)
+                    yield then
+
+    def literal(self, text: str, at: int, wanted: str) -> int | None:
+        """Where `wanted` ends if it stands at `at`; a sentence begins with a capital."""
+        self._steps += 1
+        if self._steps > MAX_STEPS:
+            raise TextError("text", "it can be read in too many ways", "give the text of one scene")
+        if at == 0:
+            wanted = wanted[:1].upper() + wanted[1:]
+        return at + len(wanted) if text.startswith(wanted, at) else None
+
+    def template(self, text: str, at: int, template: str, owner: str, heard: Heard) -> Iterator[Found]:
+        """All ways in which a template of the part at `owner` can stand at `at`."""
+        yield from self._slots(text, at, slots(template), owner, heard, at)
+
+    def _slots(
+        self, text: str, at: int, rest: tuple[Slot, ...], owner: str, heard: Heard, begin: int
+    ) -> Iterator[Found]:
+        if not rest:
+            yield at, heard
+            return
+        for end, then in self._slot(text, at, rest[0], owner, heard, start=at == begin):
+            yield from self._slots(text, end, rest[1:], owner, then, begin)
+
+    def _slot(self, text: str, at: int, slot: Slot, owner: str, heard: Heard, *, start: bool) -> Iterator[Found]:
+        if slot.kind == "text":
+            yield from self._just(text, at, slot.text, heard)
+        elif slot.kind == "count":
+            yield from self._count(text, at, _join(owner, slot.path), heard)
+        elif slot.kind in ("agree", "some"):
+            yield from self._forms(text, at, slot, owner, heard)
+        elif slot.kind == "member":
+            yield from self._member(text, at, slot, owner, heard, start=start)
+        else:
+            word = _part_word(heard, owner, slot.path)
+            if word is not None:
+                yield from self._word(text, at, word, owner, heard)
+                return
+            for address, then in _canonical(_join(owner, slot.path), heard):
+                yield from self.at(text, at, address, then, start=start)
+
+    def _just(self, text: str, at: int, wanted: str, heard: Heard) -> Iterator[Found]:
+        end = self.literal(text, at, wanted)
+        if end is not None:
+            yield end, heard
+
+    def _count(self, text: str, at: int, address: str, heard: Heard) -> Iterator[Found]:
+        low, high = heard.count(address)
+        for count in range(low, high + 1):
+            then = heard.counted(address, count, count)
+            if then is not None:
+                yield from self._just(text, at, COUNT_WORDS[count], then)
+
+    def _forms(self, text: str, at: int, slot: Slot, owner: str, heard: Heard) -> Iterator[Found]:
+        """Agreement: one or several; none or some."""
+        address, least = _join(owner, slot.path), 1 if slot.kind == "agree" else 0
+        for form, low, high in ((slot.one, least, least), (slot.many, least + 1, MANY)):
+            then = heard.counted(address, low, high)
+            if then is not None:
+                yield from self.template(text, at, form, owner, then)
+
+    def _member(self, text: str, at: int, slot: Slot, owner: str, heard: Heard, *, start: bool) -> Iterator[Found]:
+        members = _join(owner, slot.text)
+        for index in range(heard.count(members)[1]):
+            address = f"{members}.{index}"
+            then = heard.valued(_join(owner, slot.path), index)
+            if then is not None and address in heard.letters:
+                yield from self._just(text, at, heard.mention(address, full=start), then)
+
+    def at(self, text: str, at: int, address: str, heard: Heard, *, start: bool = False) -> Iterator[Found]:
+        """All ways in which what stands at an address can be told: a number, a word, a body or a list of them."""
+        thing = thing_at(heard, address)
+        if thing.measure is not None:
+            yield from self.number(text, at, address, thing.measure, heard)
+        elif thing.word is not None:
+            yield from self._word(text, at, thing.word, address.rpartition(".")[0], heard)
+        elif thing.several:
+            yield from self._list(text, at, address, thing, heard, start=start)
+        else:
+            yield from self._mention(text, at, address, thing, heard, start=start)
+
+    def number(self, text: str, at: int, address: str, measure: Measure, heard: Heard) -> Iterator[Found]:
+        """A number with its unit; hearing another one again at the same address is a contradiction."""
+        match = NUMBER.match(text, at)
+        if match is None:
+            return
+        end = self.literal(text, match.end(), join_unit("", measure.unit))
+        then = heard.valued(address, float(match.group().replace("\N{MINUS SIGN}", "-")))
+        if end is not None and then is not None:
+            yield end, then
+
+    def _word(self, text: str, at: int, word: Word, owner: str, heard: Heard) -> Iterator[Found]:
+        """A special word tells its number; the other one only leaves it open."""
+        address = _join(owner, word.parameter)
+        known = heard.values.get(address)
+        if known is None or known not in word.special:
+            yield from self._told(text, at, word.otherwise, owner, heard)
+        for value, special in word.special.items():
+            then = heard.valued(address, value)
+            if then is not None:
+                yield from self._told(text, at, special, owner, then)
+
+    def _told(self, text: str, at: int, template: str, owner: str, heard: Heard) -> Iterator[Found]:
+        if owner in heard.kinds and issubclass(heard.kinds[owner], Part):
+            yield from self.template(text, at, template, owner, heard)
+        else:
+            yield from self._of_body(text, at, slots(template), owner, heard)
+
+    def _mention(self, text: str, at: int, address: str, thing: Thing, heard: Heard, *, start: bool) -> Iterator[Found]:
+        if address in heard.letters:
+            yield from self._just(text, at, heard.mention(address, full=start), heard)
+        elif heard.values.get(address, 0.0) is not None:  # it was not said to be absent
+            for kind in thing.models:
+                if issubclass(kind, Body):
+                    yield from self._introduction(text, at, address, kind, heard)
+
+    def _introduction(self, text: str, at: int, address: str, kind: type[Body], heard: Heard) -> Iterator[Found]:
+        """The first mention of a body: with the next letter of its series, or as the only one."""
+        letters = heard.next_letters(kind)
+        for noun in _nouns(kind, heard):
+            again = heard.knows_noun(noun)
+            named = heard.calling(kind, noun)
+            if letters is not None:
+                then = named.introduced(address, kind, letters[0])
+                for number, template in enumerate(kind.named):
+                    yield from self._of_body(text, at, slots(template), address, then.chose(number))
+            if not heard.series(kind):
+                then = named.introduced(address, kind, "")
+                for number, template in enumerate(kind.lone):
+                    said = another(template) if again else template
+                    yield from self._of_body(text, at, slots(said), address, then.chose(number))
+
+    def _of_body(self, text: str, at: int, rest: tuple[Slot, ...], address: str, heard: Heard) -> Iterator[Found]:
+        if not rest:
+            yield at, heard
+            return
+        slot = rest[0]
+        if slot.kind == "text":
+            found = self._just(text, at, slot.text, heard)
+        elif slot.path == "letter":
+            found = self._just(text, at, heard.letters[address], heard)
+        elif slot.path == "noun":
+            found = self._just(text, at, heard.nouns[heard.body(address)], heard)
+        else:
+            found = self.at(text, at, f"{address}.{slot.path}", heard)
+        for end, then in found:
+            yield from self._of_body(text, end, rest[1:], address, then)
+
+    def _list(self, text: str, at: int, address: str, thing: Thing, heard: Heard, *, start: bool) -> Iterator[Found]:
+        """One member as it is, several with the plural noun; known ones by their letters alone."""
+        low, high = heard.count(address)
+        one = heard.counted(address, 1, 1)
+        if one is not None:
+            yield from self.at(text, at, f"{address}.0", one, start=start)
+        if f"{address}.0" in heard.letters:
+            if low == high > 1:
+                yield from self._known(text, at, [f"{address}.{index}" for index in range(high)], heard, start=start)
+            return
+        for kind in thing.models:
+            if issubclass(kind, Body) and kind.listed:
+                for noun in _nouns(kind, heard):
+                    for end, then in self._just(text, at, f"{noun}s ", heard.calling(kind, noun)):
+                        yield from self._items(text, end, address, kind, then, 0)
+
+    def _known(self, text: str, at: int, members: list[str], heard: Heard, *, start: bool) -> Iterator[Found]:
+        letters = [heard.letters[address] for address in members]
+        plural = f"{heard.nouns[heard.body(members[0])]}s " if start else ""
+        yield from self._just(text, at, f"{plural}{', '.join(letters[:-1])} and {letters[-1]}", heard)
+
+    def _items(
+        self, text: str, at: int, address: str, kind: type[Body], heard: Heard, index: int, *, last: bool = False
+    ) -> Iterator[Found]:
+        """The members of a new list from `index` on: A (…), B (…) and C (…)."""
+        letters = heard.next_letters(kind)
+        if letters is None or index >= MANY:
+            return
+        here = f"{address}.{index}"
+        for end, then in self._of_body(text, at, slots(kind.listed), here, heard.introduced(here, kind, letters[0])):
+            if last:
+                counted = then.counted(address, index + 1, index + 1)
+                if counted is not None:
+                    yield end, counted
+                continue
+            for comma, ends in ((", ", False), (" and ", True)):
+                for after, again in self._just(text, end, comma, then):
+                    yield from self._items(text, after, address, kind, again, index + 1, last=ends)
+
+
+def thing_at(heard: Heard, address: str) -> Thing:
+    """What the declarations say about an address; KeyError for one that leads nowhere."""
+    if address in heard.kinds:
+        return Thing(models=(heard.kinds[address],))
+    owner, _, step = address.rpartition(".")
+    held = thing_at(heard, owner) if owner else Thing()
+    if step.isdigit():
+        return replace(held, several=False)
+    for model in held.models:
+        if issubclass(model, Body) and step in model.words:
+            return Thing(word=model.words[step])
+        if step in field_types(model):
+            kind = field_types(model)[step]
+            return Thing(kind.measure, None, kind.count is not None, kind.models)
+    raise KeyError(address)
+
+
+def _join(owner: str, path: str) -> str:
+    return f"{owner}.{path}" if owner else path
+
+
+def _part_word(heard: Heard, owner: str, path: str) -> Word | None:
+    kind = heard.kinds.get(owner)
+    return kind.words.get(path) if kind is not None and issubclass(kind, Part) else None
+
+
+def _canonical(address: str, heard: Heard) -> Iterator[tuple[str, Heard]]:
+    """`first` and `last` as indices; where the last one is not known yet, every possible one."""
+    owner, _, step = address.rpartition(".")
+    if step == "first":
+        yield f"{owner}.0", heard
+    elif step == "last":
+        low, high = heard.count(owner)
+        for count in range(max(low, 1), high + 1):
+            then = heard.counted(owner, count, count)
+            if then is not None:
+                yield f"{owner}.{count - 1}", then
+    else:
+        yield address, heard
+
+
+def _nouns(kind: type[Body], heard: Heard) -> tuple[str, ...]:
+    return (heard.nouns[kind],) if kind in heard.nouns else kind.nouns
