@@ -37,7 +37,7 @@ def command(scene: Path, mode: str, count: int, seed: int, *, to_json: bool) -> 
             break
     if to_json:
         console.as_json([_document(asking) for asking in found.values()])
-    for asking in [] if to_json else found.values():
+    for asking in () if to_json else found.values():
         click.echo(f"{asking.prompt}\n\nAnswer: {asking.question.answer:.6g} {asking.question.unit}\n")
     if len(found) < count:
         said = ", ".join(f"{number} {name}" for name, number in sorted(refused.items()))

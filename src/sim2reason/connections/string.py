@@ -2,24 +2,24 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self, TYPE_CHECKING
 
 from annotated_types import Le
 
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder, add, scale
-from sim2reason.dsl.connection import Connection, Link, connection
+from sim2reason.dsl.connection import Connection, Link, Told, connection
 from sim2reason.dsl.layout import opposite
 from sim2reason.dsl.measures import LEAST, Hidden, Measure, Range
 from sim2reason.dsl.mechanism import ZERO
-from sim2reason.dsl.ports import End, Stop
+from sim2reason.dsl.ports import End, Port, Stop, StringPort
 from sim2reason.errors import SceneError
 
 if TYPE_CHECKING:
     from sim2reason.dsl.reading.heard import Heard
     from sim2reason.dsl.reading.hearer import Hearer
-    from sim2reason.dsl.reading.trails import Leg, Told, Trail
+    from sim2reason.dsl.reading.trails import Leg, Trail
     from sim2reason.dsl.speaker import Speaker
 
 OPENINGS = (
@@ -27,6 +27,7 @@ OPENINGS = (
     "{string} is tied to {tied}; it {verbs}.",
     "one end of {string} is tied to {tied}; from there the string {verbs}.",
 )
+LIGHT_STRING = "light string"
 OVER = "passes over "
 FREE = 2.5  # m of string between a site that moves and the pulley that the string brings
 
@@ -36,7 +37,13 @@ class String(Connection):
     """A string through ports, from end to end. Where neighbours' directions need a fixed pulley it brings one."""
 
     key: ClassVar[str] = "tendon"
+    joins: ClassVar[type[Port]] = StringPort
     free: Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()] = FREE
+
+    @classmethod
+    def between(cls, *stops: tuple[str, StringPort]) -> Self:
+        """A string through ports of named entities: ``between(("a", Ramp.right), ("b", Hook.end))``."""
+        return cls(links=tuple(Link(entity=name, port=port.name) for name, port in stops))
 
     @classmethod
     def owned(cls, name: str, stops: list[Stop], builder: Builder) -> dict[str, Body]:
@@ -71,7 +78,7 @@ class String(Connection):
             builder.add_pull(name, path, force)
 
     @classmethod
-    def hear(cls, name: str, place: int, heard: "Heard", hearer: "Hearer", trail: "Trail") -> Iterator["Told"]:
+    def hear(cls, name: str, place: int, heard: "Heard", hearer: "Hearer", trail: "Trail") -> Iterator[Told]:
         """Read its sentence back: the opening, what it is tied to, then verb by verb."""
         return Ear(name, hearer, trail).sentence(place, heard)
 
@@ -95,13 +102,13 @@ class String(Connection):
                 verbs.append(OVER + speaker.at(order.pop(0)))
             port = stop.port
             verbs.append(speaker.render(port.arrives if isinstance(port, End) else port.passes, stop.owner))
-        string = "another light string" if speaker.heard("light string") else "a light string"
+        string = called(again=speaker.heard(LIGHT_STRING))
         return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
 
 
-def called(told: int) -> str:
-    """What a string is called, of which `told` others were spoken before."""
-    return "another light string" if told else "a light string"
+def called(*, again: bool) -> str:
+    """What a string is called, the first one or one after others."""
+    return f"another {LIGHT_STRING}" if again else f"a {LIGHT_STRING}"
 
 
 def _worth(stop: Stop) -> int:
@@ -150,20 +157,21 @@ class Ear:
         self._name, self._hearer, self._trail = name, hearer, trail
         self._text = self._end = ""
 
-    def sentence(self, place: int, heard: "Heard") -> Iterator["Told"]:
+    def sentence(self, place: int, heard: "Heard") -> Iterator[Told]:
         """All readings of the piece at `place`."""
         if place >= len(self._hearer.pieces):
             return
         self._text = self._hearer.pieces[place]
+        again = any(LIGHT_STRING in piece for piece in self._hearer.pieces[:place])
         for number, opening in enumerate(OPENINGS):
-            start, rest = opening.replace("{string}", called(heard.strings_told)).split("{tied}")
+            start, rest = opening.replace("{string}", called(again=again)).split("{tied}")
             between, self._end = rest.split("{verbs}")
             at = self._hearer.literal(self._text, 0, start)
             for told in self._tied(at, between, heard.chose(number)) if at is not None else ():
                 self._hearer.reach = max(self._hearer.reach, place + 1)
                 yield told
 
-    def _tied(self, at: int, between: str, heard: "Heard") -> Iterator["Told"]:
+    def _tied(self, at: int, between: str, heard: "Heard") -> Iterator[Told]:
         """What it is tied to, and how it leaves there."""
         for leg in self._trail.legs(heard, ()):
             stop = leg.stops[0]
@@ -178,9 +186,7 @@ class Ear:
                 elif begin is not None:
                     yield from self._on(begin, replace(rest, heard=then), (leg.link,), (), "")
 
-    def _on(
-        self, at: int, leg: "Leg", links: tuple[Link, ...], owned: tuple[str, ...], before: str
-    ) -> Iterator["Told"]:
+    def _on(self, at: int, leg: "Leg", links: tuple[Link, ...], owned: tuple[str, ...], before: str) -> Iterator[Told]:
         """The verbs from `at` on: the other stops of this leg, then of the legs to come."""
         if leg.stops:
             yield from self._next(at, leg, links, owned, before)
@@ -188,22 +194,22 @@ class Ear:
             for new in self._trail.legs(leg.heard, links):
                 yield from self._on(at, new, (*links, new.link), owned, before)
         elif self._text[at:] == self._end:
-            yield self._trail.told(replace(leg.heard, strings_told=leg.heard.strings_told + 1), links, owned)
+            yield Told(leg.heard, links, owned)
 
     def _next(
         self, at: int, leg: "Leg", links: tuple[Link, ...], owned: tuple[str, ...], before: str
-    ) -> Iterator["Told"]:
+    ) -> Iterator[Told]:
         """The next stop, perhaps behind a pulley that the string brings."""
         stop, rest = leg.stops[0], leg.stops[1:]
         verb = stop.port.arrives if isinstance(stop.port, End) else stop.port.passes
         final = leg.last and not rest
         for end, then in self._verb(at, verb, before, leg.heard, stop.owner, final=final):
             yield from self._on(end, replace(leg, stops=rest, heard=then), links, owned, verb)
-        if owned and before == OVER + f"{{{owned[-1]}}}":
+        if owned and before == f"{OVER}{{{owned[-1]}}}":
             return  # there is one pulley in a gap at most
         address = f"{self._name}.pulley{len(owned) + 1}"
         own = replace(leg.heard.knowing(address, FixedPulley), values={**leg.heard.values, f"{address}.mass": 0.0})
-        over = OVER + f"{{{address}}}"
+        over = f"{OVER}{{{address}}}"
         for end, then in self._verb(at, over, before, own, "", final=False):
             yield from self._next(end, replace(leg, heard=then), links, (*owned, address), over)
 

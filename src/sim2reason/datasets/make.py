@@ -6,17 +6,18 @@ from collections import Counter
 from dataclasses import dataclass, replace
 
 import numpy as np
+from pydantic import JsonValue
 
 from sim2reason.datasets.draws import generator, known
 from sim2reason.datasets.item import Answer, Asked, Item, Provenance
 from sim2reason.datasets.plan import Made, Request, versions
 from sim2reason.dsl.files import dump
-from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.speaker import Telling, tell
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.filters import Candidate, sift
-from sim2reason.questions import MODES, Mode, Question, Words
+from sim2reason.questions import MODES, Mode, Question
+from sim2reason.questions.prompt import prompt, words_of
 from sim2reason.recipes import RECIPES
 from sim2reason.simulation.certify import RECORDED, Certificate, witnessed
 from sim2reason.simulation.trace import ENGINES, Trace
@@ -26,11 +27,6 @@ QUESTIONS = 4  # questions tried on one scene
 DURATION = 2.0  # s
 SAMPLES = 41
 SHORTEST = 0.1  # s of usable motion
-FORMATS = (
-    "Give your answer in {unit}, to three significant figures, inside \\boxed{{}}.",
-    "State the answer in {unit} to three significant figures, inside \\boxed{{}}.",
-    "Write the final answer, in {unit} and to three significant figures, in \\boxed{{}}.",
-)
 SETTINGS = hashlib.sha256(json.dumps([SCENES, QUESTIONS, DURATION, SAMPLES, SHORTEST]).encode()).hexdigest()[:16]
 
 
@@ -78,7 +74,7 @@ def ask(scene: Scene, mode: Mode, rng: np.random.Generator, rejected: Counter[st
         if question is None:
             rejected["nothing to ask"] += 1
             continue
-        candidate = Candidate(scene, trace, question, prompt_of(telling, question, rng))
+        candidate = Candidate(scene, trace, question, prompt(telling, question, rng))
         verdict = sift(candidate, witnessed=False)
         if verdict.keep:
             heard = heard or witnessed(trace)
@@ -87,19 +83,6 @@ def ask(scene: Scene, mode: Mode, rng: np.random.Generator, rejected: Counter[st
             return Asking(scene, telling, heard[0], question, candidate.prompt, heard[1])
         rejected[verdict.filter] += 1
     return None
-
-
-def words_of(telling: Telling) -> Words:
-    """What questions need to know of a text."""
-    mechanism = telling.scene.mechanism
-    mentions = {address: telling.mention(address) for address in telling.scene.bodies}
-    return Words(mentions, released=all(c.speed == 0.0 for c in mechanism.coordinates))
-
-
-def prompt_of(telling: Telling, question: Question, rng: np.random.Generator) -> str:
-    """The text of the scene, the question, and how to give the answer."""
-    form = FORMATS[int(rng.random() * len(FORMATS))].format(unit=show_unit(question.unit))
-    return f"{telling.text} {question.text} {form}"
 
 
 def item_of(request: Request, found: Asking) -> Item:
@@ -136,7 +119,7 @@ def item_of(request: Request, found: Asking) -> Item:
     )
 
 
-def summary(certificate: Certificate) -> dict[str, object]:
+def summary(certificate: Certificate) -> dict[str, JsonValue]:
     """What an item says of its certificate: the worst difference, the tolerance, until when, by whom."""
     worst = max(certificate.agreement.values(), default=0.0)
     return {

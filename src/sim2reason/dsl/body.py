@@ -1,6 +1,6 @@
 """Bodies: frozen values with parameters, a noun, a series of letters and ways to be introduced."""
 
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.template import Word, slots
@@ -50,7 +50,8 @@ class Body(Model):
             elif slot.path in field_types(cls):
                 told.add(slot.path)
             else:
-                raise TypeError(f"{cls.__name__}: {template!r} names {slot.path!r}, which is neither a parameter nor a word")
+                problem = f"names {slot.path!r}, which is neither a parameter nor a word"
+                raise TypeError(f"{cls.__name__}: {template!r} {problem}")
         return told
 
     @classmethod
@@ -68,9 +69,10 @@ class Body(Model):
         return any(word.parameter == parameter and value in word.special for word in self.introduced_words())
 
 
+B = TypeVar("B", bound=Body)
 BODIES: Registry[type[Body]] = Registry("bodies")
 
 
-def body(cls: type[Body]) -> type[Body]:
+def body(cls: type[B]) -> type[B]:
     """Enter a body class under its name."""
     return BODIES.add(cls.__name__, cls)

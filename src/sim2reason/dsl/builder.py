@@ -7,7 +7,6 @@ from math import hypot, inf
 from sim2reason.dsl.mechanism import (
     GRAVITY,
     ZERO,
-    Y,
     Body,
     Collision,
     Contact,
@@ -18,6 +17,7 @@ from sim2reason.dsl.mechanism import (
     String,
     Vector,
     Wheel,
+    Y,
 )
 from sim2reason.errors import SceneError
 
@@ -81,7 +81,9 @@ class Frame:
         self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "slide"
     ) -> "Frame":
         """Let it move along `axis`; call twice, with another name, for two directions."""
-        self._builder.add_coordinate(self._own(), Coordinate(f"{self.name}.{name}", "slide", unit(axis), speed, *limits))
+        self._builder.add_coordinate(
+            self._own(), Coordinate(f"{self.name}.{name}", "slide", unit(axis), speed, *limits)
+        )
         return self
 
     def hinge(self, axis: Vector, speed: float = 0.0) -> "Frame":

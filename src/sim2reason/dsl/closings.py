@@ -114,7 +114,11 @@ CLOSINGS: tuple[Closing, ...] = (
     Closing(
         "g",
         _weighs,
-        ("take g = {world.gravity}.", "use g = {world.gravity}.", "the acceleration of free fall is g = {world.gravity}."),
+        (
+            "take g = {world.gravity}.",
+            "use g = {world.gravity}.",
+            "the acceleration of free fall is g = {world.gravity}.",
+        ),
     ),
 )
 

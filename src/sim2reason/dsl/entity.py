@@ -1,6 +1,6 @@
 """Parts and entities: mechanisms made of bodies, with lines that tell them and ports that join them."""
 
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 from pydantic import ConfigDict
 
@@ -34,10 +34,11 @@ class Entity(Part):
     """A mechanism that a scene file can name."""
 
 
+E = TypeVar("E", bound=Entity)
 ENTITIES: Registry[type[Entity]] = Registry("entities")
 
 
-def entity(cls: type[Entity]) -> type[Entity]:
+def entity(cls: type[E]) -> type[E]:
     """Enter an entity class under its name."""
     return ENTITIES.add(cls.__name__, cls)
 
@@ -45,7 +46,7 @@ def entity(cls: type[Entity]) -> type[Entity]:
 def ports_of(cls: type[Part]) -> dict[str, Port]:
     """The ports that a class declares, by name, in the order of declaration."""
     members = {name: member for base in reversed(cls.__mro__) for name, member in vars(base).items()}
-    return {name: member for name, member in members.items() if isinstance(member, End | Pass | Chain)}
+    return {name: member for name, member in members.items() if isinstance(member, Port)}
 
 
 def ropes_of(cls: type[Part]) -> dict[str, Rope]:
@@ -61,14 +62,15 @@ def outer_ports(cls: type[Part]) -> dict[str, Port]:
     return {name: port for name, port in declared.items() if name not in used}
 
 
-def stops_of(part: Part, name: str, address: str, flipped: bool = False) -> list[Stop]:
+def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
     """A port of an instance as the stops that a string makes there, from the inside out."""
     head, _, rest = name.partition(".")
     if rest:
-        return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped)
+        return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
     port = ports_of(type(part))[name]
     if isinstance(port, Chain):
         return [stop for inner in port.stops for stop in stops_of(part, inner, address)]
+    assert isinstance(port, End | Pass)
     return [Stop(address, port, flipped)]
 
 

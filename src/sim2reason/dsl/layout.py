@@ -87,5 +87,5 @@ def _shift(fixed: str, moved: str, local: Builder, offsets: dict[str, Vector]) -
     if (here is None and there is None) or not opposite(here, there):
         return
     towards = here if here is not None else scale(-1.0, there or ZERO)
-    wanted = add(local.position(fixed), offsets[fixed.split(".")[0]], scale(FREE, towards))
-    offsets[moved.split(".")[0]] = add(wanted, scale(-1.0, local.position(moved)))
+    wanted = add(local.position(fixed), offsets[fixed.split(".", maxsplit=1)[0]], scale(FREE, towards))
+    offsets[moved.split(".", maxsplit=1)[0]] = add(wanted, scale(-1.0, local.position(moved)))

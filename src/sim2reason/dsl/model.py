@@ -4,7 +4,7 @@ import types
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, TypeVar, Union, cast, get_args, get_origin
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError
@@ -17,10 +17,16 @@ class Model(BaseModel):
     """The base of bodies, parts, entities and scenes: frozen, strict, without unknown fields or infinities."""
 
     model_config = ConfigDict(
-        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True, revalidate_instances="never"
+        frozen=True,
+        extra="forbid",
+        strict=True,
+        allow_inf_nan=False,
+        validate_default=True,
+        revalidate_instances="never",
     )
 
 
+NOTHING, LOOK = "there is no such thing in the scene", "list the scene's parameters"
 M = TypeVar("M", bound=Model)
 V = TypeVar("V")
 
@@ -103,9 +109,9 @@ def lookup(value: Any, path: str) -> Any:
     for step in path.split("."):
         walked.append(step)
         try:
-            value = value[int(step)] if isinstance(value, tuple) else _field(value, step)
+            value = cast("tuple[Any, ...]", value)[int(step)] if isinstance(value, tuple) else _field(value, step)
         except (LookupError, ValueError, AttributeError):
-            raise SceneError(".".join(walked), "there is no such thing in the scene", "list the scene's parameters") from None
+            raise SceneError(".".join(walked), NOTHING, LOOK) from None
     return value
 
 
@@ -124,7 +130,7 @@ def changed(value: V, path: str, new: object) -> V:
         members[index] = changed(members[index], rest, new) if rest else new
         return tuple(member for member in members if member is not None)  # type: ignore[return-value]
     if not isinstance(value, Model):
-        raise SceneError(path, "there is no such thing in the scene", "list the scene's parameters")
+        raise SceneError(path, NOTHING, LOOK)
     inner = changed(_field(value, step), rest, new) if rest else new
     fields = {name: getattr(value, name) for name in type(value).model_fields}
     return type(value)(**{**fields, step: inner})  # type: ignore[return-value]
@@ -134,12 +140,11 @@ REDRAWS = 20
 Choice = Range | Count | tuple[str, ...] | float | int | bool | None
 Choices = Mapping[str, Choice]
 """How a recipe narrows a draw, by field name or by the name of a measure: a `Range` or `Count` to draw from,
-a tuple of class names to pick a part from, a fixed value, or a chance between 0 and 1 that an optional thing is there."""
+a tuple of class names to pick a part from, a fixed value, or a chance between 0 and 1 that an optional thing
+is there."""
 
 
-def draw(
-    model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object] | None = None
-) -> M:
+def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object] | None = None) -> M:
     """A random value of a model class, but for the fields `given`; every number is rounded to what will be spoken.
 
     `choices` overrides what the class declares, by ``Class.field``, field or measure name, the most special first.
@@ -148,12 +153,13 @@ def draw(
     Raises:
         SceneError: a number has no range, or nothing valid was drawn within the budget.
     """
+    refused = ""
     for _ in range(REDRAWS):
         try:
             return _drawn(model, rng, choices, given or {})
         except ValidationError as error:
-            refused = error
-    raise SceneError(model.__name__, f"nothing valid in {REDRAWS} draws: {refused.errors()[0]['msg']}", "widen a range")
+            refused = error.errors()[0]["msg"]
+    raise SceneError(model.__name__, f"nothing valid in {REDRAWS} draws: {refused}", "widen a range")
 
 
 def _drawn(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object]) -> M:
@@ -183,7 +189,8 @@ def _draw_field(model: type[Model], name: str, kind: FieldType, rng: np.random.G
             return kind.measure.draw(rng, found.low, found.high)
         if isinstance(found, float | int):
             return float(found)
-        raise SceneError(f"{model.__name__}.{name}", "has no range to be drawn from", "declare a Range or let the recipe choose")
+        remedy = "declare a Range or let the recipe choose"
+        raise SceneError(f"{model.__name__}.{name}", "has no range to be drawn from", remedy)
     if kind.words:
         return kind.words[int(rng.integers(len(kind.words)))]
     picks = _choice(choices, f"{model.__name__}.{name}", name)

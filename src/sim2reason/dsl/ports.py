@@ -4,18 +4,38 @@ Every clause is a verb phrase whose subject is the string, but for `tied`, which
 Sites are listed from the inside out; where a string must go from the last one is said by the site itself.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
-class End:
+class Port:
+    """What a connection can join to something. Each kind of connection joins one type of port.
+
+    `name` is that of the class attribute that holds it.
+    """
+
+    name: str = field(default="", init=False, compare=False)
+    required: bool = field(default=False, kw_only=True)  # left open, it would change what the text says
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        """Python tells the attribute's name once, as the class is made."""
+        del owner
+        object.__setattr__(self, "name", name)
+
+
+@dataclass(frozen=True, slots=True)
+class StringPort(Port):
+    """A port for strings."""
+
+
+@dataclass(frozen=True, slots=True)
+class End(StringPort):
     """One end of a string. Without `tied` it is always told last; without `leaves` it is told last if it can be."""
 
     sites: tuple[str, ...]
     arrives: str
     tied: str = ""
     leaves: str = ""
-    required: bool = False  # left open, it would change what the text says
 
     @property
     def can_begin(self) -> bool:
@@ -24,21 +44,19 @@ class End:
 
 
 @dataclass(frozen=True, slots=True)
-class Pass:
+class Pass(StringPort):
     """A place where a string goes on. `sides` name its two directions in files, in the order of `sites`."""
 
     sites: tuple[str, str]
     passes: str
     sides: tuple[str, str] = ("left", "right")
-    required: bool = False
 
 
 @dataclass(frozen=True, slots=True)
-class Chain:
+class Chain(StringPort):
     """A port that consists of others, from the inside out: an end and what the string passes on its way out."""
 
     stops: tuple[str, ...]
-    required: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,8 +66,7 @@ class Rope:
     stops: tuple[str, ...]
 
 
-Port = End | Pass | Chain
-PORT_TYPES = (End, Pass, Chain, Rope)
+PORT_TYPES = (Port, Rope)
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,6 +71,9 @@ class Scene(Model):
                 if link.port not in ports:
                     known = ", ".join(ports) or "none"
                     raise SceneError(place, f"{link.entity!r} has no port {link.port!r}", f"its ports: {known}")
+                if not isinstance(ports[link.port], connection.joins):
+                    problem = f"a {connection.key} can not be joined to {link}, which is for other connections"
+                    raise SceneError(place, problem, f"it takes a {connection.joins.__name__}")
                 if (link.entity, link.port) in used:
                     raise SceneError(place, f"port {link} is used twice", "use each port once")
                 used.add((link.entity, link.port))
@@ -114,7 +117,9 @@ class Scene(Model):
         for named in self.entities:
             if named.name == name:
                 return named.entity
-        raise SceneError(place, f"no entity is called {name!r}", f"there are: {', '.join(n.name for n in self.entities)}")
+        raise SceneError(
+            place, f"no entity is called {name!r}", f"there are: {', '.join(n.name for n in self.entities)}"
+        )
 
     def stops(self, connection: Connection) -> list[Stop]:
         """The stops of a connection from its first end to its last, in the order of travel."""
@@ -149,6 +154,11 @@ class Scene(Model):
             place = "glued" if self.glued else "entities"
             raise SceneError(place, "nothing in this scene can move", "leave something free to move")
         return found
+
+    @property
+    def starts_from_rest(self) -> bool:
+        """Whether nothing moves at t = 0, so that the text speaks of a release."""
+        return all(coordinate.speed == 0.0 for coordinate in self.mechanism.coordinates)
 
     def check(self) -> None:
         """Build it, to see whether its parts fit together; SceneError if they do not."""
@@ -234,7 +244,7 @@ def path_stops(scene: Scene, links: tuple[Link, ...]) -> list[Stop]:
     """The stops of a path of links in the order of travel; SceneError where an end stands inside or a pass at an end."""
     found: list[Stop] = []
     for index, link in enumerate(links):
-        stops = stops_of(scene.entity(link.entity), link.port, link.entity, link.flipped)
+        stops = stops_of(scene.entity(link.entity), link.port, link.entity, flipped=link.flipped)
         last = index == len(links) - 1
         found.extend(reversed_stops(stops) if last and index > 0 else stops)
     return found

@@ -101,7 +101,9 @@ class Speaker:
     @cached_property
     def symbols(self) -> dict[str, str]:
         """The symbol of every number that is neither hidden nor absent nor said by a word."""
-        said = [p for p in self.parameters.values() if not p.hidden and p.value is not None and not self._by_word(p.path)]
+        said = [
+            p for p in self.parameters.values() if not p.hidden and p.value is not None and not self._by_word(p.path)
+        ]
         return symbols(said, self.scene.bodies, self.names)
 
     def sentences(self) -> list[str]:
@@ -211,7 +213,9 @@ class Speaker:
         if slot.kind in ("agree", "some", "count"):
             count = len(_resolve(part, slot.path))
             first = count == (1 if slot.kind == "agree" else 0)
-            return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.one if first else slot.many, address)
+            return (
+                COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.one if first else slot.many, address)
+            )
         if slot.kind == "member":
             return self._mention(f"{address}.{slot.text}.{_resolve(part, slot.path)}", start=start)
         where = _canonical(part, slot.path)
@@ -280,7 +284,8 @@ class Speaker:
         known = members[0] in self.introduced
         self.introduced.update(dict.fromkeys(members))
         items = [
-            self.names.letters.get(address, "") if known else self._of_body(first.listed, address) for address in members
+            self.names.letters.get(address, "") if known else self._of_body(first.listed, address)
+            for address in members
         ]
         plural = f"{self.names.noun(first)}s " if start or not known else ""
         return plural + join(items)
@@ -329,4 +334,3 @@ def dialect(voice: str, hide: tuple[str, ...] = ()) -> Voice:
     if voice == "symbolic":
         return symbolic
     return hiding(*hide) if hide else numeric
-

@@ -1,15 +1,15 @@
 """Sentences as data: text with slots, taken apart once and read by whoever writes or reads a problem.
 
-    {block}              a body, introduced with its numbers at its first mention
-    {blocks}             all of a variable-length part: blocks A (1.2 kg) and B (2.0 kg)
-    {blocks.last}        one of them: first, last, or * for each in turn
-    {plane.angle}        a number with its unit
-    {plane.uphill}       a word that depends on a number
-    {blocks:lies/lie}    the form for one and the form for several
-    {blocks:#}           how many, as a word
-    {pairs?/ other}      the form for none and the form for any
-    {pairs.*.a>blocks}   the member of `blocks` whose index is the number at `pairs.*.a`
-    {letter} {noun}      inside a body's own introductions
+{block}              a body, introduced with its numbers at its first mention
+{blocks}             all of a variable-length part: blocks A (1.2 kg) and B (2.0 kg)
+{blocks.last}        one of them: first, last, or * for each in turn
+{plane.angle}        a number with its unit
+{plane.uphill}       a word that depends on a number
+{blocks:lies/lie}    the form for one and the form for several
+{blocks:#}           how many, as a word
+{pairs?/ other}      the form for none and the form for any
+{pairs.*.a>blocks}   the member of `blocks` whose index is the number at `pairs.*.a`
+{letter} {noun}      inside a body's own introductions
 """
 
 import re

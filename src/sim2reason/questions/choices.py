@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import Moment, Target, Words
 from sim2reason.questions.moments import Collided, Moved, Stopped, spoken
 from sim2reason.questions.targets import axes, carried
-from sim2reason.quantities import QUANTITIES
 from sim2reason.simulation.trace import Trace
 
 CLEAR = 1e-3  # of the duration: how far a time stays away from events

@@ -57,7 +57,7 @@ class AtTime(_At):
         return self.after if self.after <= trace.stable_until else None
 
     def phrases(self, mentions: Mapping[str, str], *, released: bool) -> tuple[str, ...]:
-        """*0.80 s after release*."""
+        """As in: 0.80 s after release."""
         del mentions
         said = say_seconds(self.after)
         if released:
@@ -75,7 +75,7 @@ class AtStart(_At):
         return 0.0
 
     def phrases(self, mentions: Mapping[str, str], *, released: bool) -> tuple[str, ...]:
-        """*just after release*."""
+        """As in: just after release."""
         del mentions
         if released:
             return ("just after release", "immediately after release", "right at the start of the motion")
@@ -104,7 +104,7 @@ class Moved(_At):
         return first_crossing(excess, trace.stable_until)
 
     def phrases(self, mentions: Mapping[str, str], *, released: bool) -> tuple[str, ...]:
-        """*when the block is first 0.50 m from its starting point*."""
+        """As in: when the block is first 0.50 m from its starting point."""
         del released
         body, said = mentions[self.body], say_metres(self.distance)
         return (
@@ -137,7 +137,7 @@ class Collided:
         return time if self.after else float(np.nextafter(time, 0.0))
 
     def phrases(self, mentions: Mapping[str, str], *, released: bool) -> tuple[str, ...]:
-        """*just after the first collision of A and B*."""
+        """As in: just after the first collision of A and B."""
         del released
         a, b, side = mentions[self.a], mentions[self.b], "after" if self.after else "before"
         return (
@@ -172,7 +172,7 @@ class Stopped(_At):
         return float(np.linalg.norm(QUANTITIES["velocity"].evaluate(state, self.body)[0])) < 1e-9
 
     def phrases(self, mentions: Mapping[str, str], *, released: bool) -> tuple[str, ...]:
-        """*when the block first comes to rest*."""
+        """As in: when the block first comes to rest."""
         del released
         body = mentions[self.body]
         return (

@@ -13,13 +13,25 @@ _SECONDS = re.compile(r"(\d{1,6}(?:\.\d{1,6})?) s\b")
 _METRES = re.compile(r"(\d{1,6}(?:\.\d{1,6})?) m\b")
 
 
+def read(text: str, trace: Trace, words: Words) -> Ask | None:
+    """The question that a sentence asks about a motion, found by trying every phrase of every kind; None if no one.
+
+    Times and distances are read from the sentence; the rest must be word for word what `shapes` gives.
+    """
+    for ask, noun in candidates(text, trace, words):
+        for shape in KINDS[ask.kind].shapes(ask, words, noun):
+            if shape[0].upper() + shape[1:] == text:
+                return ask
+    return None
+
+
 def candidates(text: str, trace: Trace, words: Words) -> Iterator[tuple[Ask, str]]:
     """Asks, with their noun phrases, whose numbers and names all stand in a sentence."""
     offered = targets(trace.mechanism, words.mentions)
     nouns: dict[str, Target] = {phrase: target for phrase, target in offered.items() if _heard(phrase, text)}
     for moment in _moments(text, trace, words):
         yield Ask("time_to_event", None, moment), ""
-        kind = {AtTime: "state", AtStart: "start"}.get(type(moment), "event")
+        kind = "state" if isinstance(moment, AtTime) else "start" if isinstance(moment, AtStart) else "event"
         for noun, target in nouns.items():
             yield Ask(kind, target, moment), noun
 
@@ -41,6 +53,3 @@ def _moments(text: str, trace: Trace, words: Words) -> Iterator[Moment]:
             if other != name:
                 yield Collided(name, other, after=True)
                 yield Collided(name, other, after=False)
-
-
-__all__ = ["KINDS", "candidates"]

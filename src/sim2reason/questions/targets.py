@@ -183,8 +183,7 @@ def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers:
     owner, site = name.rpartition(".")[0], mechanism.site[name]
     if owner in mentions:  # the rim of a pulley
         return mentions[owner]
-    if site.body in mentions:
-        return mentions[site.body]
-    if site.body in carriers:
-        return f"the axle of {mentions[carriers[site.body]]}"
-    return ""
+    if site.body is None:
+        return ""
+    carried_pulley = carriers.get(site.body)
+    return mentions.get(site.body) or (f"the axle of {mentions[carried_pulley]}" if carried_pulley else "")

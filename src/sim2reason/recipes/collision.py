@@ -45,7 +45,7 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     count = int(rng.integers(tier.pucks.low, tier.pucks.high + 1))
     places = _places(count, CLEAR * radius, rng)
     pucks: list[Puck] = []
-    for index, place in enumerate(places):
+    for place in places:
         velocity = _aim(pucks[-1], place, radius, tier, rng) if pucks else _any(tier.speed, rng)
         mass = _drawn(Puck, "mass", rng, tier.mass)
         vx, vy = (_rounded(Puck, "vx", part) for part in velocity)

@@ -29,7 +29,7 @@ class EventKind:
         return Ask("event", target, moment) if target is not None else None
 
     def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
-        """*What is the speed of B when it is first 0.50 m from its starting point?*"""
+        """As in: what is the speed of B when A is first 0.50 m from its starting point?"""
         assert ask.target is not None
         phrases = ask.moment.phrases(words.mentions, released=words.released)
         return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))

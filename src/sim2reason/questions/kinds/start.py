@@ -19,7 +19,7 @@ class StartKind:
         return Ask("start", target, AtStart()) if target is not None else None
 
     def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
-        """*Find the tension in the string just after release.*"""
+        """As in: find the tension in the string just after release."""
         assert ask.target is not None
         phrases = ask.moment.phrases(words.mentions, released=words.released)
         return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))

@@ -24,7 +24,7 @@ class StateKind:
         return Ask("state", target, moment)
 
     def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
-        """*What is the speed of A 0.80 s after release?*"""
+        """As in: what is the speed of A 0.80 s after release?"""
         assert ask.target is not None
         phrases = ask.moment.phrases(words.mentions, released=words.released)
         return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))

@@ -18,7 +18,7 @@ class TimeToEventKind:
         return Ask("time_to_event", None, found[int(rng.integers(len(found)))]) if found else None
 
     def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
-        """*How long after release does B take to move 0.50 m?*"""
+        """As in: how long after release is B first 0.50 m from its starting point?"""
         del noun
         since = "release" if words.released else "t = 0"
         match ask.moment:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.questions import KINDS, MODES, Ask, Question, Words
+from sim2reason.questions import KINDS, MODES, Question, Words
 from sim2reason.questions.targets import targets
 from sim2reason.simulation.trace import Trace
 
@@ -31,20 +31,6 @@ def _drawn(rng: np.random.Generator) -> str:
     names = sorted({*KINDS} & {*SHARES})
     weights = np.array([SHARES[name] for name in names])
     return names[int(rng.choice(len(names), p=weights / weights.sum()))]
-
-
-def read(text: str, trace: Trace, words: Words) -> Ask | None:
-    """The question that a sentence asks about a motion, found by trying every phrase of every kind; None if no one.
-
-    Times and distances are read from the sentence; the rest must be word for word what `shapes` gives.
-    """
-    from sim2reason.questions.reading import candidates
-
-    for ask, noun in candidates(text, trace, words):
-        for shape in KINDS[ask.kind].shapes(ask, words, noun):
-            if shape[0].upper() + shape[1:] == text:
-                return ask
-    return None
 
 
 MODES.add("numeric", numeric)

@@ -77,8 +77,7 @@ class Grower:
         )
 
     def _strung(self, kind: type[Connection], path: tuple[Link, ...]) -> Connection:
-        drawn = draw(kind, self.rng, {}, given={"links": path})
-        return drawn
+        return draw(kind, self.rng, {}, given={"links": path})
 
     def _chance(self, chance: float) -> bool:
         return bool(self.rng.random() < chance)

@@ -1,0 +1,25 @@
+"""Prompts: the text of a scene, one question, one line on how to answer."""
+
+import numpy as np
+
+from sim2reason.dsl.measures import show_unit
+from sim2reason.dsl.speaker import Telling
+from sim2reason.questions import Question, Words
+
+FORMATS = (
+    "Give your answer in {unit}, to three significant figures, inside \\boxed{{}}.",
+    "State the answer in {unit} to three significant figures, inside \\boxed{{}}.",
+    "Write the final answer, in {unit} and to three significant figures, in \\boxed{{}}.",
+)
+
+
+def words_of(telling: Telling) -> Words:
+    """What questions need to know of a text."""
+    scene = telling.scene
+    return Words({address: telling.mention(address) for address in scene.bodies}, scene.starts_from_rest)
+
+
+def prompt(telling: Telling, question: Question, rng: np.random.Generator) -> str:
+    """The text of the scene, the question, and how to give the answer."""
+    form = FORMATS[int(rng.random() * len(FORMATS))].format(unit=show_unit(question.unit))
+    return f"{telling.text} {question.text} {form}"
