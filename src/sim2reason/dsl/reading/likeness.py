@@ -114,6 +114,8 @@ class _Rows:
             return ()
         rows = np.array(self._rows)
         product = rows @ np.linalg.pinv(self._kinetic()) @ rows.T
+        turning = np.array([label[0] == "turn" for label in self._labels])
+        product = np.where(turning[:, None] | turning, abs(product), product)  # no text tells which way a wheel turns
         product = np.round(product, 7) + 0.0
         labels: list[object] = list(self._labels)
         for _ in range(ROUNDS):
