@@ -6,7 +6,7 @@ from sim2reason.questions import KINDS, MODES, Question, Words
 from sim2reason.questions.targets import targets
 from sim2reason.simulation.trace import Trace
 
-SHARES = {"state": 0.25, "start": 0.25, "event": 0.3, "time_to_event": 0.2}  # at most 30 % states
+SHARES = {"state": 0.18, "start": 0.25, "event": 0.35, "time_to_event": 0.22}  # at most 30 % states in the end
 
 
 def numeric(trace: Trace, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
