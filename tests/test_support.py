@@ -1,5 +1,6 @@
 from pathlib import Path
 
+import pytest
 import readme
 
 TEXT = """
@@ -7,8 +8,9 @@ TEXT = """
 
 ```console
 $ pip install project
+$ echo one
+one
 $ echo one > here
-out of the command
 $ test -f here
 ```
 
@@ -19,7 +21,7 @@ $ not a command
 
 
 def test_commands_are_those_of_console_blocks_without_set_up() -> None:
-    assert list(readme.commands(TEXT)) == ["echo one > here", "test -f here"]
+    assert list(readme.commands(TEXT)) == ["echo one", "echo one > here", "test -f here"]
 
 
 def test_commands_run_in_one_folder_until_one_fails(tmp_path: Path) -> None:
@@ -27,3 +29,27 @@ def test_commands_run_in_one_folder_until_one_fails(tmp_path: Path) -> None:
     (tmp_path / "bad.md").write_text(TEXT.replace("test -f here", "exit 3"))
     assert readme.main(str(tmp_path / "good.md")) == 0
     assert readme.main(str(tmp_path / "bad.md")) == 3
+
+
+@pytest.mark.parametrize(
+    ("output", "printed", "fit"),
+    [
+        ((), "anything\n", True),
+        (("one", "two"), "one\ntwo\n", True),
+        (("one", "…", "three"), "one\ntwo\nand a half\nthree\n", True),
+        (("t = … s",), "t = 1.25 s\n", True),
+        (("one",), "two\n", False),
+        (("one",), "one\ntwo\n", False),
+    ],
+)
+def test_shown_output_is_compared(output: tuple[str, ...], printed: str, fit: bool) -> None:
+    assert readme.fits(output, printed) is fit
+
+
+def test_a_page_that_shows_something_else_fails_and_can_be_written_anew(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("```console\n$ echo new\nold\n$ echo here > there\n$ cat there\nnot here\n```\n", encoding="utf-8")
+    assert readme.main(str(page)) == 1
+    assert readme.main(str(page), write=True) == 0
+    assert page.read_text(encoding="utf-8").splitlines()[1:3] == ["$ echo new", "new"]
+    assert readme.main(str(page)) == 0

@@ -1,42 +1,99 @@
-"""Run the commands that a Markdown file shows, in order, in one new folder: ``python readme.py README.md``.
+"""Run the commands that a Markdown file shows, in order, in one new folder, and hold its output to what they print.
 
-A command is a line that begins with ``$ `` inside a block fenced as ``console``; what follows it is output.
+    python tests/support/readme.py README.md            fails where the page shows something else
+    python tests/support/readme.py README.md --write    writes what they print into the page
+
+A command is a line that begins with ``$ `` inside a block fenced as ``console``; what follows it is output, where
+``…`` stands for anything, on a line of its own for any lines. A command without output is only run.
 Lines of set-up (pip, git, make, cd) are left out: whoever runs this has done them.
 """
 
+import argparse
 import os
+import re
 import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 SET_UP = ("pip", "git", "make", "cd", "python3 -m venv", "source")
 
 
-def commands(text: str) -> Iterator[str]:
+@dataclass(frozen=True)
+class Shown:
+    """A command and the output that the page shows, with the lines between which that stands."""
+
+    command: str
+    output: tuple[str, ...]
+    start: int
+    stop: int
+
+
+def shown(text: str) -> Iterator[Shown]:
     """The commands of `text` in order."""
-    inside = False
-    for line in text.splitlines():
+    lines, inside, found = text.splitlines(), False, list[tuple[str, int]]()
+    for number, line in enumerate([*lines, "```"]):
+        if line.startswith("```") or (inside and line.startswith("$ ")):
+            for command, start in found:
+                yield Shown(command, tuple(lines[start:number]), start, number)
+            found = []
         if line.startswith("```"):
             inside = line == "```console"
         elif inside and line.startswith("$ ") and not line[2:].startswith(SET_UP):
-            yield line[2:]
+            found = [(line[2:], number + 1)]
 
 
-def main(path: str) -> int:
-    """Run them; the exit code of the first that fails, or 0."""
-    environ = os.environ | {"PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
+def commands(text: str) -> Iterator[str]:
+    """The commands of `text` in order, without what they print."""
+    return (found.command for found in shown(text))
+
+
+def fits(output: tuple[str, ...], printed: str) -> bool:
+    """Whether a program printed what the page shows."""
+    pattern = "".join(r"(?:.*\n)*?" if line == "…" else _line(line) for line in output)
+    return not output or re.fullmatch(pattern, "".join(line.rstrip() + "\n" for line in printed.splitlines())) is not None
+
+
+def _line(line: str) -> str:
+    return ".*".join(map(re.escape, line.rstrip().split("…"))) + r"\n"
+
+
+def main(path: str, *, write: bool = False) -> int:
+    """Run them; the exit code of the first that fails or prints something else, or 0."""
+    environ = os.environ | {"PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "100"}
+    text = Path(path).read_text(encoding="utf-8")
+    lines = text.splitlines()
     with tempfile.TemporaryDirectory() as folder:
-        for command in commands(Path(path).read_text(encoding="utf-8")):
-            sys.stdout.write(f"$ {command}\n")
+        for found in reversed(list(_run(text, folder, environ))) if write else _run(text, folder, environ):
+            seen, code, printed = found
+            sys.stdout.write(f"$ {seen.command}\n")
             sys.stdout.flush()
-            code = subprocess.run(command, shell=True, cwd=folder, env=environ, check=False).returncode
             if code:
-                sys.stdout.write(f"{path}: this command failed with exit code {code}: {command}\n")
+                sys.stdout.write(f"{printed}{path}: this command failed with exit code {code}: {seen.command}\n")
                 return code
+            if write and seen.output and "…" not in "".join(seen.output):
+                lines[seen.start : seen.stop] = [line.rstrip() for line in printed.splitlines()]
+            elif not write and not fits(seen.output, printed):
+                sys.stdout.write(f"{path}: this command prints something else now: {seen.command}\n{printed}")
+                return 1
+    if write:
+        Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
     return 0
 
 
+def _run(text: str, folder: str, environ: dict[str, str]) -> Iterator[tuple[Shown, int, str]]:
+    for found in shown(text):
+        done = subprocess.run(
+            found.command, shell=True, cwd=folder, env=environ, check=False, capture_output=True, text=True
+        )
+        yield found, done.returncode, done.stdout + (done.stderr if done.returncode else "")
+
+
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("path")
+    parser.add_argument("--write", action="store_true")
+    given = parser.parse_args()
+    sys.exit(main(given.path, write=given.write))
