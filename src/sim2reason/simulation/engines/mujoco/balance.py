@@ -2,7 +2,7 @@
 
 The solver gives a constraint the acceleration K·overlap − B·rate − R·force. So the limit of a string under
 tension must be overstepped a little, by R·f/K, and a body that friction holds must creep, at −R·f/B, or the
-acceleration is wrong. Both are found by iteration: solve, shift limits and speeds by what the forces say, solve
+acceleration is wrong; once it is known to stick, an equality locks it instead, and nothing creeps. Both are found by iteration: solve, shift limits and speeds by what the forces say, solve
 again. Each turn shrinks the error by about R, 1e-5. A sliding contact's force is µN, N from the turn before.
 """
 
@@ -30,6 +30,7 @@ class Demand:
     strings: Flags  # those that are just straight
     pairs: Flags  # those that touch
     sliding: Array  # of each contact: ±1 if it slides, else 0
+    locked: Flags  # contacts known to stick; the friction of the others that do not slide has its limit
     applied: Array  # joint forces, N
     targets: Array  # of each slot: the least acceleration at which its gap opens, m/s²
     normal: Array | None = None  # a first guess of the normal forces, N
@@ -37,9 +38,8 @@ class Demand:
 
 @dataclass(frozen=True)
 class Balance:
-    """What acts, and the creep that makes the library find it at once."""
+    """What acts."""
 
-    creep: Array  # joint velocities, m/s or rad/s
     a: Array
     forces: Array  # by slot, N
     rows: Integers
@@ -79,17 +79,17 @@ def _mixed(history: list[tuple[Array, Array]]) -> Array:
 
 def _turns(plant: Plant, demand: Demand, normal: Array) -> Balance:
     """Iterate overlaps and creep for given normal forces behind the friction."""
-    limits = np.where(demand.sliding == 0.0, plant.friction * normal, 0.0)
+    limits = np.where((demand.sliding == 0.0) & ~demand.locked, plant.friction * normal, 0.0)
     applied = demand.applied.copy()
     np.subtract.at(applied, plant.rubs, demand.sliding * plant.friction * normal)
-    plant.arm(demand.strings, demand.pairs, limits, applied)
+    plant.arm(demand.strings, demand.pairs, demand.locked, limits, applied)
     overlap, creep = np.full(plant.slots, LEAST), np.zeros(plant.size)
     last: Balance | None = None
     for turn in range(TURNS):
         plant.overlap(overlap)
         plant.load(demand.q, demand.v + creep)
         rows = plant.rows()
-        found = Balance(creep, plant.a, plant.forces(rows), rows)
+        found = Balance(plant.a, plant.forces(rows), rows)
         if last is not None and _same(found, last, CLOSE if turn < 5 else EQUAL):
             return found
         overlap, creep = _corrected(plant, demand, found, limits)
@@ -113,16 +113,17 @@ def _corrected(plant: Plant, demand: Demand, found: Balance, limits: Array) -> t
     """Overlaps and creep under which the forces found need no acceleration beyond the targets."""
     overlap = np.full(plant.slots, LEAST)
     if not len(found.rows):
-        return overlap, found.creep
+        return overlap, np.zeros(plant.size)
     soft, forces = plant.softness(), found.forces[found.rows]
     give, rate = soft.regularisation * forces, soft.gradient @ demand.v
-    friction = found.rows >= plant.grips.start
-    stiffness = np.where(friction, 1.0, soft.stiffness)
-    overlap[found.rows] = (give + demand.targets[found.rows] + soft.damping * rate) / stiffness
-    held = friction & (np.abs(forces) < np.append(np.zeros(plant.grips.start), limits)[found.rows])
+    stiff = soft.stiffness > 0.0
+    needed = (give + demand.targets[found.rows] + soft.damping * rate) / np.where(stiff, soft.stiffness, 1.0)
+    overlap[found.rows] = needed
+    overlap[: plant.grips.start] = np.maximum(overlap[: plant.grips.start], LEAST)
+    held = ~stiff & (np.abs(forces) < np.append(np.zeros(plant.grips.start), limits)[found.rows])
     if not held.any():
-        return np.maximum(overlap, LEAST), np.zeros(plant.size)
-    kept = ~friction | held
+        return overlap, np.zeros(plant.size)
+    kept = stiff | held
     speeds = np.where(held, -give / soft.damping - rate, 0.0)
     creep = np.linalg.lstsq(soft.gradient[kept], speeds[kept], rcond=1e-10)[0]
-    return np.maximum(overlap, LEAST), creep.astype(np.float64)
+    return overlap, creep.astype(np.float64)

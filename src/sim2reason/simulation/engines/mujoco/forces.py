@@ -12,7 +12,8 @@ from sim2reason.simulation.engines.mujoco.watch import STILL, TOUCHING, Watch
 
 SCALE = 1e-3  # an impact is solved for a thousandth of its velocities, so that no overlap is large
 FAINT = 1e-7  # of the largest load: no tension
-LIFT = 1e-6  # of the largest speed: a face is left only faster
+START = 1e-4  # m/s²; a contact at rest begins to slide only faster
+LIFT = 1e-6  # of the largest speed: a face is left, and a contact slides on after an impact, only faster
 
 
 class Mode(NamedTuple):
@@ -44,22 +45,41 @@ def settle(plant: Plant, watch: Watch, q: Array, v: Array, taut: Flags) -> Settl
     tight = (spare.value <= TOUCHING) & (np.abs(spare.rate) <= STILL)
     rough = plant.friction > 0.0
     sliding = np.where(rough, np.sign(v[plant.rubs]), 0.0)
-    none = np.zeros(len(plant.pairs), dtype=bool)
-    demand = Demand(q, v, tight, none, sliding, zero, np.zeros(plant.slots))
+    demand = _demand(plant, q, v, tight, sliding, zero)
+    last, found = _decide(plant, demand, START, FAINT * plant.load_scale)
+    a = found.a
+    lifted = tuple(int(i) for i in np.flatnonzero(a[plant.faces] > STILL))
+    still = tight & (np.abs(watch.strings(q, v, a).second) <= STILL)
+    held = rough & (v[plant.rubs] == 0.0) & (np.abs(a[plant.rubs]) <= STILL)
+    open_ended = _undetermined(plant, still, held, last.sliding)
+    mode = Mode(last.strings | (still & taut), last.sliding)
+    return Settled(mode, found, open_ended, lifted, _loose(plant, last.strings, last.sliding))
+
+
+def _demand(plant: Plant, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> Demand:
+    pairs, locked = np.zeros(len(plant.pairs), dtype=bool), np.zeros(len(plant.friction), dtype=bool)
+    return Demand(q, v, strings, pairs, sliding, locked, applied, np.zeros(plant.slots))
+
+
+def _decide(
+    plant: Plant, demand: Demand, start: float, faint: float, *, impact: bool = False
+) -> tuple[Demand, Balance]:
+    """Let the solver say what pulls and slides, and solve again with that alone.
+
+    A contact at rest slides if its friction is at its limit and it accelerates by more than `start`; a string pulls with more than `faint`.
+    In an impact all strings may pull: which jerks are small enough to leave out, nobody can tell.
+    """
     first = balance(plant, demand)
-    idle = taut & (np.abs(watch.strings(q, v, first.a).second) <= STILL)
-    pulling = tight & (first.forces[plant.strings] > FAINT * plant.load_scale)
-    started = rough & (sliding == 0.0) & (np.abs(first.a[plant.rubs]) > STILL)
-    rubbing = np.where(started, np.sign(first.a[plant.rubs]), sliding)
-    last = first
-    if started.any() or not np.array_equal(pulling, tight):
-        last = balance(plant, replace(demand, strings=pulling, sliding=rubbing, normal=first.forces[plant.presses]))
-    lifted = tuple(int(i) for i in np.flatnonzero(last.a[plant.faces] > STILL))
-    still = tight & (np.abs(watch.strings(q, v, last.a).second) <= STILL)
-    held = rough & (v[plant.rubs] == 0.0) & (np.abs(last.a[plant.rubs]) <= STILL)
-    open_ended = _undetermined(plant, still, held, rubbing)
-    mode = Mode(pulling | (tight & idle), rubbing)
-    return Settled(mode, last, open_ended, lifted, _loose(plant, pulling, rubbing))
+    pulling = demand.strings & ((first.forces[plant.strings] > faint) | impact)
+    resting = (plant.friction > 0.0) & (demand.sliding == 0.0)
+    if not resting.any() and np.array_equal(pulling, demand.strings):
+        return demand, first
+    normal, a = first.forces[plant.presses], first.a[plant.rubs]
+    at_limit = np.abs(first.forces[plant.grips]) >= plant.friction * normal - faint
+    started = resting & at_limit & (np.abs(a) > start)
+    sliding = np.where(started, np.sign(a), demand.sliding)
+    last = replace(demand, strings=pulling, sliding=sliding, locked=resting & ~started, normal=normal)
+    return last, balance(plant, last)
 
 
 def strike(plant: Plant, watch: Watch, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
@@ -76,12 +96,15 @@ def strike(plant: Plant, watch: Watch, q: Array, v: Array) -> tuple[Array, tuple
     targets[plant.hits] = SCALE * np.maximum(-restitution * gaps.rate, 0.0)
     plant.aim(watch.closing(q))
     plant.loads(on=False)
-    demand = Demand(q, zero, full, touching, np.zeros(len(plant.friction)), SCALE * plant.mass @ v, targets)
-    found = balance(plant, demand)
+    momenta, fast = SCALE * plant.mass @ v, float(np.abs(v).max())
+    demand = _demand(plant, q, zero, full, np.zeros(len(plant.friction)), momenta)
+    demand = replace(demand, pairs=touching, targets=targets)
+    last, found = _decide(plant, demand, LIFT * SCALE * fast, FAINT * float(np.abs(momenta).max()), impact=True)
     plant.loads(on=True)
     after = found.a / SCALE
-    lifted = tuple(int(i) for i in np.flatnonzero(after[plant.faces] > LIFT * np.abs(v).max()))
+    lifted = tuple(int(i) for i in np.flatnonzero(after[plant.faces] > LIFT * fast))
     after[plant.faces] = 0.0
+    after[plant.rubs[last.locked]] = 0.0
     return after, lifted
 
 

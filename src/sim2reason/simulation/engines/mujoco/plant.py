@@ -52,6 +52,7 @@ class Plant:
         self.paths: Integers = np.array([t.id for t in spec.paths], dtype=np.intp)
         self.tendons: Integers = np.array([t.id for t in spec.strings], dtype=np.intp)
         self.pairs: Integers = np.array([t.id for t in spec.pairs], dtype=np.intp)
+        self.locks: Integers = np.array([e.id for e in spec.locks], dtype=np.intp)
         self.strings = slice(0, len(self.tendons))
         self.hits = slice(self.strings.stop, self.strings.stop + len(self.pairs))
         self.presses = slice(self.hits.stop, self.hits.stop + len(self.faces))
@@ -62,12 +63,15 @@ class Plant:
         self._slot_of_row = self._number_rows()
         self._lengths: Array = np.zeros(int(model.ntendon))
         self._heights: Array = np.zeros(len(self.faces))
+        self._places: Array = np.zeros(len(self.rubs))
         self._begin(spec)
 
     def _number_rows(self) -> NDArray[np.intp]:
         """Slots by the library's type of constraint and number of joint or tendon."""
-        table = np.zeros((16, max(self.size, int(self._model.ntendon), 1)), dtype=np.intp)
+        most = max(self.size, int(self._model.ntendon), int(self._model.neq), 1)
+        table = np.zeros((16, most), dtype=np.intp)
         kinds = mujoco.mjtConstraint
+        table[int(kinds.mjCNSTR_EQUALITY), self.locks] = np.arange(self.grips.start, self.grips.stop)
         table[int(kinds.mjCNSTR_FRICTION_DOF), self.rubs] = np.arange(self.grips.start, self.grips.stop)
         table[int(kinds.mjCNSTR_LIMIT_JOINT), self.faces] = np.arange(self.presses.start, self.presses.stop)
         table[int(kinds.mjCNSTR_LIMIT_TENDON), self.tendons] = np.arange(self.strings.stop)
@@ -135,7 +139,7 @@ class Plant:
         self._data.qpos[:] = q
         mujoco.mj_fwdPosition(self._model, self._data)
         self._lengths = np.array(self._data.ten_length)
-        self._heights = np.array(q[self.faces])
+        self._heights, self._places = np.array(q[self.faces]), np.array(q[self.rubs])
 
     def overlap(self, overlaps: Array) -> None:
         """Shift every limit, by slot, so that it is overstepped by this much, m, where `stand` was told of."""
@@ -143,17 +147,19 @@ class Plant:
         ranges[self.tendons, 1] = self._lengths[self.tendons] - overlaps[self.strings]
         ranges[self.pairs, 1] = self._lengths[self.pairs] - overlaps[self.hits]
         self._model.jnt_range[self.faces, 0] = self._heights + overlaps[self.presses]
+        self._model.eq_data[self.locks, 0] = self._places + overlaps[self.grips]
 
     def aim(self, gradients: Array) -> None:
         """Give the pairs the gradients of their gaps, (pairs, joints)."""
         for tendon, gradient in zip(self.pairs, gradients, strict=True):
             self._fill(int(tendon), -gradient)
 
-    def arm(self, strings: Flags, pairs: Flags, limits: Array, applied: Array) -> None:
-        """Say which strings and pairs may act, the friction limit of each contact, and further joint forces, N."""
+    def arm(self, strings: Flags, pairs: Flags, locked: Flags, limits: Array, applied: Array) -> None:
+        """Say which strings, pairs and locks may act, the friction limit of each contact, and further forces, N."""
         model = self._model
         model.tendon_limited[self.tendons] = strings
         model.tendon_limited[self.pairs] = pairs
+        self._data.eq_active[self.locks] = locked
         model.dof_frictionloss[self.rubs] = limits
         self._data.qfrc_applied[:] = applied
 
@@ -178,12 +184,12 @@ class Plant:
 
     @property
     def q(self) -> Array:
-        """Joint positions, with what its soft friction has crept."""
+        """Joint positions, m or rad."""
         return np.array(self._data.qpos)
 
     @property
     def v(self) -> Array:
-        """Joint velocities, with the creep of its soft friction."""
+        """Joint velocities."""
         return np.array(self._data.qvel)
 
     @property

@@ -3,7 +3,7 @@
 Bodies move by slide and hinge joints. Each string is a tendon with an upper limit: through its sites, or, if
 it turns massive pulleys, a sum of joint positions whose coefficients are filled in later. A body on a face has
 one more slide joint, along the face's normal, with a lower limit: the limit's force is the normal force.
-Friction is the joint's `frictionloss`. A pull is a motor on a tendon. Each pair that may collide has a tendon
+Friction is the joint's `frictionloss`, or an equality while the body sticks. A pull is a motor on a tendon. Each pair that may collide has a tendon
 of joint positions, which acts in impacts alone.
 """
 
@@ -47,6 +47,7 @@ class Specification:
         for pull in self.carriers[len(mechanism.strings) :]:
             self._motor(pull)
         self.pairs = [self._sum(f"pair{number}") for number in range(len(mechanism.collisions))]
+        self.locks = [self._lock(self.joints[c.along]) for c in mechanism.contacts.values()]
 
     def compile(self) -> tuple[Any, Any]:
         """The library's model and data; SimulationError for what it refuses."""
@@ -114,6 +115,13 @@ class Specification:
             path.wrap_site(self.sites[name].name)
         self.paths.append(path)
         self.carriers.append(self._sum(self._name("sum")) if line.wheels else path)
+
+    def _lock(self, joint: Element) -> Element:
+        """What holds a joint where it is, while the engine says that it sticks."""
+        lock = self.spec.add_equality(type=mujoco.mjtEq.mjEQ_JOINT, name1=joint.name, active=False)
+        lock.objtype = mujoco.mjtObj.mjOBJ_JOINT
+        lock.solref, lock.solimp = (2.0 * STEP, 1.0), (IMPEDANCE, IMPEDANCE, 0.001, 0.5, 2.0)
+        return lock
 
     def _motor(self, tendon: Element) -> None:
         actuator = self.spec.add_actuator(name=f"motor{tendon.name}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
