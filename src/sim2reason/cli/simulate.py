@@ -46,6 +46,8 @@ def command(
     path: Path, engine: str, duration: float, samples: int, out: Path | None, to_json: bool, patience: float
 ) -> int:
     """Simulate the scene in the file SCENE, or on standard input if it is ``-``."""
+    if not isfinite(duration):  # click lets NaN through
+        raise click.BadParameter("give a finite number of seconds.", param_hint="--duration")
     content = source.text(path)
     source.scene(path, content)  # what is wrong with the file is said here, with its name
     part = out.with_name(f"{out.name}.part") if out is not None else None
