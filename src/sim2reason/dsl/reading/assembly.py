@@ -3,10 +3,12 @@
 from typing import Any
 
 import numpy as np
+from pydantic import ValidationError
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.mistakes import explained
 from sim2reason.dsl.model import FieldType, M, Model, field_types
 from sim2reason.dsl.reading.heard import Heard, Strung
 from sim2reason.dsl.scene import Named, Scene, World
@@ -35,7 +37,10 @@ def _model(heard: Heard, address: str, kind: type[M], rng: np.random.Generator) 
     fields: dict[str, Any] = {}
     for name, held in field_types(kind).items():
         fields[name] = _field(heard, f"{address}.{name}", kind, held, rng)
-    return kind(**fields)
+    try:
+        return kind(**fields)
+    except ValidationError as error:
+        raise explained(kind, error, address) from None
 
 
 def _field(heard: Heard, address: str, kind: type[Model], held: FieldType, rng: np.random.Generator) -> Any:

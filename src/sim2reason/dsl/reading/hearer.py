@@ -75,6 +75,8 @@ class Hearer:
             yield from self._just(text, at, slot.text, heard)
         elif slot.kind == "count":
             yield from self._count(text, at, _join(owner, slot.path), heard)
+        elif slot.kind == "plural":
+            yield from self._plural(text, at, _join(owner, slot.path), heard)
         elif slot.kind in ("agree", "some"):
             yield from self._forms(text, at, slot, owner, heard)
         elif slot.kind == "member":
@@ -99,10 +101,17 @@ class Hearer:
             if then is not None:
                 yield from self._just(text, at, COUNT_WORDS[count], then)
 
+    def _plural(self, text: str, at: int, address: str, heard: Heard) -> Iterator[Found]:
+        for kind in thing_at(heard, address).models:
+            if issubclass(kind, Body):
+                for noun in _nouns(kind, heard):
+                    yield from self._just(text, at, f"{noun}s", heard.calling(kind, noun))
+
     def _forms(self, text: str, at: int, slot: Slot, owner: str, heard: Heard) -> Iterator[Found]:
-        """Agreement: one or several; none or some."""
+        """Agreement: one, two or more; none or some."""
         address, least = _join(owner, slot.path), 1 if slot.kind == "agree" else 0
-        for form, low, high in ((slot.one, least, least), (slot.many, least + 1, MANY)):
+        several = ((slot.two, 2, 2), (slot.many, 3, MANY)) if slot.two != slot.many else ((slot.many, least + 1, MANY),)
+        for form, low, high in ((slot.one, least, least), *several):
             then = heard.counted(address, low, high)
             if then is not None:
                 yield from self.template(text, at, form, owner, then)

@@ -55,7 +55,7 @@ def read(text: str, rng: np.random.Generator | None = None) -> Reading:
         except TextError as error:
             refused.append(error)
         except (SceneError, UnsupportedError, ValueError) as error:
-            refused.append(TextError("text", "it tells a scene that can not be", " ".join(str(error).split())))
+            refused.append(TextError("text", "it tells a scene that can not be", str(error)))
     return _only(list(found.values()), refused, hearer)
 
 
