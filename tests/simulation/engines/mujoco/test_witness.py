@@ -10,9 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import machines
-from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.builder import Builder, scale
 from sim2reason.dsl.mechanism import Mechanism, X, Z
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 from sim2reason.simulation.certify import compare
 from sim2reason.simulation.engines.exact import simulate as exactly
 from sim2reason.simulation.engines.mujoco import simulate
@@ -169,3 +170,35 @@ def test_the_library_is_loaded_only_when_something_is_simulated() -> None:
     code = "import sys; from sim2reason.simulation.trace import ENGINES; ENGINES['exact']"
     code += "; sys.exit('mujoco' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_structure_with_too_many_supports_stays_put() -> None:
+    """Three rough blocks on a slope, tied to each other and to its top: what creeps would part from rest."""
+    builder = Builder()
+    room = builder.room()
+    uphill, out = machines.face(25.0)
+    room.site("nail")
+    hooks = ["nail"]
+    for number, mass in enumerate((2.0, 12.0, 5.0), start=1):
+        block = room.body(f"block{number}", mass, at=scale(-float(number), uphill))
+        block.rest(uphill, out, 0.6).site(f"hook{number}")
+        room.string(f"link{number}", hooks[-1], f"hook{number}")
+        hooks.append(f"hook{number}")
+    trace = simulate(builder.finish(), np.linspace(0.0, 20.0, 21))
+    assert trace.events == ()
+    assert np.abs(trace.state.q).max() <= 1e-9
+    assert all(np.isnan(values).all() for values in trace.state.friction.values())
+
+
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+@pytest.mark.parametrize("recipe", sorted(RECIPES))
+def test_engines_agree_on_scenes_of_every_recipe(recipe: str, difficulty: Difficulty) -> None:
+    for seed in range(8):
+        try:
+            mechanism = RECIPES[recipe](difficulty, np.random.default_rng(seed)).mechanism
+            recorded = exactly(mechanism, TIMES)
+        except (SceneError, SimulationError, UnsupportedError):
+            continue
+        certificate = compare(recorded, simulate(mechanism, TIMES))
+        assert not any(text in certificate.reason for text in DISAGREE), (seed, certificate.reason)
+        assert max(certificate.agreement.values(), default=0.0) <= 1e-6

@@ -2,8 +2,9 @@
 
 The solver gives a constraint the acceleration K·overlap − B·rate − R·force. So the limit of a string under
 tension must be overstepped a little, by R·f/K, and a body that friction holds must creep, at −R·f/B, or the
-acceleration is wrong; once it is known to stick, an equality locks it instead, and nothing creeps. Both are found by iteration: solve, shift limits and speeds by what the forces say, solve
-again. Each turn shrinks the error by about R, 1e-5. A sliding contact's force is µN, N from the turn before.
+acceleration is wrong; once it is known to stick, an equality locks it instead, and nothing creeps. All this
+is found by iteration: solve, shift limits and speeds by what the forces say, solve again. Each turn shrinks
+the error by about R, 1e-5. A sliding contact's force is µN, N from the turn before.
 """
 
 from dataclasses import dataclass

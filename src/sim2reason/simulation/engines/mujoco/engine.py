@@ -180,7 +180,7 @@ class Motion:
         if self.steps > STEPS:
             raise SimulationError("MuJoCo: the budget of steps is used up")
         self.plant.check()
-        if not self.watch.check_straight():
+        if self.watch.bent():
             raise UnsupportedError("a string bends as it moves")
 
     def _finish(self, ends: Array) -> bool:

@@ -66,8 +66,8 @@ def _decide(
 ) -> tuple[Demand, Balance]:
     """Let the solver say what pulls and slides, and solve again with that alone.
 
-    A contact at rest slides if its friction is at its limit and it accelerates by more than `start`; a string pulls with more than `faint`.
-    In an impact all strings may pull: which jerks are small enough to leave out, nobody can tell.
+    A contact at rest slides if its friction is at its limit and it accelerates by more than `start`; a string
+    pulls with more than `faint`, but in an impact all may: no jerk is small enough to be left out.
     """
     first = balance(plant, demand)
     pulling = demand.strings & ((first.forces[plant.strings] > faint) | impact)

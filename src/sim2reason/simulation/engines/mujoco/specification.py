@@ -3,8 +3,8 @@
 Bodies move by slide and hinge joints. Each string is a tendon with an upper limit: through its sites, or, if
 it turns massive pulleys, a sum of joint positions whose coefficients are filled in later. A body on a face has
 one more slide joint, along the face's normal, with a lower limit: the limit's force is the normal force.
-Friction is the joint's `frictionloss`, or an equality while the body sticks. A pull is a motor on a tendon. Each pair that may collide has a tendon
-of joint positions, which acts in impacts alone.
+Friction is the joint's `frictionloss`, or an equality while the body sticks. A pull is a motor on a tendon.
+Each pair that may collide has a tendon of joint positions, which acts in impacts alone.
 """
 
 from importlib import import_module

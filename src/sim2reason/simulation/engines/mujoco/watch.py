@@ -19,6 +19,7 @@ TOUCHING = 1e-8  # m; less is no distance
 STILL = 1e-7  # m/s or m/s²; less is no speed, what rounding and the solver's tolerance leave
 STRAIGHT = 1e-18  # m²/s² or m²/s⁴; of what is square to the line of centres: nothing
 DEPTH = 1e-11  # m; bodies that overlap by less only touch
+NEARLY = 1e-5  # m; sites that are nearer than that may be about to meet
 BENT = 1e-6  # m; by how much a string's length may differ from that of a straight one
 MOVES = 1e-9  # an entry of a gradient that is not rounding
 
@@ -170,10 +171,15 @@ class Watch:
             return 0.0
         return depth / -rate if 0.0 < depth < -rate * duration else 0.5 * duration
 
-    def check_straight(self) -> bool:
-        """Whether the strings through the sites are as long as the gradients of the start say."""
+    def bent(self) -> bool:
+        """Whether a string through its sites is not as long as the gradients of the start say.
+
+        What has come within a hair of its end is not looked at: there a run may have passed through nothing.
+        """
         plant = self._plant
-        return bool(np.all(np.abs(plant.lengths - plant.bare @ plant.q) <= BENT))
+        if np.all(np.abs(plant.lengths - plant.bare @ plant.q) <= BENT):
+            return False
+        return bool(np.all(self.finish(plant.q, plant.v, plant.v).value > NEARLY))
 
 
 def _stops(speed: Array, acceleration: Array) -> Array:
