@@ -27,6 +27,7 @@ class Plane(Body):
         "downhill": Word("angle", {0.0: "to the left along the plane"}, "down the slope"),
         "above": Word("angle", {0.0: "from the right"}, "from above, along the slope"),
         "below": Word("angle", {0.0: "from the left"}, "from below, along the slope"),
+        "lower": Word("angle", {0.0: "on the left"}, "lower down"),
         "order": Word("angle", {0.0: "left to right"}, "the lowest to the highest"),
     }
 

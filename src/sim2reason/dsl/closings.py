@@ -29,11 +29,20 @@ def _has_massive_pulley(scene: Scene) -> bool:
     return any(mass > 0.0 for mass in _pulleys(scene))
 
 
-def _has_light_pulleys_only(scene: Scene) -> bool:
-    """Small pulleys at corners count, too: strings that turn have more than two sites."""
+def _turns(scene: Scene) -> int:
+    """How many pulleys there are to speak of; small ones at corners count, too, each once for both its sides."""
     mechanism = scene.mechanism
-    turns = any(len(line.through) > 2 for line in (*mechanism.strings, *mechanism.pulls))
-    return (turns or bool(_pulleys(scene))) and not _has_massive_pulley(scene)
+    corners = {site for line in (*mechanism.strings, *mechanism.pulls) for site in line.through[1:-1]}
+    wheels = {f"{address}." for address, body in scene.bodies.items() if body.nouns[0] == "pulley"}
+    return len(wheels) + len({corner for corner in corners if corner.rpartition(".")[0] + "." not in wheels})
+
+
+def _has_one_light_pulley(scene: Scene) -> bool:
+    return _turns(scene) == 1 and not _has_massive_pulley(scene)
+
+
+def _has_light_pulleys(scene: Scene) -> bool:
+    return _turns(scene) > 1 and not _has_massive_pulley(scene)
 
 
 def _has_strings(scene: Scene) -> bool:
@@ -45,11 +54,11 @@ def _has_room(scene: Scene) -> bool:
 
 
 def _has_faces(scene: Scene) -> bool:
-    return bool(scene.mechanism.contacts) and not _has_strings(scene)
+    return bool(scene.mechanism.contacts) and _turns(scene) == 0
 
 
 def _has_both(scene: Scene) -> bool:
-    return bool(scene.mechanism.contacts) and _has_strings(scene)
+    return bool(scene.mechanism.contacts) and _turns(scene) > 0
 
 
 def _weighs(scene: Scene) -> bool:
@@ -65,14 +74,23 @@ CLOSINGS: tuple[Closing, ...] = (
         _from_rest,
         (
             "everything is released from rest.",
-            "all bodies start from rest.",
-            "the bodies are let go from rest.",
+            "everything starts from rest.",
+            "everything is let go from rest.",
             "the motion starts from rest.",
         ),
     ),
     Closing(
+        "light pulley",
+        _has_one_light_pulley,
+        (
+            "the pulley turns without friction.",
+            "there is no friction at the pulley.",
+            "friction at the pulley is negligible.",
+        ),
+    ),
+    Closing(
         "light pulleys",
-        _has_light_pulleys_only,
+        _has_light_pulleys,
         (
             "no pulley has friction.",
             "pulleys turn without friction.",

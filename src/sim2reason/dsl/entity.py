@@ -123,7 +123,7 @@ def declared_numbers(cls: type[Part]) -> set[str]:
 
 def tells(cls: type[Part], slot: Slot) -> set[str]:
     """The declared numbers that a slot tells; TypeError for a path that leads nowhere."""
-    if slot.kind in ("text", "agree", "some", "count"):
+    if slot.kind in ("text", "agree", "some", "count", "plural"):
         if slot.path and slot.path.split(".")[0] not in cls.model_fields:
             raise TypeError(f"{cls.__name__}: {slot.path!r} is not declared")
         return set()

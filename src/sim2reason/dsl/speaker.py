@@ -212,10 +212,9 @@ class Speaker:
         part = self.scene.value(address) if address else self.scene
         if slot.kind in ("agree", "some", "count"):
             count = len(_resolve(part, slot.path))
-            first = count == (1 if slot.kind == "agree" else 0)
-            return (
-                COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.one if first else slot.many, address)
-            )
+            return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.form(count), address)
+        if slot.kind == "plural":
+            return f"{self.names.noun(_resolve(part, slot.path)[0])}s"
         if slot.kind == "member":
             return self._mention(f"{address}.{slot.text}.{_resolve(part, slot.path)}", start=start)
         where = _canonical(part, slot.path)

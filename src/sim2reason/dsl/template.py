@@ -5,7 +5,8 @@
 {blocks.last}        one of them: first, last, or * for each in turn
 {plane.angle}        a number with its unit
 {plane.uphill}       a word that depends on a number
-{blocks:lies/lie}    the form for one and the form for several
+{blocks:lies/lie}    the form for one and the form for several; or for one, for two and for more
+{blocks:s}           what its members are called, in the plural: blocks
 {blocks:#}           how many, as a word
 {pairs?/ other}      the form for none and the form for any
 {pairs.*.a>blocks}   the member of `blocks` whose index is the number at `pairs.*.a`
@@ -19,7 +20,7 @@ from typing import Literal
 
 COUNT_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight")
 
-Kind = Literal["text", "path", "agree", "some", "count", "member"]
+Kind = Literal["text", "path", "agree", "some", "count", "plural", "member"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +31,14 @@ class Slot:
     text: str = ""
     path: str = ""
     one: str = ""
+    two: str = ""
     many: str = ""
+
+    def form(self, count: int) -> str:
+        """The form that agrees with a count."""
+        if self.kind == "some":
+            return self.many if count else self.one
+        return (self.one, self.two)[count - 1] if count in (1, 2) else self.many
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,11 +126,15 @@ def _slot(inside: str) -> Slot:
         return Slot("path", path=path)
     if rest == ":#":
         return Slot("count", path=path)
+    if rest == ":s":
+        return Slot("plural", path=path)
     if rest.startswith(">"):
         return Slot("member", rest[1:], path)
     if rest[0] in ":?" and "/" in rest:
-        one, many = rest[1:].split("/", 1)
-        return Slot("agree" if rest[0] == ":" else "some", path=path, one=one, many=many)
+        one, *several = rest[1:].split("/")
+        if len(several) > 1 + (rest[0] == ":"):
+            raise ValueError(f"too many forms: {{{inside}}}")
+        return Slot("agree" if rest[0] == ":" else "some", path=path, one=one, two=several[0], many=several[-1])
     raise ValueError(f"not a slot: {{{inside}}}")
 
 

@@ -46,9 +46,9 @@ class TwoDCollisionPlane(Entity):
     }
     says = (
         either(
-            "{pucks:#} smooth round bodies of radius {radius} slide on {table}; {table.axes}.",
-            "on {table} slide {pucks:#} smooth round bodies, each of radius {radius}; {table.axes}.",
-            "{table} carries {pucks:#} smooth round bodies of radius {radius}, and {table.axes}.",
+            "{pucks:#} smooth {pucks:s} of radius {radius} slide on {table}; {table.axes}.",
+            "on {table} slide {pucks:#} smooth {pucks:s}, each of radius {radius}; {table.axes}.",
+            "{table} carries {pucks:#} smooth {pucks:s} of radius {radius}; {table.axes}.",
         ),
         each(
             "pucks",

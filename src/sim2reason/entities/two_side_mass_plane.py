@@ -19,13 +19,13 @@ class TwoSideMassPlane(Entity):
 
     says = (
         either(
-            "{blocks} {blocks:lies/lie} on {plane}{blocks:/, joined in this order, from {plane.order}, by light strings}.",
-            "on {plane} {blocks:lies/lie} {blocks}{blocks:/, in this order from {plane.order} and joined by light strings}.",
-            "{plane} carries {blocks}{blocks:/, in a row from {plane.order} and joined by light strings}.",
+            "{blocks} {blocks:lies/lie} on {plane}{blocks:/, with {blocks.first} {plane.lower} and a light string between them/, joined in this order, from {plane.order}, by light strings}.",
+            "on {plane} {blocks:lies/lie} {blocks}{blocks:/, {blocks.first} {plane.lower}, joined by a light string/, in this order from {plane.order} and joined by light strings}.",
+            "{plane} carries {blocks}{blocks:/, {blocks.first} {plane.lower}, with a light string between them/, in a row from {plane.order} and joined by light strings}.",
         ),
         either(
-            "the coefficient of friction (static and kinetic) between {blocks} and the plane is {plane.friction}.",
-            "between {blocks} and the plane the coefficient of friction, static and kinetic, is {plane.friction}.",
+            "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
+            "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
             "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
         ),
         either(

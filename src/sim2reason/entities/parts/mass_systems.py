@@ -38,9 +38,9 @@ class Hanging(MassSystem):
 
     says = (
         either(
-            "{blocks} {blocks:hangs freely/hang freely, each from the one before by a light string}.",
-            "{blocks} {blocks:hangs in the air/hang in the air one below the other in this order, joined by light strings}.",
-            "in the air {blocks:hangs/hang} {blocks}{blocks:/, in this order from the top down, joined by light strings}.",
+            "{blocks} {blocks:hangs freely/hang freely, {blocks.last} below {blocks.first} on a light string/hang freely one below the other in this order, joined by light strings}.",
+            "{blocks} {blocks:hangs vertically/hang vertically with {blocks.first} on top, joined by a light string/hang vertically in this order from the top down, joined by light strings}.",
+            "a hanging load consists of {blocks}{blocks:/, {blocks.last} below {blocks.first} on a light string/, in this order from the top down, joined by light strings}.",
         ),
     )
     tail = End(
@@ -68,13 +68,13 @@ class OnPlane(MassSystem):
 
     says = (
         either(
-            "{blocks} {blocks:lies/lie} on {plane}{blocks:/, joined in this order, from {plane.order}, by light strings}.",
-            "on {plane} {blocks:lies/lie} {blocks}{blocks:/, in this order from {plane.order} and joined by light strings}.",
-            "{blocks} {blocks:rests/rest} on {plane}{blocks:/, in a row from {plane.order} and joined by light strings}.",
+            "{blocks} {blocks:lies/lie} on {plane}{blocks:/, with {blocks.first} {plane.lower} and a light string between them/, joined in this order, from {plane.order}, by light strings}.",
+            "on {plane} {blocks:lies/lie} {blocks}{blocks:/, {blocks.first} {plane.lower}, joined by a light string/, in this order from {plane.order} and joined by light strings}.",
+            "{blocks} {blocks:rests/rest} on {plane}{blocks:/, {blocks.first} {plane.lower}, with a light string between them/, in a row from {plane.order} and joined by light strings}.",
         ),
         either(
-            "the coefficient of friction (static and kinetic) between {blocks} and the plane is {plane.friction}.",
-            "between {blocks} and the plane the coefficient of friction, static and kinetic, is {plane.friction}.",
+            "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
+            "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
             "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
         ),
     )
@@ -103,13 +103,13 @@ class OnWedge(MassSystem):
             "on a smooth floor, free to slide, stands {wedge}.",
         ),
         either(
-            "{blocks} {blocks:rests/rest} on its face{blocks:/, joined in this order, from the lowest to the highest, by light strings}.",
-            "its face carries {blocks}{blocks:/, joined in this order, from the lowest to the highest, by light strings}.",
-            "on its face {blocks:lies/lie} {blocks}{blocks:/, in this order from the lowest to the highest and joined by light strings}.",
+            "{blocks} {blocks:rests/rest} on its face{blocks:/, with {blocks.first} lower down and a light string between them/, joined in this order, from the lowest to the highest, by light strings}.",
+            "its face carries {blocks}{blocks:/, with {blocks.first} lower down and a light string between them/, joined in this order, from the lowest to the highest, by light strings}.",
+            "on its face {blocks:lies/lie} {blocks}{blocks:/, {blocks.first} lower down, joined by a light string/, in this order from the lowest to the highest and joined by light strings}.",
         ),
         either(
-            "the coefficient of friction (static and kinetic) between {blocks} and the wedge is {wedge.friction}.",
-            "between {blocks} and the wedge the coefficient of friction, static and kinetic, is {wedge.friction}.",
+            "the coefficient of friction (static and kinetic) on this face is {wedge.friction}.",
+            "on this face the coefficient of friction, static and kinetic, is {wedge.friction}.",
             "friction on this face, static and kinetic, has the coefficient {wedge.friction}.",
         ),
     )
