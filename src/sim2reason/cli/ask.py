@@ -2,13 +2,13 @@
 
 from collections import Counter
 from pathlib import Path
+from textwrap import fill
 
 import click
 
-from sim2reason.cli import console
+from sim2reason.cli import console, source
 from sim2reason.datasets.draws import generator
-from sim2reason.datasets.make import Asking, ask
-from sim2reason.dsl.files import load
+from sim2reason.datasets.interview import Asking, Interview
 from sim2reason.questions import MODES
 
 EXAMPLE = """\b
@@ -16,39 +16,50 @@ Example:
     sim2reason ask scene.yaml -n 5 --seed 0
 """
 TRIES = 10  # for each question that is wanted
+WIDTH = 100
 
 
 @click.command("ask", epilog=EXAMPLE)
-@click.argument("scene", type=click.Path(path_type=Path))
+@click.argument("path", metavar="SCENE", type=click.Path(path_type=Path, allow_dash=True))
 @click.option("--mode", default="numeric", show_default=True, help="What is unknown; see: sim2reason list modes.")
 @click.option("-n", "count", type=click.IntRange(1, 1000), default=5, show_default=True, help="How many questions.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Another seed, other questions.")
-@click.option("--json", "to_json", is_flag=True, help="For a program to read.")
-def command(scene: Path, mode: str, count: int, seed: int, *, to_json: bool) -> int:
+@click.option("--json", "to_json", is_flag=True, help="For a program to read: whole prompts.")
+def command(path: Path, mode: str, count: int, seed: int, *, to_json: bool) -> int:
     """Ask questions about the scene in the file SCENE; only those that pass every filter."""
-    loaded, asked = load(scene), MODES[mode]
+    asked, interview = MODES[mode], Interview(source.scene(path), seed)
     refused: Counter[str] = Counter()
     found: dict[str, Asking] = {}
     for attempt in range(TRIES * count):
-        asking = ask(loaded, asked, generator("ask", mode, seed, attempt), refused)
+        asking = interview.ask(asked, generator("ask", mode, seed, attempt), refused)
         if asking is not None:
             found.setdefault(asking.question.text, asking)
         if len(found) == count:
             break
     if to_json:
         console.as_json([_document(asking) for asking in found.values()])
-    for asking in () if to_json else found.values():
-        click.echo(f"{asking.prompt}\n\nAnswer: {asking.question.answer:.6g} {asking.question.unit}\n")
+    else:
+        _tell(interview.telling.text, list(found.values()))
     if len(found) < count:
         said = ", ".join(f"{number} {name}" for name, number in sorted(refused.items()))
         console.explain(f"sim2reason: {len(found)} of {count} questions; refused: {said or 'none'}")
     return 0 if found else 1
 
 
+def _tell(text: str, found: list[Asking]) -> None:
+    """The text of the scene, once, and its questions with their answers."""
+    for line in text.splitlines():
+        click.echo(line if line.startswith("|") else fill(line, WIDTH, break_on_hyphens=False))
+    for number, asking in enumerate(found, start=1):
+        question = asking.question
+        click.echo(f"\n{number}. {question.text}\n   Answer: {question.answer:.4g} {question.unit}".rstrip())
+
+
 def _document(asking: Asking) -> dict[str, object]:
     question = asking.question
     return {
         "prompt": asking.prompt,
+        "question": question.text,
         "answer": question.answer,
         "unit": question.unit,
         "sign": question.sign,

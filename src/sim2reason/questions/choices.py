@@ -27,11 +27,6 @@ def pick(targets: Mapping[str, Target], rng: np.random.Generator) -> Target | No
     return found[int(rng.choice(len(found), p=weights / weights.sum()))]
 
 
-def varying(targets: Mapping[str, Target]) -> dict[str, Target]:
-    """All that can be asked at a time; every quantity is worth it, forces too, since contacts and strings change."""
-    return dict(targets)
-
-
 def immediate(targets: Mapping[str, Target]) -> dict[str, Target]:
     """What differs from zero at once."""
     return {phrase: target for phrase, target in targets.items() if target.quantity in AT_ONCE}

@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.questions import KINDS, Ask, Target, Words
-from sim2reason.questions.choices import happenings, pick, varying
+from sim2reason.questions.choices import happenings, pick
 from sim2reason.questions.moments import Moved
 from sim2reason.questions.phrasing import asking
 from sim2reason.simulation.trace import Trace
@@ -18,7 +18,7 @@ class EventKind:
         if not found:
             return None
         moment = found[int(rng.integers(len(found)))]
-        offered = varying(targets)
+        offered = targets
         if isinstance(moment, Moved):  # how far it is then, the question itself says
             offered = {
                 p: t for p, t in offered.items() if not (t.quantity == "displacement" and t.subject == moment.body)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.questions import KINDS, Ask, Target, Words
-from sim2reason.questions.choices import apart, pick, varying
+from sim2reason.questions.choices import apart, pick
 from sim2reason.questions.moments import AtTime, spoken
 from sim2reason.questions.phrasing import asking
 from sim2reason.simulation.trace import Trace
@@ -17,7 +17,7 @@ class StateKind:
     def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
         """A time away from events, and a quantity that changes over the motion."""
         del words
-        target = pick(varying(targets), rng)
+        target = pick(targets, rng)
         moment = AtTime(spoken(rng.uniform(EARLIEST, LATEST) * trace.stable_until))
         if target is None or moment.time(trace) is None or not apart(moment.after, trace):
             return None
