@@ -9,7 +9,7 @@ from sim2reason.simulation.engines.exact.balance import Balance, balance, lifted
 from sim2reason.simulation.engines.exact.equations import TOUCHING, Equations, Pair, equations
 from sim2reason.simulation.engines.exact.events import STILL, Approach, approach, crossing, stop
 from sim2reason.simulation.engines.exact.impulses import strike
-from sim2reason.simulation.engines.exact.linear import Row
+from sim2reason.simulation.engines.exact.linear import Row, dot
 from sim2reason.simulation.engines.exact.modes import Mode
 from sim2reason.simulation.engines.exact.motion import Motion, Segment
 from sim2reason.simulation.trace import ENGINES, Event, Trace
@@ -87,12 +87,13 @@ class _Run:
         if self._crowded(hits):
             return None
         found = strike(self.system, self.v, full, touching, list(self.mode.acting))
+        momenta = [dot(row, self.v) for row in self.system.mass]  # what an impulse must be compared with
         self.v = [0.0 if abs(speed) < REST else speed for speed in found.x]
         self._rest(found.mode.rubbing)
         for pair in hits:
             self._record("collision", *pair.names)
             self.hits |= dict.fromkeys(pair.movable, (self.now, pair.names))
-        small = 1e-9 * max(map(abs, found.forces.normal), default=0.0)
+        small = 1e-9 * max(map(abs, (*found.forces.normal, *momenta)), default=0.0)
         away = lifted(found.forces.normal, small)
         if away is not None:
             for number in sorted(snapped):
