@@ -184,7 +184,8 @@ def _choice(choices: Choices, *names: str) -> Choice:
 
 def _draw_field(model: type[Model], name: str, kind: FieldType, rng: np.random.Generator, choices: Choices) -> object:
     if kind.measure is not None:
-        found = _choice(choices, f"{model.__name__}.{name}", name, kind.measure.name) or kind.drawn
+        found = _choice(choices, f"{model.__name__}.{name}", name, kind.measure.name)
+        found = kind.drawn if found is None else found  # a choice of 0.0 is a choice
         if isinstance(found, Range):
             return kind.measure.draw(rng, found.low, found.high)
         if isinstance(found, float | int):

@@ -61,7 +61,7 @@ class AtTime(_At):
         del mentions
         said = say_seconds(self.after)
         if released:
-            return (f"{said} after release", f"{said} after the motion begins", f"{said} after the start")
+            return (f"{said} after release", f"{said} from release", f"{said} after the start")
         return (f"at t = {said}", f"at the time t = {said}", f"at the instant t = {said}")
 
 
@@ -78,7 +78,7 @@ class AtStart(_At):
         """As in: just after release."""
         del mentions
         if released:
-            return ("just after release", "immediately after release", "right at the start of the motion")
+            return ("just after release", "immediately after release", "at the instant of release")
         return ("just after t = 0", "immediately after t = 0", "at t = 0")
 
 

@@ -40,7 +40,7 @@ class Hanging(MassSystem):
         either(
             "{blocks} {blocks:hangs freely/hang freely, {blocks.last} below {blocks.first} on a light string/hang freely one below the other in this order, joined by light strings}.",
             "{blocks} {blocks:hangs vertically/hang vertically with {blocks.first} on top, joined by a light string/hang vertically in this order from the top down, joined by light strings}.",
-            "a hanging load consists of {blocks}{blocks:/, {blocks.last} below {blocks.first} on a light string/, in this order from the top down, joined by light strings}.",
+            "{blocks:/a hanging load consists of }{blocks}{blocks: hangs clear of the floor/, {blocks.last} below {blocks.first} on a light string/, in this order from the top down, joined by light strings}.",
         ),
     )
     tail = End(
