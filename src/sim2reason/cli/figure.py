@@ -1,0 +1,31 @@
+"""Draw the initial state of a scene, labelled as its text names things."""
+
+from pathlib import Path
+
+import click
+
+from sim2reason.cli import source
+
+EXAMPLE = """\b
+Example:
+    sim2reason figure scene.yaml -o scene.svg
+    sim2reason figure scene.yaml -o scene.png --numbers
+
+A schematic: angles are right, lengths are not. Needs: pip install 'sim2reason[figures]'
+"""
+
+
+@click.command("figure", epilog=EXAMPLE)
+@click.argument("scene", type=click.Path(path_type=Path))
+@click.option("-o", "out", type=click.Path(path_type=Path), required=True, help="Where to: a .svg, .png or .pdf file.")
+@click.option("--numbers", is_flag=True, help="Write masses too.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the wording, as in describe.")
+def command(scene: Path, out: Path, numbers: bool, seed: int) -> None:
+    """Draw the initial state of the scene in the file SCENE (- is standard input) as a line drawing."""
+    from sim2reason.dsl.speaker import tell
+    from sim2reason.figures import canvas
+    from sim2reason.figures.drawing import drawing
+
+    canvas.check(out)
+    loaded = source.scene(scene)
+    canvas.draw(drawing(loaded, tell(loaded, seed), numbers=numbers), out)

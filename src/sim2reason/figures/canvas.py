@@ -1,0 +1,158 @@
+"""Shapes on paper: the one place, with `plot`, that knows matplotlib."""
+
+# pyright: reportUnknownMemberType=false
+# matplotlib leaves its keyword arguments untyped.
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from sim2reason.errors import MissingExtraError, UnsupportedError
+from sim2reason.figures.shapes import Arc, Area, Drawing, Label, Line, Shape
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+INCH = 0.42  # of a unit
+MARGIN = 0.35  # units around everything
+WIDTHS = {"hair": 0.6, "thin": 0.8, "edge": 1.1, "string": 1.4}  # points
+FILLS = {
+    "": "white",
+    "block": "#dbe7f3",
+    "wedge": "#f4ead6",
+    "fixed": "#ececec",
+    "disc": "#d9d9d9",
+    "ink": "black",
+    "table": "#fbfaf6",
+}
+STRING = "#8a3324"
+FORMATS = ("svg", "png", "pdf")
+# Bytes must not change from run to run, and labels must stay text.
+SETTINGS = {"svg.hashsalt": "sim2reason", "svg.fonttype": "none", "font.family": "DejaVu Sans", "pdf.fonttype": 42}
+METADATA: dict[str, dict[str, Any]] = {
+    "svg": {"Date": None},
+    "png": {"Software": None},
+    "pdf": {"CreationDate": None, "Producer": None, "Creator": None},
+}
+
+
+def matplotlib() -> Any:  # noqa: ANN401 - a module
+    """The package; MissingExtraError says how to get it."""
+    try:
+        import matplotlib as found  # noqa: ICN001, PLC0415 - no alias is asked for; it is heavy, and an extra
+    except ModuleNotFoundError as error:
+        raise MissingExtraError("matplotlib", "figures") from error
+    return found
+
+
+def draw(drawing: Drawing, path: Path, dpi: int = 150) -> None:
+    """Write a drawing as SVG, PNG or PDF, by the ending of `path`.
+
+    Raises:
+        MissingExtraError: matplotlib is not installed.
+        UnsupportedError: `path` ends otherwise.
+    """
+    check(path)
+    with matplotlib().rc_context(SETTINGS):
+        from matplotlib.figure import Figure  # noqa: PLC0415 - the same
+
+        left, low, right, high = drawing.box()
+        left, low, right, high = left - MARGIN, low - MARGIN, right + MARGIN, high + MARGIN
+        figure = Figure(figsize=(INCH * (right - left), INCH * (high - low)))
+        axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        axes.set_xlim(left, right)
+        axes.set_ylim(low, high)
+        axes.axis("off")
+        for order, shape in enumerate(drawing.shapes):
+            _shape(axes, shape, order)
+        for label in drawing.labels:
+            _label(axes, label)
+        save(figure, path, dpi)
+
+
+def check(path: Path) -> str:
+    """The format that a path asks for; UnsupportedError for another than we write."""
+    ending = path.suffix.removeprefix(".").lower()
+    if ending not in FORMATS:
+        raise UnsupportedError(f"{path}: no such format for a figure; end the name in .svg, .png or .pdf")
+    return ending
+
+
+def save(figure: "Figure", path: Path, dpi: int) -> None:
+    """Write a figure, the same bytes every time."""
+    ending = check(path)
+    figure.savefig(path, format=ending, dpi=dpi, metadata=METADATA[ending], facecolor="white")
+
+
+def _shape(axes: "Axes", shape: Shape, order: int) -> None:
+    from matplotlib import patches  # noqa: PLC0415 - the same
+
+    match shape:
+        case Line(points, weight, dashed, arrow):
+            color = STRING if weight == "string" and not arrow else "black"
+            across, up = [p.real for p in points], [p.imag for p in points]
+            style = "--" if dashed else "-"
+            if arrow:
+                tail, head = points[0], points[-1]
+                width = WIDTHS[weight]
+                axes.add_patch(
+                    patches.FancyArrowPatch(
+                        (tail.real, tail.imag),
+                        (head.real, head.imag),
+                        arrowstyle="-|>",
+                        mutation_scale=9.0,
+                        linewidth=width,
+                        color=color,
+                        shrinkA=0.0,
+                        shrinkB=0.0,
+                        zorder=order,
+                    )
+                )
+            else:
+                axes.plot(
+                    across, up, style, color=color, linewidth=WIDTHS[weight], solid_capstyle="round", zorder=order
+                )
+        case Area(points, fill):
+            corners = [(p.real, p.imag) for p in points]
+            axes.add_patch(
+                patches.Polygon(
+                    corners, closed=True, facecolor=FILLS[fill], edgecolor="black", linewidth=1.1, zorder=order
+                )
+            )
+        case Arc(center, radius, start, stop, weight, fill):
+            at = (center.real, center.imag)
+            if stop - start >= 360.0:
+                axes.add_patch(
+                    patches.Circle(
+                        at, radius, facecolor=FILLS[fill], edgecolor="black", linewidth=WIDTHS[weight], zorder=order
+                    )
+                )
+            else:
+                color = STRING if weight == "string" else "black"
+                axes.add_patch(
+                    patches.Arc(
+                        at,
+                        2 * radius,
+                        2 * radius,
+                        theta1=start,
+                        theta2=stop,
+                        color=color,
+                        linewidth=WIDTHS[weight],
+                        zorder=order,
+                    )
+                )
+
+
+def _label(axes: "Axes", label: Label) -> None:
+    points = label.size * INCH * 72.0
+    style = "italic" if label.name and len(label.text) <= 2 else "normal"
+    axes.text(
+        label.at.real,
+        label.at.imag,
+        label.text,
+        fontsize=points,
+        style=style,
+        ha="center",
+        va="center_baseline" if False else "center",
+        zorder=10_000,
+    )

@@ -1,0 +1,270 @@
+"""Pieces with faces: fixed planes, and wedges and prisms on a floor, with the blocks that rest on them."""
+
+from cmath import rect
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from math import atan2, radians
+from math import degrees as to_degrees
+
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.wedge import Prism, Wedge
+from sim2reason.figures.loose import block_labels, wrapped
+from sim2reason.figures.paths import Knot, flat
+from sim2reason.figures.pieces import Bend, Piece, Plan, draws
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Line, Shape, Sketch, Wanted, dot_at, hatched, width
+from sim2reason.figures.vectors import (
+    RIGHT,
+    Polygon,
+    box,
+    cross,
+    dot,
+    hull,
+    mirrored,
+    rectangle,
+    ring,
+    unit,
+)
+
+HEAD, TOE, TOE_SITE = 0.85, 0.95, 1.45  # of a face that is free above its highest and below its lowest thing
+SHORTEST, LONGER = 3.3, 1.7  # of a face; and by what factor it may be stretched to reach the floor
+SLAB = 0.35  # thickness of a level plane
+FLOOR = 0.9  # how far a floor goes on beside a wedge
+FLAT = 1e-6
+
+
+@dataclass(frozen=True)
+class Face:
+    """A face of a piece: what rests or is fixed on it, by its distance down from the upper end."""
+
+    uphill: complex
+    normal: complex
+    blocks: dict[str, float]
+    foot: str = ""  # the site of a small pulley at the lower end
+    top: str = ""
+    length: float = 0.0
+
+    def at(self, down: float) -> complex:
+        """A point of the face, from the upper end."""
+        return -down * self.uphill
+
+
+@draws(Plane, Wedge, Prism)
+class FacePiece(Piece):
+    """A body with one face or two that meet at its top, which is the origin."""
+
+    def __init__(self, name: str, plan: Plan) -> None:
+        """Lay everything on its faces in the order in which the mechanism has it."""
+        super().__init__(name, plan)
+        body = plan.scene.bodies[name]
+        self.fixed = isinstance(body, Plane)
+        self.faces = [self._spread(face) for face in self._found()]
+        if name in plan.mirrored:
+            self.faces = [_mirrored(face) for face in self.faces]
+        self.mirrors = len(self.faces) == 1 and abs(self.faces[0].uphill.imag) > FLAT
+        self._stand()
+
+    # -- reading the mechanism ---------------------------------------------------------------------
+
+    def _found(self) -> Iterator[Face]:
+        """The faces with their blocks, in the order from the lowest up; distances are still those of the mechanism."""
+        mechanism = self.plan.paths.mechanism
+        groups: dict[tuple[float, float], list[tuple[float, str]]] = {}
+        for block, carrier in self.plan.paths.carriers.items():
+            if carrier == self.name:
+                held = mechanism.body[block]
+                axis = next(c.axis for c in held.coordinates if held.contact and c.name == held.contact.along)
+                up = flat(axis)
+                up = -up if up.imag < -FLAT or (abs(up.imag) <= FLAT and up.real < 0.0) else up
+                key = (round(up.real, 9), round(up.imag, 9))
+                groups.setdefault(key, []).append((dot(flat(held.at), up), block))
+        if not groups:
+            bare = rect(1.0, radians(getattr(self.plan.scene.bodies[self.name], "angle", 0.0)))
+            groups[bare.real, bare.imag] = []
+        for key, members in groups.items():
+            uphill = complex(*key)
+            sites = self._sites(uphill)
+            inside = [s for s, _ in members]
+            foot = next((site for s, site in sites if s < min(inside, default=0.0)), "")
+            top = next((site for s, site in sites if s > max(inside, default=0.0)), "")
+            normal = uphill * 1j if (uphill * 1j).imag > 0.0 else uphill * -1j
+            yield Face(uphill, normal, {block: s for s, block in sorted(members)}, foot, top)
+
+    def _sites(self, uphill: complex) -> list[tuple[float, str]]:
+        """What is fixed on the face and passed by strings, with its place along it."""
+        rims = {knot.item for knots in self.plan.paths.knots.values() for knot in knots if knot.rim}
+        sites = [s for s in self.plan.paths.mechanism.sites if s.body == self.name and s.name in rims]
+        return [(dot(flat(s.at), uphill), s.name) for s in sites if abs(cross(flat(s.at), uphill)) < 1e-6]
+
+    def _spread(self, face: Face) -> Face:
+        """Distances that look well in place of those of the mechanism."""
+        sizes = self.plan.sizes
+        down, places = HEAD + (0.35 if face.top else 0.0), dict[str, float]()
+        for block in reversed(face.blocks):
+            places[block] = down + 0.5 * sizes.width
+            down += sizes.width + sizes.link
+        length = max(SHORTEST, down - sizes.link + (TOE_SITE if face.foot else TOE))
+        return Face(face.uphill, face.normal, places, face.foot, face.top, length)
+
+    def _stand(self) -> None:
+        """Let faces end on one level where the longer one is not stretched too much."""
+        deep = max(face.length * face.uphill.imag for face in self.faces)
+        stretched: list[Face] = []
+        for face in self.faces:
+            wish = deep / face.uphill.imag if face.uphill.imag > FLAT else face.length
+            length = wish if wish <= LONGER * face.length else face.length
+            stretched.append(Face(face.uphill, face.normal, face.blocks, face.foot, face.top, length))
+        self.faces = stretched
+        self.base = -deep if deep > FLAT else -SLAB
+
+    # -- what others ask ---------------------------------------------------------------------------
+
+    def _face(self, item: str) -> Face:
+        return next(f for f in self.faces if item in f.blocks or item in (f.foot, f.top))
+
+    def center(self, block: str) -> complex:
+        """The middle of a block."""
+        face = self._face(block)
+        return face.at(face.blocks[block]) + 0.5 * self.plan.sizes.height * face.normal
+
+    def wheel(self, site: str) -> complex:
+        """The centre of a small pulley, so that the string runs along the face at half the height of its blocks."""
+        bend, face = self.plan.bends[site], self._face(site)
+        heights = [self._lift(f, bend) for f in self.faces if site in (f.foot, f.top)]
+        if len(heights) == 2:  # over the apex: at the right height above both faces
+            one, other = self.faces
+            middle = unit(one.normal + other.normal)
+            return middle * heights[0] / dot(middle, one.normal)
+        return (face.at(face.length - 0.3) if site == face.foot else 0j) + heights[0] * face.normal
+
+    def _lift(self, face: Face, bend: Bend) -> float:
+        along = max(bend.ways, key=lambda way: abs(dot(way, face.uphill)))
+        return 0.5 * self.plan.sizes.height - self.plan.sizes.small * dot(bend.touches(along), face.normal)
+
+    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+        """On a small pulley's rim, or at the side of a block that the strand leaves."""
+        if knot.rim:
+            return self.wheel(knot.item) + self.plan.sizes.small * self.plan.bends[knot.item].rim(second=second)
+        if knot.item not in self.plan.paths.carriers:
+            return 0j
+        face = self._face(knot.item)
+        side = 1.0 if dot(way, face.uphill) > 0.0 else -1.0
+        return self.center(knot.item) + 0.5 * side * self.plan.sizes.width * face.uphill
+
+    def lead(self, knot: Knot, way: complex) -> float:
+        """From the side of a block to the end of its face, or from a small pulley to the end of the floor."""
+        start = self.anchor(knot, way, second=False)
+        if knot.rim:
+            left, _, right, _ = box([*self.outline(), 0j])
+            return max(0.0, (right if way.real > 0.0 else -left) - start.real * (1 if way.real > 0.0 else -1)) + 0.1
+        face = self._face(knot.item)
+        end = 0.0 if dot(way, face.uphill) > 0.0 else -face.length
+        return abs(end - dot(start, face.uphill))
+
+    def edge(self, way: complex) -> complex | None:
+        """The upper or lower end of its face."""
+        face = max(self.faces, key=lambda f: abs(dot(way, f.uphill)))
+        return 0j if dot(way, face.uphill) > 0.0 else face.at(face.length)
+
+    @property
+    def level(self) -> tuple[str, float] | None:
+        """All wedges stand on one floor if they can."""
+        return None if self.fixed else ("floor", self.base)
+
+    # -- the drawing -------------------------------------------------------------------------------
+
+    def outline(self) -> Polygon:
+        """The solid, against the clock from its lower left corner."""
+        ends = [face.at(face.length) for face in self.faces]
+        if len(ends) == 1:
+            ends.append(0j)
+        ends.sort(key=lambda end: end.real)
+        left, right = ends
+        corners = [complex(left.real, self.base), complex(right.real, self.base), right, 0j, left]
+        kept = [a for a, b in pairwise([*corners, corners[0]]) if abs(a - b) > 1e-6]
+        return tuple(kept)
+
+    def hulls(self) -> list[Polygon]:
+        """The solid with its floor, and what stands on its faces."""
+        solid = self.outline()
+        left, low, right, _ = box(solid)
+        extra = 0.0 if self.fixed else FLOOR
+        sizes = self.plan.sizes
+        blocks = [
+            rectangle(self.center(block), sizes.width, sizes.height, face.uphill)
+            for face in self.faces
+            for block in face.blocks
+        ]
+        floor = rectangle(complex(0.5 * (left + right), low - 0.1), right - left + 2.0 * extra, 0.2)
+        wheels = [ring(self.wheel(site), sizes.small) for site in self._wheels()]
+        return [hull(solid), floor, *blocks, *wheels]
+
+    def _wheels(self) -> list[str]:
+        return list(dict.fromkeys(s for f in self.faces for s in (f.foot, f.top) if s in self.plan.bends))
+
+    def sketch(self) -> Sketch:
+        """The solid, its floor, its angles, its blocks and small pulleys."""
+        solid = self.outline()
+        found = Sketch([Area(solid, "fixed" if self.fixed else "wedge")])
+        left, low, right, _ = box(solid)
+        extra = 0.0 if self.fixed else FLOOR
+        found.shapes += hatched(complex(left - extra, low), complex(right + extra, low))
+        for site in self._wheels():
+            found.shapes += self._small(site)
+        for face in self.faces:
+            if face.uphill.imag > FLAT:
+                self._angle(face, found)
+            for block in face.blocks:
+                center = self.center(block)
+                sizes = self.plan.sizes
+                found.shapes.append(Area(rectangle(center, sizes.width, sizes.height, face.uphill), "block"))
+                found.labels += block_labels(self.plan, block, center)
+        if not self.fixed:
+            found.labels.append(self._name())
+        return found
+
+    def _small(self, site: str) -> Iterator[Shape]:
+        """A small pulley on its bracket, with the string round it."""
+        center, bend, radius = self.wheel(site), self.plan.bends[site], self.plan.sizes.small
+        face = self._face(site)
+        foot = face.at(face.length - 0.3) if site == face.foot else 0j
+        yield Line((foot, center), "edge")
+        yield Arc(center, radius, fill="disc")
+        yield dot_at(center, 0.03)
+        yield wrapped(bend.rim(), bend.rim(second=True), -sum(bend.ways), center, radius)
+
+    def _angle(self, face: Face, found: Sketch) -> None:
+        """The angle at the foot of a face, with its value."""
+        foot, side = face.at(face.length), 1.0 if face.uphill.real > 0.0 else -1.0
+        value = to_degrees(atan2(face.uphill.imag, abs(face.uphill.real)))
+        radius = min(0.75, 0.45 * face.length)
+        start, stop = (0.0, value) if side > 0.0 else (180.0 - value, 180.0)
+        found.shapes.append(Arc(foot, radius, start, stop, weight="thin"))
+        if foot.imag > self.base + 0.05:
+            found.shapes.append(Line((foot, foot + side * RIGHT * 1.3), "hair", dashed=True))
+        text = f"{round(value, 9):g}°"
+        middle = unit(face.uphill + side * RIGHT)
+        wide = width(text, SMALL)
+        reach = radius + 0.3 * wide + 0.16
+        inside = tuple(foot + middle * (reach + 0.2 * step) for step in range(8)) + tuple(
+            foot + complex(side * (radius + 0.12 + 0.5 * wide + 0.25 * step), 0.3) for step in range(8)
+        )
+        outside = tuple(foot + complex(-side * (0.5 * wide + 0.1 + 0.2 * n), 0.25 + 0.1 * n) for n in range(4))
+        found.labels.append(Wanted(text, inside + outside, self.name, SMALL, name=False))
+
+    def _name(self) -> Wanted:
+        """Its name near the middle of the solid."""
+        corners = self.outline()
+        middle = sum(corners) / len(corners)
+        text = self.plan.caption(self.name)
+        size = SIZE if text == self.plan.name(self.name) else SMALL
+        wide = 0.5 * width(text, size)
+        steps = (0, -0.35, 0.35, -0.7, 0.7, -1.05, 1.05, -1.4, 1.4)
+        spots = tuple(middle + dx + 1j * dy for dy in (0, -0.25, 0.25) for dx in steps[:7])
+        left, low, right, _ = box(corners)
+        beside = tuple(complex(x, low + dy) for dy in (0.35, 0.7, 1.1) for x in (right + 0.3 + wide, left - 0.3 - wide))
+        return Wanted(text, (*spots[:7], *beside, *spots[7:]), self.name, size)
+
+
+def _mirrored(face: Face) -> Face:
+    return Face(mirrored(face.uphill), mirrored(face.normal), face.blocks, face.foot, face.top, face.length)

@@ -1,0 +1,150 @@
+"""Strings as a draughtsman sees them: knots on pieces, and straight strands between them.
+
+A mechanism knows points and distances; a drawing needs to know which pulley a string goes round, on which piece of
+the drawing each knot lies, and in which direction a strand must run.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.pulley import FixedPulley, MovablePulley
+from sim2reason.bodies.wedge import Prism, Wedge
+from sim2reason.dsl.mechanism import Mechanism, Vector
+from sim2reason.dsl.scene import Scene
+from sim2reason.figures.vectors import unit
+
+FACES = (Plane, Wedge, Prism)
+PULLEYS = (FixedPulley, MovablePulley)
+
+
+def flat(vector: Vector) -> complex:
+    """A vector of the room as seen from the front."""
+    return complex(vector[0], vector[2])
+
+
+@dataclass(frozen=True, slots=True)
+class Knot:
+    """A place where a string is tied, or that it goes round."""
+
+    piece: str  # the address of what it lies on: a body, or a site of the room
+    item: str  # the body, or else the site, that it is tied to or goes round
+    arrives: str  # the site that the string reaches first
+    leaves: str  # and the one from which it goes on; the same, but for pulleys
+    rim: bool = False
+
+    @property
+    def side(self) -> float:
+        """−1 where the string arrives at the left of a pulley, 1 at its right, by the names of its rim points."""
+        return 1.0 if self.arrives.endswith(".right") else -1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Strand:
+    """A straight part of a string; `way` is the direction from `a` to `b`, None where any will do."""
+
+    string: str
+    number: int  # of the strand in its string
+    a: Knot
+    b: Knot
+    way: complex | None
+
+    @property
+    def inner(self) -> bool:
+        """Whether both of its ends lie on one piece."""
+        return self.a.piece == self.b.piece
+
+
+def whole(scene: Scene) -> Scene:
+    """The scene with nothing glued: glue changes how bodies move, not how they look."""
+    return scene.model_copy(update={"glued": ()}) if scene.glued else scene
+
+
+def near(address: str, others: list[str]) -> str:
+    """The address that shares the longest beginning with `address`."""
+
+    def common(other: str) -> int:
+        steps = zip(address.split("."), other.split("."), strict=False)
+        return next((n for n, (a, b) in enumerate(steps) if a != b), 99)
+
+    return max(others, key=common)
+
+
+def carriers(scene: Scene) -> dict[str, str]:
+    """By block that rests on a face the address of the body whose face it is."""
+    mechanism = scene.mechanism
+    planes = [address for address, body in scene.bodies.items() if isinstance(body, Plane)]
+    found: dict[str, str] = {}
+    for body in mechanism.bodies:
+        if body.contact is None or isinstance(scene.bodies.get(body.name), FACES):
+            continue
+        if body.parent is not None and isinstance(scene.bodies.get(body.parent), FACES):
+            found[body.name] = body.parent
+        elif planes:
+            found[body.name] = near(body.name, planes)
+    return found
+
+
+class Paths:
+    """The strings of a scene, knot by knot and strand by strand."""
+
+    def __init__(self, scene: Scene) -> None:
+        """Read them off the mechanism."""
+        self.scene, self.mechanism = scene, scene.mechanism
+        self.carriers = carriers(scene)
+        self.knots = {name: list(self._knots(sites)) for name, sites in _sites(self.mechanism).items()}
+
+    @cached_property
+    def strands(self) -> list[Strand]:
+        """All strands, string by string."""
+        return [
+            Strand(name, number, a, b, self._way(a, b))
+            for name, knots in self.knots.items()
+            for number, (a, b) in enumerate(pairwise(knots))
+        ]
+
+    def _knots(self, sites: list[str]) -> Iterator[Knot]:
+        number = 0
+        while number < len(sites):
+            site, last = sites[number], number in (0, len(sites) - 1)
+            owner = site.rpartition(".")[0]
+            if isinstance(self.scene.bodies.get(owner), PULLEYS):
+                number += 1
+                yield Knot(self.piece(site), owner, site, sites[number], rim=True)
+            else:
+                knot = Knot(self.piece(site), self._item(site), site, site)
+                yield knot if last else replace(knot, item=site, rim=True)
+            number += 1
+
+    def _item(self, site: str) -> str:
+        body = self.mechanism.site[site].body
+        return body if body is not None and body in self.scene.bodies else site
+
+    def piece(self, site: str) -> str:
+        """The piece of the drawing on which a site lies."""
+        owner = site.rpartition(".")[0]
+        if isinstance(self.scene.bodies.get(owner), FixedPulley):
+            return owner
+        body = self.mechanism.site[site].body
+        return site if body is None else self.carriers.get(body, body)
+
+    def _way(self, a: Knot, b: Knot) -> complex | None:
+        """Known where one of the sites says which way a string must leave it, and inside entities."""
+        builder = self.scene.builder
+        near_by = a.leaves.split(".")[0] == b.arrives.split(".")[0]
+        if not near_by and builder.faces[a.leaves] is None and builder.faces[b.arrives] is None:
+            return None
+        apart = flat(builder.position(b.arrives)) - flat(builder.position(a.leaves))
+        return unit(apart) if abs(apart) > 1e-9 else None
+
+
+def _sites(mechanism: Mechanism) -> dict[str, list[str]]:
+    """By string all its sites from end to end: its parts, which massive pulleys cut, put together again."""
+    found: dict[str, list[str]] = {}
+    for line in mechanism.strings:
+        found.setdefault(line.whole, []).extend(line.through)
+    for pull in mechanism.pulls:
+        found.setdefault(pull.name.partition("/")[0], []).extend(pull.through)
+    return found

@@ -1,0 +1,156 @@
+"""The pieces of a drawing: what keeps its shape while the drawing is laid out, one class for each look.
+
+A piece is made for a body by its class, see `PIECES`; so an entity made of known bodies needs no drawing code.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.speaker import Telling
+from sim2reason.figures.paths import Knot, Paths
+from sim2reason.figures.shapes import Sketch
+from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
+
+
+@dataclass(frozen=True, slots=True)
+class Sizes:
+    """Sizes in units of the drawing."""
+
+    width: float = 1.0  # of a block
+    height: float = 0.9
+    radius: float = 0.45  # of a pulley
+    small: float = 0.16  # of a small pulley at a wedge's edge
+    link: float = 0.55  # of the string between neighbouring blocks
+
+
+@dataclass(frozen=True, slots=True)
+class Bend:
+    """Where a string goes round something: its two ways away from there, in the order of travel."""
+
+    ways: tuple[complex, complex]
+    side: float  # where two parallel strands meet the rim: the first one at the left (−1) or right (1)
+
+    def touches(self, way: complex) -> complex:
+        """The unit vector from the centre to where the strand that leaves along `way` touches the rim."""
+        first = abs(way - self.ways[0]) <= abs(way - self.ways[1])
+        other = self.ways[1] if first else self.ways[0]
+        if abs(cross(way, other)) > 1e-6:
+            return -unit(other - dot(way, other) * way)
+        across = way * 1j if (way * 1j).real > 0.0 or (way * 1j).imag > 1.0 - 1e-9 else way * -1j
+        return across if dot(way, other) < 0.0 else across * self.side
+
+    def rim(self, *, second: bool = False) -> complex:
+        """Where the first, or the second, strand touches; unlike `touches` it tells parallel strands apart."""
+        first = self.touches(self.ways[0])
+        if not second:
+            return first
+        parallel = abs(cross(*self.ways)) <= 1e-6 and dot(*self.ways) > 0.0
+        return -first if parallel else self.touches(self.ways[1])
+
+    @property
+    def held(self) -> complex:
+        """The direction in which the axle must be held."""
+        push = -(self.ways[0] + self.ways[1])
+        return unit(push) if abs(push) > 1e-6 else self.rim() * -1.0
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What pieces need to know of the scene and of each other while one layout is tried."""
+
+    scene: Scene
+    paths: Paths
+    telling: Telling
+    sizes: Sizes
+    numbers: bool
+    bends: Mapping[str, Bend] = field(default_factory=dict[str, Bend])  # by what the string goes round
+    ends: Mapping[str, tuple[complex, ...]] = field(
+        default_factory=dict[str, tuple[complex, ...]]
+    )  # by what it is tied to
+    mirrored: frozenset[str] = frozenset()
+    wider: Mapping[str, float] = field(default_factory=dict[str, float])  # by pulley piece, times the usual radius
+
+    def name(self, address: str) -> str:
+        """What stands beside a body: its letter or, for a lone one, its noun."""
+        body = self.scene.bodies[address]
+        return self.telling.names.letters.get(address, "") or self.telling.names.noun(body)
+
+    def mass(self, address: str) -> str:
+        """The mass of a body as the text has it, if numbers are wanted and it has one."""
+        parameter = next((p for p in self.scene.parameters if p.path == f"{address}.mass"), None)
+        if not self.numbers or parameter is None or not parameter.value:
+            return ""
+        return parameter.measure.say(parameter.value)
+
+    def caption(self, address: str) -> str:
+        """The name of a body, with its mass if that is wanted: *W (8.1 kg)*."""
+        mass = self.mass(address)
+        return f"{self.name(address)} ({mass})" if mass else self.name(address)
+
+
+class Piece(ABC):
+    """Something in its own place, around its own origin."""
+
+    mirrors = False  # whether it may be drawn mirrored, since no text says which way it faces
+
+    def __init__(self, name: str, plan: Plan) -> None:
+        """`name` is its address, see `Paths.piece`."""
+        self.name, self.plan = name, plan
+
+    @abstractmethod
+    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+        """Where a strand that leaves the knot along `way` begins; `second` if the string leaves it there."""
+
+    @abstractmethod
+    def hulls(self) -> list[Polygon]:
+        """Convex shapes that hold it and keep others away."""
+
+    @abstractmethod
+    def sketch(self) -> Sketch:
+        """Its shapes and the labels that it wants."""
+
+    def lead(self, knot: Knot, way: complex) -> float:
+        """How far a strand runs over the piece itself before it is clear of it."""
+        del knot, way
+        return 0.0
+
+    @property
+    def level(self) -> tuple[str, float] | None:
+        """A height that looks better if all pieces of its kind share it: of a floor, of what hangs from the ceiling."""
+        return None
+
+    def edge(self, way: complex) -> complex | None:
+        """The corner where its face ends in a direction: a pulley beyond it can be fixed to it."""
+        del way
+        return None
+
+
+def around(center: complex, near: float, text_width: float, *, start: complex = RIGHT) -> tuple[complex, ...]:
+    """Places for a label around a circle, the first one in the direction `start`."""
+    turns = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8)
+    ways = [start * complex(0.92388, 0.38268) ** turn for turn in turns]
+    return tuple(
+        center + complex(way.real * (far + 0.5 * text_width), way.imag * (far + 0.24))
+        for far in (near, near + 0.3)
+        for way in ways
+    )
+
+
+Factory = Callable[[str, Plan], Piece]
+PIECES: dict[type[Body], Factory] = {}
+M = TypeVar("M")
+
+
+def draws(*bodies: type[Body]) -> Callable[[M], M]:
+    """Decorate the piece, or a function that makes it, that shows bodies of these classes."""
+
+    def enter(factory: M) -> M:
+        for body in bodies:
+            PIECES[body] = factory  # type: ignore[assignment]
+        return factory
+
+    return enter

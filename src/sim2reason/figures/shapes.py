@@ -1,0 +1,144 @@
+"""What a drawing is made of: a few frozen shapes, and labels that still look for their place."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from sim2reason.figures.vectors import Box, Polygon, box, rectangle, ring
+
+Weight = Literal["hair", "thin", "edge", "string"]
+Fill = Literal["", "block", "wedge", "fixed", "disc", "ink", "table"]
+HATCH, STEP = 0.2, 0.22  # length and distance of the strokes that mark what is fixed
+SLANT = complex(-0.7071, -0.7071)
+SIZE, SMALL, TINY = 0.42, 0.34, 0.28  # heights of names, of numbers, and of numbers inside blocks
+WIDE = {"m": 0.98, "w": 0.82, "M": 0.87, "W": 0.99, "i": 0.3, "l": 0.3, ".": 0.34, " ": 0.34, "j": 0.3, "°": 0.5}
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """Straight strokes from point to point."""
+
+    points: Polygon
+    weight: Weight = "edge"
+    dashed: bool = False
+    arrow: bool = False  # a head at the last point
+
+
+@dataclass(frozen=True, slots=True)
+class Area:
+    """A closed outline, filled."""
+
+    points: Polygon
+    fill: Fill = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """A part of a circle, from `start` to `stop` degrees; a whole one can be filled."""
+
+    center: complex
+    radius: float
+    start: float = 0.0
+    stop: float = 360.0
+    weight: Weight = "edge"
+    fill: Fill = ""
+
+    @property
+    def whole(self) -> bool:
+        """Whether it is a full circle."""
+        return self.stop - self.start >= 360.0
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A text at its place; `subject` is what it names or belongs to, an address."""
+
+    text: str
+    at: complex
+    subject: str
+    size: float = SIZE
+    name: bool = True  # the name of a body, not a number
+
+    @property
+    def box(self) -> Box:
+        """The rectangle that it covers."""
+        return box(rectangle(self.at, width(self.text, self.size), self.size))
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """A label that may stand at any of several places, the best first."""
+
+    text: str
+    places: tuple[complex, ...]
+    subject: str
+    size: float = SIZE
+    name: bool = True
+
+
+Shape = Line | Area | Arc
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A finished drawing: shapes from back to front, and labels."""
+
+    shapes: tuple[Shape, ...]
+    labels: tuple[Label, ...] = ()
+
+    def box(self) -> Box:
+        """The smallest rectangle around everything."""
+        points = [point for shape in self.shapes for point in outline(shape)]
+        corners = [complex(*corner) for label in self.labels for corner in (label.box[:2], label.box[2:])]
+        return box([*points, *corners])
+
+
+@dataclass
+class Sketch:
+    """Shapes and wanted labels of one piece, in its own place."""
+
+    shapes: list[Shape] = field(default_factory=list[Shape])
+    labels: list[Wanted] = field(default_factory=list[Wanted])
+
+    def moved(self, by: complex) -> "Sketch":
+        """The same elsewhere."""
+        labels = [replace(wanted, places=tuple(place + by for place in wanted.places)) for wanted in self.labels]
+        return Sketch([moved(shape, by) for shape in self.shapes], labels)
+
+
+def width(text: str, size: float) -> float:
+    """About how wide a text is; a little more rather than less."""
+    return size * sum(WIDE.get(letter, 0.66) for letter in text)
+
+
+def outline(shape: Shape) -> Polygon:
+    """Points along a shape; round ones as polygons."""
+    if not isinstance(shape, Arc):
+        return shape.points
+    if shape.whole:
+        return ring(shape.center, shape.radius)
+    turns = (1j ** ((shape.start + (shape.stop - shape.start) * step / 6.0) / 90.0) for step in range(7))
+    return tuple(shape.center + shape.radius * turn for turn in turns)
+
+
+def moved(shape: Shape, by: complex) -> Shape:
+    """A shape elsewhere."""
+    if isinstance(shape, Arc):
+        return replace(shape, center=shape.center + by)
+    return replace(shape, points=tuple(point + by for point in shape.points))
+
+
+def hatched(a: complex, b: complex) -> Iterable[Shape]:
+    """The face of something fixed, solid to the right of the way from `a` to `b`: a line with slanting strokes."""
+    way = (b - a) / abs(b - a)
+    slant = way * SLANT
+    yield Line((a, b), "edge")
+    count = max(2, round(abs(b - a) / STEP))
+    for number in range(1, count + 1):
+        start = a + way * abs(b - a) * (number - 0.35) / count
+        yield Line((start, start + HATCH * slant), "hair")
+
+
+def dot_at(center: complex, radius: float = 0.06) -> Shape:
+    """A small filled circle: an axle."""
+    return Arc(center, radius, fill="ink", weight="hair")

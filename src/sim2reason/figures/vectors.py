@@ -1,0 +1,111 @@
+"""Plane geometry on complex numbers: x to the right, y up, in units of a drawing (about a block's width)."""
+
+from cmath import phase
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+Polygon = tuple[complex, ...]
+Box = tuple[float, float, float, float]  # left, bottom, right, top
+UP, RIGHT = 1j, 1.0 + 0.0j
+
+
+def dot(a: complex, b: complex) -> float:
+    """The scalar product."""
+    return a.real * b.real + a.imag * b.imag
+
+
+def cross(a: complex, b: complex) -> float:
+    """The z component of the vector product: positive if `b` is to the left of `a`."""
+    return a.real * b.imag - a.imag * b.real
+
+
+def unit(a: complex) -> complex:
+    """`a` scaled to length 1; ZeroDivisionError for zero."""
+    return a / abs(a)
+
+
+def mirrored(a: complex) -> complex:
+    """`a` as seen in an upright mirror."""
+    return complex(-a.real, a.imag)
+
+
+def degrees(a: complex) -> float:
+    """The direction of `a`, counted from the x axis against the clock."""
+    return phase(a) * 57.29577951308232
+
+
+def hull(points: Iterable[complex]) -> Polygon:
+    """The convex hull, against the clock."""
+    ordered = sorted(set(points), key=lambda p: (p.real, p.imag))
+    if len(ordered) < 3:
+        return tuple(ordered)
+    lower, upper = _chain(ordered), _chain(ordered[::-1])
+    return (*lower[:-1], *upper[:-1])
+
+
+def _chain(points: Sequence[complex]) -> list[complex]:
+    chain: list[complex] = []
+    for point in points:
+        while len(chain) > 1 and cross(chain[-1] - chain[-2], point - chain[-1]) <= 0.0:
+            chain.pop()
+        chain.append(point)
+    return chain
+
+
+def box(points: Iterable[complex]) -> Box:
+    """The smallest upright rectangle around points."""
+    held = list(points)
+    across, up = [p.real for p in held], [p.imag for p in held]
+    return min(across), min(up), max(across), max(up)
+
+
+def rectangle(center: complex, width: float, height: float, along: complex = RIGHT) -> Polygon:
+    """The corners of a rectangle whose width lies along a unit vector."""
+    half, up = 0.5 * width * along, 0.5 * height * along * 1j
+    return (center - half - up, center + half - up, center + half + up, center - half + up)
+
+
+def ring(center: complex, radius: float) -> Polygon:
+    """An octagon around a circle."""
+    corner = radius * 1.0824 * complex(0.92388, 0.38268)  # its sides touch the circle
+    return tuple(center + corner * (0.70710678 + 0.70710678j) ** k for k in range(8))
+
+
+def depth(one: Polygon, other: Polygon) -> float:
+    """How far two convex polygons reach into each other; negative or zero if a line parts them."""
+    found = float("inf")
+    for polygon in (one, other):
+        for a, b in pairwise((*polygon, polygon[0])):
+            if a == b:
+                continue
+            axis = 1j * unit(b - a)
+            mine, yours = [dot(axis, p) for p in one], [dot(axis, p) for p in other]
+            found = min(found, max(mine) - min(yours), max(yours) - min(mine))
+            if found <= 0.0:
+                return found
+    return found
+
+
+def crosses(a: complex, b: complex, c: complex, d: complex) -> bool:
+    """Whether two segments, from `a` to `b` and from `c` to `d`, meet."""
+    return (cross(b - a, c - a) * cross(b - a, d - a) < 0.0) and (cross(d - c, a - c) * cross(d - c, b - c) < 0.0)
+
+
+def common(one: Box, other: Box) -> float:
+    """The area that two boxes share."""
+    width = min(one[2], other[2]) - max(one[0], other[0])
+    height = min(one[3], other[3]) - max(one[1], other[1])
+    return width * height if width > 0.0 and height > 0.0 else 0.0
+
+
+def length_inside(a: complex, b: complex, area: Box) -> float:
+    """How much of a segment lies in a box."""
+    enter, leave, way = 0.0, 1.0, b - a
+    for start, step, low, high in ((a.real, way.real, area[0], area[2]), (a.imag, way.imag, area[1], area[3])):
+        if step == 0.0:
+            if not low < start < high:
+                return 0.0
+            continue
+        near, far = sorted(((low - start) / step, (high - start) / step))
+        enter, leave = max(enter, near), min(leave, far)
+    return max(0.0, leave - enter) * abs(way)

@@ -1,0 +1,68 @@
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sim2reason.cli import main
+from sim2reason.datasets.draws import draw
+from sim2reason.dsl.files import dump
+from sim2reason.dsl.speaker import tell
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    path = tmp_path / "scene.yaml"
+    path.write_text(dump(draw("pulley", "medium", seed=7)), encoding="utf-8")
+    return path
+
+
+def run(*args: object, text: str | None = None) -> tuple[int, str]:
+    result = CliRunner().invoke(main, [str(arg) for arg in args], input=text)
+    return result.exit_code, result.stderr
+
+
+@pytest.mark.parametrize("ending", ["svg", "png", "pdf"])
+def test_a_figure_is_drawn(scene: Path, tmp_path: Path, ending: str) -> None:
+    out = tmp_path / f"scene.{ending}"
+    assert run("figure", scene, "-o", out) == (0, "")
+    assert out.stat().st_size > 1000
+
+
+def test_names_follow_the_text_and_masses_are_written_on_demand(scene: Path, tmp_path: Path) -> None:
+    out = tmp_path / "scene.svg"
+    loaded = draw("pulley", "medium", seed=7)
+    masses = [p.measure.say(p.value) for p in loaded.parameters if p.path.endswith("mass") and p.value]
+    assert run("figure", scene, "-o", out)[0] == 0
+    plain = out.read_text(encoding="utf-8")
+    assert run("figure", scene, "-o", out, "--numbers", "--seed", 1)[0] == 0
+    numbered = out.read_text(encoding="utf-8")
+    for letter in tell(loaded).names.letters.values():
+        assert f">{letter}</text>" in plain
+    for mass in masses:
+        assert mass not in plain
+        assert mass in numbered
+
+
+def test_standard_input_is_read(scene: Path, tmp_path: Path) -> None:
+    out = tmp_path / "scene.svg"
+    assert run("figure", "-", "-o", out, text=scene.read_text(encoding="utf-8")) == (0, "")
+    assert out.exists()
+
+
+def test_what_is_wrong_is_said_in_a_line(scene: Path, tmp_path: Path) -> None:
+    code, said = run("figure", scene, "-o", tmp_path / "scene.gif")
+    assert (code, said.count("\n")) == (2, 1)
+    assert "end the name in .svg, .png or .pdf" in said
+    code, said = run("figure", tmp_path / "none.yaml", "-o", tmp_path / "scene.svg")
+    assert (code, said.count("\n")) == (2, 1)
+    assert "none.yaml" in said
+
+
+def test_a_missing_extra_is_said_with_the_remedy(scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
+    for name in ("figure", "plot"):
+        code, said = run(name, scene, "-o", tmp_path / "scene.svg")
+        assert (code, said) == (
+            2,
+            "sim2reason: matplotlib is not installed; install it with: pip install 'sim2reason[figures]'\n",
+        )

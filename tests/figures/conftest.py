@@ -1,0 +1,70 @@
+from itertools import product
+
+import numpy as np
+import pytest
+
+from sim2reason.datasets.draws import draw as draw_scene
+from sim2reason.dsl.connection import CONNECTIONS, Link
+from sim2reason.dsl.entity import ENTITIES
+from sim2reason.dsl.model import draw
+from sim2reason.dsl.scene import Named, Scene
+from sim2reason.recipes import DIFFICULTIES, RECIPES
+
+Ends = list[tuple[str, str]]
+HANGING, WEDGE = {"system": ("Hanging",)}, {"system": ("OnWedge",)}
+JOINED: dict[str, tuple[list[tuple[str, str, dict]], list[Ends]]] = {
+    "two wedges": (
+        [("a", "MassWithFixedPulley", WEDGE), ("b", "MassWithFixedPulley", WEDGE)],
+        [[("a", "tail"), ("b", "tail")]],
+    ),
+    "ramp, bight and hook": (
+        [
+            ("a", "TwoSideMassPlane", {}),
+            ("m", "MassWithReverseMovablePulley", {"load?": 1.0}),
+            ("h", "FixedSupport", {}),
+        ],
+        [[("a", "right"), ("m", "under"), ("h", "end")]],
+    ),
+    "movable pulley and prism": (
+        [("a", "MassWithMovablePulley", {}), ("p", "MassPrismPlane", {})],
+        [[("a", "top"), ("p", "left")]],
+    ),
+    "movable pulley over wedges": (
+        [
+            ("a", "MassWithMovablePulley", {"left": ("OnWedge",), "right": ("OnWedge",)}),
+            ("b", "MassWithFixedPulley", HANGING),
+        ],
+        [[("a", "top"), ("b", "tail")]],
+    ),
+    "two movable pulleys": (
+        [
+            ("a", "MassWithMovablePulley", {"left": ("Hanging",), "right": ("Hanging",)}),
+            ("b", "MassWithMovablePulley", {"left": ("Hanging",), "right": ("OnPlane",)}),
+        ],
+        [[("a", "top"), ("b", "top")]],
+    ),
+    "prism, hand and load": (
+        [("p", "MassPrismPlane", {}), ("a", "MassWithFixedPulley", HANGING), ("h", "ConstantForcePuller", {})],
+        [[("p", "right"), ("a", "tail")], [("p", "left"), ("h", "end")]],
+    ),
+    "ramp between loads": (
+        [("r", "TwoSideMassPlane", {}), ("a", "MassWithFixedPulley", HANGING), ("b", "MassWithFixedPulley", WEDGE)],
+        [[("r", "right"), ("a", "tail")], [("r", "left"), ("b", "tail")]],
+    ),
+    "pucks": ([("t", "TwoDCollisionPlane", {})], []),
+}
+
+
+def joined(name: str, seed: int) -> Scene:
+    rng = np.random.default_rng(seed)
+    parts, strings = JOINED[name]
+    entities = tuple(Named(name=n, entity=draw(ENTITIES[kind], rng, choices)) for n, kind, choices in parts)
+    links = [tuple(Link(entity=entity, port=port) for entity, port in ends) for ends in strings]
+    return Scene(entities=entities, connections=tuple(CONNECTIONS["tendon"](links=ends) for ends in links))
+
+
+@pytest.fixture(scope="session")
+def scenes() -> list[Scene]:
+    """Sixty random scenes of every recipe and difficulty, and every entity joined in ways that no recipe draws."""
+    random = [draw_scene(r, d, seed=5, index=n) for r, d, n in product(RECIPES, DIFFICULTIES, range(5))]
+    return [*random, *(joined(name, seed) for name in JOINED for seed in range(2))]

@@ -1,0 +1,222 @@
+import xml.etree.ElementTree as ET
+from itertools import combinations
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.wedge import Prism, Wedge
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.mechanism import X, Z
+from sim2reason.dsl.scene import Named, Scene
+from sim2reason.dsl.speaker import tell
+from sim2reason.errors import MissingExtraError, UnsupportedError
+from sim2reason.figures.arrange import Arranger
+from sim2reason.figures.canvas import draw
+from sim2reason.figures.cost import Layout
+from sim2reason.figures.drawing import drawing
+from sim2reason.figures.loose import PulleyPiece
+from sim2reason.figures.shapes import Drawing
+from sim2reason.figures.vectors import common, depth, dot, unit
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class Drawn(NamedTuple):
+    scene: Scene
+    drawing: Drawing
+    layouts: list[Layout]
+
+
+@pytest.fixture(scope="module")
+def drawings(scenes: list[Scene]) -> list[Drawn]:
+    """All scenes drawn once, with the layouts on the way."""
+    found: list[Layout] = []
+    original = Arranger.best
+
+    def best(self: Arranger) -> Layout:
+        found.append(original(self))
+        return found[-1]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Arranger, "best", best)
+        drawn = [(scene, drawing(scene), len(found)) for scene in scenes]
+    ends = [end for _, _, end in drawn]
+    return [Drawn(s, d, found[a:b]) for (s, d, _), a, b in zip(drawn, [0, *ends], ends, strict=False)]
+
+
+@pytest.fixture(scope="module")
+def layouts(drawings: list[Drawn]) -> list[Layout]:
+    return [layout for drawn in drawings for layout in drawn.layouts]
+
+
+def named(scene: Scene) -> dict[str, str]:
+    names = tell(scene).names
+    return {a: names.letters.get(a, "") or names.noun(b) for a, b in scene.bodies.items() if b.letters}
+
+
+def test_every_body_of_the_text_is_labelled_as_the_text_names_it(drawings: list[Drawn]) -> None:
+    for scene, drawn, _ in drawings:
+        assert {label.subject: label.text for label in drawn.labels if label.name} == named(scene)
+        for address, text in named(scene).items():
+            assert text in tell(scene).mention(address)
+
+
+def test_angles_and_forces_stand_in_the_drawing(drawings: list[Drawn]) -> None:
+    for scene, drawn, _ in drawings:
+        wanted: list[str] = []
+        for body in scene.bodies.values():
+            match body:
+                case Plane(angle=angle) | Wedge(angle=angle):
+                    wanted += [f"{angle:g}°"] if angle else []
+                case Prism(left=left, right=right):
+                    wanted += [f"{left:g}°", f"{right:g}°"]
+                case _:
+                    pass
+        shown = [label.text for label in drawn.labels if label.text.endswith("°")]
+        assert sorted(shown) == sorted(wanted)
+        for pull in scene.mechanism.pulls:
+            assert any(label.text.endswith(" N") and float(label.text[:-2]) == pull.force for label in drawn.labels)
+
+
+def test_labels_keep_clear_of_each_other(drawings: list[Drawn]) -> None:
+    bad = 0
+    for _, drawn, _ in drawings:
+        for one, other in combinations(drawn.labels, 2):
+            smaller = min((box[2] - box[0]) * (box[3] - box[1]) for box in (one.box, other.box))
+            bad += common(one.box, other.box) > 0.02 * smaller
+    assert bad == 0
+
+
+def test_pieces_keep_clear_of_each_other(layouts: list[Layout]) -> None:
+    touching = 0
+    for layout in layouts:
+        solids = [
+            [tuple(p + layout.at[name] for p in polygon) for polygon in piece.hulls()]
+            for name, piece in layout.pieces.items()
+        ]
+        touching += any(depth(p, q) > 0.01 for a, b in combinations(solids, 2) for p in a for q in b)
+    assert touching == 0
+
+
+def test_strings_leave_pulleys_along_tangents(layouts: list[Layout]) -> None:
+    seen = 0
+    for layout in layouts:
+        for strand, a, b in layout.strands:
+            assert abs(b - a) > 0.1
+            way = unit(b - a)
+            for knot, end in ((strand.a, a), (strand.b, b)):
+                piece = layout.pieces[knot.piece]
+                if knot.rim and isinstance(piece, PulleyPiece):
+                    spoke = end - layout.at[knot.piece]
+                    assert abs(spoke) == pytest.approx(piece.radius)
+                    assert dot(spoke, way) == pytest.approx(0.0, abs=1e-9)
+                    seen += 1
+    assert seen > 100
+
+
+def test_strings_run_as_the_mechanism_has_them_or_mirrored(layouts: list[Layout]) -> None:
+    for layout in layouts:
+        for strand, a, b in layout.strands:
+            if strand.way is not None:
+                way = unit(b - a)
+                assert way.imag == pytest.approx(strand.way.imag, abs=1e-9)
+                assert abs(way.real) == pytest.approx(abs(strand.way.real), abs=1e-9)
+
+
+def test_labels_are_text_inside_the_canvas(drawings: list[Drawn], tmp_path: Path) -> None:
+    for number, (scene, drawn, _) in enumerate(drawings[::5]):
+        path = tmp_path / f"{number}.svg"
+        draw(drawn, path)
+        root = ET.parse(path).getroot()
+        width, height = (float(size) for size in root.attrib["viewBox"].split()[2:])
+        texts = list(root.iter(f"{SVG}text"))
+        assert sorted(t.text or "" for t in texts) == sorted(label.text for label in drawn.labels)
+        assert set(named(scene).values()) <= {t.text for t in texts}
+        scale = width / (drawn.box()[2] - drawn.box()[0] + 0.7)
+        for text in texts:
+            x, y = float(text.attrib["x"]), float(text.attrib["y"])
+            label = next(label for label in drawn.labels if label.text == text.text)
+            half = 0.5 * scale * (label.box[2] - label.box[0])
+            assert 0.0 <= x - half <= x + half <= width
+            assert 0.0 <= y <= height
+
+
+@pytest.mark.parametrize("ending", ["svg", "png", "pdf"])
+def test_the_same_bytes_twice(scenes: list[Scene], tmp_path: Path, ending: str) -> None:
+    paths = [tmp_path / f"{n}.{ending}" for n in range(2)]
+    for path in paths:
+        draw(drawing(scenes[-3], numbers=True), path)
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+    assert len(paths[0].read_bytes()) > 1000
+
+
+def test_numbers_are_masses_as_the_text_has_them(scenes: list[Scene]) -> None:
+    for scene in scenes[::6]:
+        shown = " ".join(label.text for label in drawing(scene, numbers=True).labels)
+        for parameter in scene.parameters:
+            if parameter.path.endswith("mass") and parameter.value:
+                assert parameter.measure.say(parameter.value) in shown
+
+
+def test_glue_does_not_show(scenes: list[Scene]) -> None:
+    scene = next(s for s in scenes if any(isinstance(b, Wedge) for b in s.bodies.values()))
+    wedge = next(a for a, b in scene.bodies.items() if isinstance(b, Wedge))
+    assert drawing(scene.gluing(wedge), tell(scene)).shapes == drawing(scene).shapes
+
+
+class Pair(Entity):
+    block: Block
+    wedge: Wedge
+
+    says = ("{block} lies on {wedge}, and friction has the coefficient {wedge.friction}.",)
+
+    def build(self, room: Frame) -> None:
+        wedge = room.body("wedge", self.wedge.mass).rest(along=X, normal=Z)
+        wedge.site("pulley", at=(0.8, 0.0, 0.6))
+        wedge.body("block", self.block.mass).rest(along=(0.8, 0.0, 0.6), normal=(-0.6, 0.0, 0.8)).site("hook")
+        room.site("nail", at=(3.0, 0.0, 0.6))
+        room.string("cord", "pair.hook", "pair.pulley", "pair.nail")
+
+
+def test_an_entity_of_known_bodies_needs_no_code_here() -> None:
+    pair = Pair(block=Block(mass=1.0), wedge=Wedge(mass=2.0, angle=37.0, friction=0.1))
+    drawn = drawing(Scene(entities=(Named(name="pair", entity=pair),)))
+    assert {"block", "wedge"} <= {label.text for label in drawn.labels}
+
+
+class Balloon(Body):
+    nouns = ("balloon",)
+    lone = ("a {noun}", "one {noun}")
+    named = ("{noun} {letter}", "a {noun} {letter}")
+
+
+class Sky(Entity):
+    balloon: Balloon
+
+    says = ("{balloon} rises.",)
+
+    def build(self, room: Frame) -> None:
+        room.body("balloon", 1.0).slide(Z)
+
+
+def test_a_body_without_a_look_is_said_so() -> None:
+    with pytest.raises(UnsupportedError, match="Balloon"):
+        drawing(Scene(entities=(Named(name="sky", entity=Sky(balloon=Balloon())),)))
+
+
+def test_another_format_is_refused_by_name(scenes: list[Scene], tmp_path: Path) -> None:
+    with pytest.raises(UnsupportedError, match=r"\.svg, \.png or \.pdf"):
+        draw(drawing(scenes[0]), tmp_path / "scene.bmp")
+
+
+def test_a_missing_extra_is_said_with_the_remedy(
+    scenes: list[Scene], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
+    with pytest.raises(MissingExtraError, match=r"pip install 'sim2reason\[figures\]'"):
+        draw(drawing(scenes[0]), tmp_path / "scene.svg")

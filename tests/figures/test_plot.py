@@ -1,0 +1,99 @@
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.puck import Puck, Table
+from sim2reason.datasets.draws import draw
+from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.scene import Named, Scene
+from sim2reason.dsl.speaker import tell
+from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
+from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
+from sim2reason.figures.curves import VERBS, motion, told
+from sim2reason.figures.plot import REASONS, plot
+from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.trace import Event, Trace
+
+
+def alone(entity: Entity) -> Scene:
+    return Scene(entities=(Named(name="it", entity=entity),))
+
+
+SLIDING = alone(TwoSideMassPlane(plane=Plane(angle=30.0, friction=0.2), blocks=(Block(mass=1.0),), speed=3.0))
+MEETING = alone(
+    TwoDCollisionPlane(
+        table=Table(),
+        radius=0.1,
+        pucks=(Puck(mass=1.0, x=0.0, y=0.0, vx=1.0, vy=0.0), Puck(mass=2.0, x=1.2, y=0.0, vx=-1.0, vy=0.0)),
+        restitution=0.5,
+    )
+)
+
+
+def exact(scene: Scene, duration: float = 2.0) -> Trace:
+    return simulate(scene, duration)
+
+
+def test_curves_are_named_as_in_the_text(scenes: list[Scene]) -> None:
+    for scene in scenes[::4]:
+        telling = tell(scene)
+        shown = motion(exact(scene), telling)
+        for panel in shown.panels[:3]:
+            for curve in panel.curves:
+                name = curve.name.partition(",")[0]
+                assert any(name in telling.mention(address) for address in scene.bodies)
+                assert len(curve.values) == len(shown.times)
+                assert np.isfinite(curve.values).all()
+
+
+def test_a_sliding_block_is_shown_as_it_slides() -> None:
+    scene = SLIDING
+    shown = motion(exact(scene), tell(scene))
+    assert [panel.title for panel in shown.panels][:3] == ["displacement (m)", "velocity (m/s)", "acceleration (m/s²)"]
+    speed, acceleration = shown.panels[1].curves[0].values, shown.panels[2].curves[0].values
+    assert shown.panels[1].curves[0].name.endswith("up the slope")
+    assert speed[-1] - speed[0] == pytest.approx(np.trapezoid(acceleration, shown.times), abs=1e-2)
+    assert [mark.text for mark in shown.marks][:1] == ["the block begins to slide, or slides back"]
+
+
+def test_both_sides_of_an_event_are_drawn() -> None:
+    scene = MEETING
+    trace = exact(scene)
+    shown = motion(trace, tell(scene))
+    hit = next(event.time for event in trace.events if event.kind == "collision")
+    assert {hit, np.nextafter(hit, 0.0)} <= set(shown.times)
+    assert "collide" in shown.marks[0].text
+
+
+def test_the_part_cut_off_is_not_drawn_but_shaded(tmp_path: Path) -> None:
+    scene = draw("pulley", "easy", seed=1)
+    trace = replace(exact(scene), stable_until=0.8, cut="certificate")
+    shown = motion(trace, tell(scene))
+    assert shown.times[-1] == pytest.approx(0.8)
+    path = tmp_path / "traces.svg"
+    plot(trace, tell(scene), path)
+    text = path.read_text(encoding="utf-8")
+    assert "cut off:" in text
+    assert REASONS["certificate"] in text
+
+
+def test_the_same_bytes_twice(tmp_path: Path) -> None:
+    scene = draw("hybrid", "medium", seed=2)
+    paths = [tmp_path / f"{n}.svg" for n in range(2)]
+    for path in paths:
+        plot(exact(scene), tell(scene), path)
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+
+
+def test_every_kind_of_event_has_words() -> None:
+    scene = SLIDING
+    mentions = {address: tell(scene).mention(address) for address in scene.bodies}
+    body = next(name for name in scene.mechanism.body)
+    for kind in VERBS:
+        said = told(Event(0.1, kind, (body, body)), scene.mechanism, mentions)
+        assert "{" not in said
+        assert kind == "crowd" or mentions[body] in said

@@ -1,0 +1,35 @@
+import pytest
+
+from sim2reason.figures.labels import placed
+from sim2reason.figures.shapes import Line, Wanted
+from sim2reason.figures.vectors import common, crosses, depth, hull, length_inside, rectangle, ring
+
+
+def test_a_hull_holds_no_inner_points() -> None:
+    square = rectangle(0j, 2.0, 2.0)
+    assert set(hull([*square, 0j, 0.5 + 0.5j])) == set(square)
+    assert hull([1j, 1j]) == (1j,)
+
+
+def test_depth_is_how_far_one_must_move() -> None:
+    one = rectangle(0j, 2.0, 2.0)
+    assert depth(one, rectangle(1.5 + 0j, 2.0, 2.0)) == pytest.approx(0.5)
+    assert depth(one, rectangle(3.0 + 0j, 2.0, 2.0)) == pytest.approx(-1.0)
+    assert depth(one, (0.5 + 0j, 4.0 + 0j)) == pytest.approx(0.5)
+    assert depth(one, (1.5 - 1j, 1.5 + 1j)) < 0.0
+    assert depth(one, ring(1.4 + 1.4j, 0.4)) < 0.1
+
+
+def test_segments_and_boxes() -> None:
+    assert crosses(-1.0 + 0j, 1.0 + 0j, -1j, 1j)
+    assert not crosses(-1.0 + 0j, 1.0 + 0j, 1j, 2j)
+    assert common((0.0, 0.0, 2.0, 2.0), (1.0, 1.0, 3.0, 3.0)) == pytest.approx(1.0)
+    assert common((0.0, 0.0, 1.0, 1.0), (1.0, 0.0, 2.0, 1.0)) == pytest.approx(0.0)
+    assert length_inside(-1.0 + 0.5j, 3.0 + 0.5j, (0.0, 0.0, 1.0, 1.0)) == pytest.approx(1.0)
+    assert length_inside(2j, 1.0 + 2j, (0.0, 0.0, 1.0, 1.0)) == pytest.approx(0.0)
+
+
+def test_a_label_gives_way_to_lines_and_to_labels() -> None:
+    line = Line((-2.0 + 0j, 2.0 + 0j))
+    first, second = placed([Wanted("A", (0j, 1j), "a"), Wanted("B", (1j, 2j), "b")], [line])
+    assert (first.at, second.at) == (1j, 2j)
