@@ -10,9 +10,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from scene_files import composed
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import ENTITIES, Part
+from sim2reason.dsl.files import load
 from sim2reason.dsl.kinematics import carried, slides_of
 from sim2reason.dsl.model import field_types
 from sim2reason.dsl.reading import Reading, read
@@ -21,6 +23,7 @@ from sim2reason.dsl.reading.tokens import MAX_CHARACTERS, MAX_PIECES, pieces
 from sim2reason.dsl.scene import Named, Scene
 from sim2reason.dsl.speaker import Telling, tell
 from sim2reason.dsl.template import Each, slots, wordings
+from sim2reason.dsl.yaml_text import write
 from sim2reason.entities.two_d_collision_plane import Pair
 from sim2reason.errors import DrawError, SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
@@ -77,6 +80,20 @@ def test_every_scene_is_read_back(recipe: str, difficulty: Difficulty) -> None:
         assert numbers(reading.scene) == numbers(telling.scene), telling.text
         for address in telling.names.letters:
             assert telling.mention(address) in reading.names
+
+
+@pytest.mark.parametrize("chunk", range(4))
+def test_scenes_that_no_recipe_draws_are_read_back(chunk: int) -> None:
+    """Also several that nothing joins, on two tables, or hung up so that nothing moves."""
+    read_back = 0
+    for index in range(60):
+        try:
+            telling = tell(load(write(composed(np.random.default_rng([chunk, index])))), index)
+        except SceneError:
+            continue
+        assert understood(read(telling.text)) == meaning(telling), telling.text
+        read_back += 1
+    assert read_back > 20
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), TIERS)

@@ -1,7 +1,7 @@
 """Scenes: entities, connections and a world, as one frozen value."""
 
 from functools import cached_property
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, Self, cast
 
 from pydantic import Field, SerializeAsAny, model_validator
 
@@ -229,10 +229,10 @@ class Scene(Model):
 def _bodies(value: Model, address: str) -> dict[str, Body]:
     found: dict[str, Body] = {}
     for name in type(value).model_fields:
-        held = getattr(value, name)
-        members = list(enumerate(held)) if isinstance(held, tuple) else [(None, held)]  # type: ignore[reportUnknownArgumentType]
-        for index, member in members:
-            where = f"{address}.{name}" if index is None else f"{address}.{name}.{index}"
+        held: Any = getattr(value, name)
+        inside = isinstance(held, tuple)
+        for index, member in enumerate(cast("tuple[Any, ...]", held) if inside else (held,)):
+            where = f"{address}.{name}.{index}" if inside else f"{address}.{name}"
             if isinstance(member, Body):
                 found[where] = member
             elif isinstance(member, Part):

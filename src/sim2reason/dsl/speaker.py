@@ -10,8 +10,9 @@ import numpy as np
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.closings import closings
 from sim2reason.dsl.entity import Part
-from sim2reason.dsl.model import Model, Parameter, field_types, lookup, parameters
+from sim2reason.dsl.model import Parameter, field_types, lookup, parameters
 from sim2reason.dsl.naming import Names, letters, symbols
+from sim2reason.dsl.phrases import another, canonical, join, resolved
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.table import table
 from sim2reason.dsl.template import COUNT_WORDS, Each, Saying, Slot, Word, slots, wordings
@@ -107,7 +108,7 @@ class Speaker:
         return symbols(said, self.scene.bodies, self.names)
 
     def sentences(self) -> list[str]:
-        """All sentences: for each string the lines of its new entities, then the string; at the end what holds for all."""
+        """All sentences: for each string the lines of its new entities, then the string; last what holds for all."""
         told: list[str] = []
         done: set[str] = set()
         for name in self._string_order():
@@ -172,11 +173,11 @@ class Speaker:
         for slot in slots(template):
             if slot.kind != "path" or "*" in slot.path or slot.path in type(part).words:
                 continue
-            held = _resolve(part, slot.path)
+            held = resolved(part, slot.path)
             if held is None:
                 return False
             owner, _, name = slot.path.rpartition(".")
-            body = _resolve(part, owner) if owner else part
+            body = resolved(part, owner) if owner else part
             if isinstance(body, Body) and name in field_types(type(body)) and body.told_by_word(name):
                 return False
         return True
@@ -211,13 +212,13 @@ class Speaker:
             return slot.text
         part = self.scene.value(address) if address else self.scene
         if slot.kind in ("agree", "some", "count"):
-            count = len(_resolve(part, slot.path))
+            count = len(resolved(part, slot.path))
             return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.form(count), address)
         if slot.kind == "plural":
-            return f"{self.names.noun(_resolve(part, slot.path)[0])}s"
+            return f"{self.names.noun(resolved(part, slot.path)[0])}s"
         if slot.kind == "member":
-            return self._mention(f"{address}.{slot.text}.{_resolve(part, slot.path)}", start=start)
-        where = _canonical(part, slot.path)
+            return self._mention(f"{address}.{slot.text}.{resolved(part, slot.path)}", start=start)
+        where = canonical(part, slot.path)
         words = type(part).words if isinstance(part, Part) else {}
         if slot.path in words:
             word = words[slot.path]
@@ -288,44 +289,6 @@ class Speaker:
         ]
         plural = f"{self.names.noun(first)}s " if start or not known else ""
         return plural + join(items)
-
-
-def join(items: list[str], last: str = " and ") -> str:
-    """A, B and C."""
-    return items[0] if len(items) == 1 else ", ".join(items[:-1]) + last + items[-1]
-
-
-def another(text: str) -> str:
-    """An introduction of a second of its kind."""
-    for article in ("a ", "an "):
-        if text.startswith(article):
-            return "another " + text[len(article) :]
-    return text
-
-
-def _canonical(part: Model, path: str) -> str:
-    """`first` and `last` as indices."""
-    steps = path.split(".")
-    if steps[-1] in ("first", "last"):
-        members = lookup(part, ".".join(steps[:-1]))
-        steps[-1] = "0" if steps[-1] == "first" else str(len(members) - 1)
-    return ".".join(steps)
-
-
-def _resolve(part: Any, path: str) -> Any:
-    """What a slot speaks of; a word of a body stands for the body itself."""
-    held: Any = part
-    for step in path.split("."):
-        if held is None:
-            return None
-        if isinstance(held, tuple):
-            members: tuple[Any, ...] = held
-            held = members[{"first": 0, "last": -1}.get(step) if step in ("first", "last") else int(step)]  # type: ignore[index]
-        elif isinstance(held, Body) and step in held.words:
-            return held
-        else:
-            held = getattr(held, step)
-    return held
 
 
 def dialect(voice: str, hide: tuple[str, ...] = ()) -> Voice:

@@ -35,7 +35,7 @@ def table(speaker: "Speaker", field: str, where: list[str], members: tuple[Body,
     columns = headings(type(members[0]))
     shared = [name for name in columns if len({getattr(member, name) for member in members}) == 1]
     said = [f"{shared_start(columns[name])}{speaker.at(f'{where[0]}.{name}')}." for name in shared]
-    rows = [(noun, *(columns[name] for name in columns if name not in shared))]
+    rows: list[tuple[str, ...]] = [(noun, *(columns[name] for name in columns if name not in shared))]
     rows.append(tuple("---" for _ in rows[0]))
     for address in where:
         cells = [_cell(speaker.at(f"{address}.{name}")) for name in columns if name not in shared]

@@ -8,8 +8,8 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure, join_unit
 from sim2reason.dsl.model import Model, field_types
+from sim2reason.dsl.phrases import another, join
 from sim2reason.dsl.reading.heard import MANY, Heard
-from sim2reason.dsl.speaker import another
 from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
 from sim2reason.errors import TextError
 
@@ -222,7 +222,7 @@ class Hearer:
     def _known(self, text: str, at: int, members: list[str], heard: Heard, *, start: bool) -> Iterator[Found]:
         letters = [heard.letters[address] for address in members]
         plural = f"{heard.nouns[heard.body(members[0])]}s " if start else ""
-        yield from self._just(text, at, f"{plural}{', '.join(letters[:-1])} and {letters[-1]}", heard)
+        yield from self._just(text, at, plural + join(letters), heard)
 
     def _items(
         self, text: str, at: int, address: str, kind: type[Body], heard: Heard, index: int, *, last: bool = False

@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from sim2reason.dsl.kinematics import Point, Steps, kinematics
-from sim2reason.dsl.mechanism import Mechanism, Pull, String, Wheel
+from sim2reason.dsl.mechanism import Collision, Mechanism, Pull, String, Wheel
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
 
@@ -33,11 +33,8 @@ def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
         rows.line(line)
     for name, contact in mechanism.contacts.items():
         rows.rise(("face", round(contact.friction, 9)), list(mechanism.contacts).index(name))
-    hits = [
-        (*sorted(names.get(side, side) for side in (hit.a, hit.b)), hit.distance, hit.restitution)
-        for hit in mechanism.collisions
-    ]
-    return (mechanism.gravity, tuple(sorted(hits)), rows.refined())
+    hits = sorted(rows.hit(hit, names) for hit in mechanism.collisions)
+    return (mechanism.gravity, tuple(hits), rows.refined())
 
 
 class _Rows:
@@ -68,15 +65,21 @@ class _Rows:
         """Its place and its start; it has three rows, and one more if it turns."""
         body, point = self._mechanism.body[name], self._k.bodies[name]
         start = self._spread(point.slides, point.normals)[:, : self._n] @ self._speeds()
-        where = point.at if self._mechanism.collisions else ()
         spread = self._spread(point.slides, point.normals)
         for axis in range(3):
-            label = ("body", called, axis, body.mass, _rounded(start[axis]), tuple(_rounded(x) for x in where))
+            label = ("body", called, axis, body.mass, _rounded(start[axis]))
             self._add(label, spread[axis])
         if name in self._k.hinges:
             row = np.zeros(self._width)
             row[self._k.hinges[name]] = np.sqrt(body.inertia)
             self._add(("turn", called), row)
+
+    def hit(self, hit: Collision, names: Mapping[str, str]) -> tuple[str, str, str]:
+        """Two bodies that may bounce: what they are called, how they bounce, and how far apart they start."""
+        one, other = sorted((hit.a, hit.b), key=lambda address: names.get(address, ""))
+        apart = np.subtract(self._k.bodies[other].at, self._k.bodies[one].at)
+        numbers = [_rounded(number) for number in (hit.distance, hit.restitution, *apart)]
+        return names.get(one, ""), names.get(other, ""), repr(numbers)
 
     def _speeds(self) -> Array:
         return np.array([coordinate.speed for coordinate in self._mechanism.coordinates] or [0.0])[: self._n]

@@ -1,0 +1,45 @@
+"""Small turns of phrase, and what the paths of templates lead to."""
+
+from typing import Any, cast
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.model import Model, lookup
+
+_ENDS = {"first": 0, "last": -1}
+
+
+def join(items: list[str], last: str = " and ") -> str:
+    """A, B and C."""
+    return items[0] if len(items) == 1 else ", ".join(items[:-1]) + last + items[-1]
+
+
+def another(text: str) -> str:
+    """An introduction of a second of its kind."""
+    for article in ("a ", "an "):
+        if text.startswith(article):
+            return "another " + text[len(article) :]
+    return text
+
+
+def canonical(part: Model, path: str) -> str:
+    """`first` and `last` as indices."""
+    steps = path.split(".")
+    if steps[-1] in ("first", "last"):
+        members = lookup(part, ".".join(steps[:-1]))
+        steps[-1] = "0" if steps[-1] == "first" else str(len(members) - 1)
+    return ".".join(steps)
+
+
+def resolved(part: Any, path: str) -> Any:
+    """What a slot speaks of; a word of a body stands for the body itself."""
+    held: Any = part
+    for step in path.split("."):
+        if held is None:
+            return None
+        if isinstance(held, tuple):
+            held = cast("tuple[Any, ...]", held)[_ENDS[step] if step in _ENDS else int(step)]
+        elif isinstance(held, Body) and step in held.words:
+            return held
+        else:
+            held = getattr(held, step)
+    return held
