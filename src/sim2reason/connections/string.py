@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Annotated, Any, ClassVar, Self, TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 from annotated_types import Le
 
@@ -86,11 +87,10 @@ class String(Connection):
     def tell(cls, name: str, stops: list[Stop], speaker: "Speaker") -> str:
         """Its one sentence: what it is tied to, what it passes, where it ends."""
         stops = max(stops, reversed_path(stops), key=lambda path: _worth(path[0]))
-        if not _worth(stops[0]):
+        first = stops[0]
+        if not isinstance(first.port, End) or not _worth(first):
             raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
         opening = speaker.choose(OPENINGS)
-        first = stops[0]
-        assert isinstance(first.port, End)
         tied = speaker.render(first.port.tied, first.owner)
         verbs = [speaker.render(first.port.leaves, first.owner)] if first.port.leaves else []
         gaps = turns(stops, speaker.scene.builder)
@@ -130,7 +130,7 @@ def reversed_path(stops: list[Stop]) -> list[Stop]:
 def turns(stops: list[Stop], builder: Builder) -> list[tuple[str, str] | None]:
     """For each gap between stops the two sites on its sides if a fixed pulley must turn the string there."""
     found: list[tuple[str, str] | None] = []
-    for index, (one, other) in enumerate(zip(stops, stops[1:], strict=False)):
+    for index, (one, other) in enumerate(pairwise(stops)):
         leaves = travelled_sites(one, first=index == 0)[-1]
         reaches = travelled_sites(other, first=False)[0]
         straight = opposite(builder.faces[leaves], builder.faces[reaches])
@@ -140,7 +140,7 @@ def turns(stops: list[Stop], builder: Builder) -> list[tuple[str, str] | None]:
 
 def joined(verbs: list[str]) -> str:
     """V, V and V; a repeated verb becomes *then*."""
-    said = [verbs[0], *(after(before, verb) for before, verb in zip(verbs, verbs[1:], strict=False))]
+    said = [verbs[0], *(after(before, verb) for before, verb in pairwise(verbs))]
     return said[0] if len(said) == 1 else ", ".join(said[:-1]) + " and " + said[-1]
 
 
