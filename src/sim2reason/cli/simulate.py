@@ -39,11 +39,19 @@ Summary = dict[str, Any]
 @click.option("--engine", default="exact", show_default=True, help="One of: sim2reason list engines; or both.")
 @click.option("--duration", type=click.FloatRange(1e-6, 1e3), default=2.0, show_default=True, help="Seconds.")
 @click.option("--samples", type=click.IntRange(2, 100_001), default=101, show_default=True, help="Rows of a trace.")
+@click.option("--truncate", "by_rule", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
 @click.option("-o", "out", type=click.Path(path_type=Path), help="Write the trace to this Parquet file.")
 @click.option("--json", "to_json", is_flag=True, help="For a program to read.")
 @click.option("--patience", type=click.FloatRange(0.01), default=PATIENCE, hidden=True)
 def command(
-    path: Path, engine: str, duration: float, samples: int, out: Path | None, to_json: bool, patience: float
+    path: Path,
+    engine: str,
+    duration: float,
+    samples: int,
+    by_rule: bool,
+    out: Path | None,
+    to_json: bool,
+    patience: float,
 ) -> int:
     """Simulate the scene in the file SCENE, or on standard input if it is ``-``."""
     if not isfinite(duration):  # click lets NaN through
@@ -52,7 +60,7 @@ def command(
     source.scene(path, content)  # what is wrong with the file is said here, with its name
     part = out.with_name(f"{out.name}.part") if out is not None else None
     try:
-        found = guarded(patience, run, content, engine, duration, samples, part)
+        found = guarded(patience, run, content, engine, duration, samples, part, by_rule)
         if out is not None and part is not None:
             part.replace(out)
     finally:
@@ -65,10 +73,13 @@ def command(
     return 1 if found["cut"] == "certificate" else 0
 
 
-def run(content: str, engine: str, duration: float, samples: int, out: Path | None) -> Summary:
+def run(
+    content: str, engine: str, duration: float, samples: int, out: Path | None, by_rule: bool = False
+) -> Summary:
     """Simulate the scene of a text, in a worker process; write the trace to `out`."""
     from sim2reason.dsl.files import load
     from sim2reason.simulation import files, scenes
+    from sim2reason.simulation.truncate import truncate
 
     scene, certificate = load(content), None
     if engine == "both":
@@ -77,6 +88,8 @@ def run(content: str, engine: str, duration: float, samples: int, out: Path | No
         trace = scenes.simulate(scene, duration, engine, samples)
     if trace.stable_until == 0.0 and trace.cut in STUCK:
         raise _stuck(trace)
+    if by_rule:
+        trace = truncate(trace)
     if out is not None:
         files.write(trace, out)
     return {
