@@ -45,11 +45,11 @@ class Prism(Body):
     nouns = ("prism",)
     letters = "WVUY"
     lone = (
-        "a prism of mass {mass} with {surface} faces that rise to the apex at {left} on the left and {right} on the right",
+        "a prism of mass {mass} with {surface} faces rising at {left} on the left and {right} on the right",
         "a {mass} prism with {surface} faces at {left} (left) and {right} (right) to the horizontal",
     )
     named = (
-        "prism {letter} of mass {mass} with {surface} faces that rise to the apex at {left} on the left and {right} on the right",
+        "prism {letter} of mass {mass} with {surface} faces rising at {left} on the left and {right} on the right",
         "prism {letter} ({mass}) with {surface} faces at {left} (left) and {right} (right) to the horizontal",
     )
     words = {"surface": Smoothness}

@@ -140,8 +140,8 @@ REDRAWS = 20
 Choice = Range | Count | tuple[str, ...] | float | int | bool | None
 Choices = Mapping[str, Choice]
 """How a recipe narrows a draw, by field name or by the name of a measure: a `Range` or `Count` to draw from,
-a tuple of class names to pick a part from, a fixed value, or a chance between 0 and 1 that an optional thing
-is there."""
+a tuple of class names to pick a part from (one named twice is picked twice as often), a fixed value, or a chance
+between 0 and 1 that an optional thing is there."""
 
 
 def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object] | None = None) -> M:
@@ -195,7 +195,8 @@ def _draw_field(model: type[Model], name: str, kind: FieldType, rng: np.random.G
     if kind.words:
         return kind.words[int(rng.integers(len(kind.words)))]
     picks = _choice(choices, f"{model.__name__}.{name}", name)
-    allowed = [held for held in kind.models if not isinstance(picks, tuple) or held.__name__ in picks]
+    names = picks if isinstance(picks, tuple) else tuple(held.__name__ for held in kind.models)
+    allowed = [held for name in names for held in kind.models if held.__name__ == name]
     count = picks if isinstance(picks, Count) else kind.count
     if kind.count is not None and count is not None:
         size = int(rng.integers(count.low, count.high + 1))

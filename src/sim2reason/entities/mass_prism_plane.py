@@ -34,14 +34,14 @@ class MassPrismPlane(Entity):
             "on a smooth floor, free to slide, stands {prism}.",
         ),
         either(
-            "{left_blocks} {left_blocks:rests/rest, the lower one first,/rest, in this order from the lowest up,} on the left face, and {right_blocks} {right_blocks:rests/rest, the lower one first,/rest, in this order from the lowest up,} on the right face.",
-            "on the left face {left_blocks:lies/lie, the lower one first,/lie, from the lowest up,} {left_blocks}, and on the right face {right_blocks:lies/lie, the lower one first,/lie, from the lowest up,} {right_blocks}.",
-            "the left face carries {left_blocks}{left_blocks:/, the lower one first/, from the lowest up}, and the right face carries {right_blocks}{right_blocks:/, the lower one first/, from the lowest up}.",
+            "{left_blocks} {left_blocks:rests/rest, the lower one first,/rest, in this order from the lowest up,} on the left face, and {right_blocks}{right_blocks:/, the lower one first,/, in this order from the lowest up,} on the right.",
+            "on the left face {left_blocks:lies/lie, the lower one first,/lie, from the lowest up,} {left_blocks}, and on the right{right_blocks:/, the lower one first,/, from the lowest up,} {right_blocks}.",
+            "the left face carries {left_blocks}{left_blocks:/, the lower one first/, from the lowest up}, and the right one {right_blocks}{right_blocks:/, the lower one first/, from the lowest up}.",
         ),
         either(
-            "a light string over a small light pulley at the apex joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.first} to {left_blocks.last}/; light strings join the others on the left face, each to the next}{right_blocks:/; another joins {right_blocks.first} to {right_blocks.last}/; light strings join the others on the right face, each to the next}.",
-            "across the apex, over a small light pulley, a light string joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.first} to {left_blocks.last}/; on the left face light strings join each block to the next}{right_blocks:/; another joins {right_blocks.first} to {right_blocks.last}/; on the right face light strings join each block to the next}.",
-            "over a small light pulley at the apex a light string runs from {left_blocks.last} to {right_blocks.last}{left_blocks:/; another runs from {left_blocks.first} to {left_blocks.last}/; neighbours on the left face are joined by light strings}{right_blocks:/; another runs from {right_blocks.first} to {right_blocks.last}/; neighbours on the right face are joined by light strings}.",
+            "a light string over a light pulley at the apex joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.first} to {left_blocks.last}/; light strings join the others on the left face, each to the next}{right_blocks:/; another joins {right_blocks.first} to {right_blocks.last}/; light strings join the others on the right face, each to the next}.",
+            "across the apex, over a light pulley, a light string joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.first} to {left_blocks.last}/; on the left face light strings join each block to the next}{right_blocks:/; another joins {right_blocks.first} to {right_blocks.last}/; on the right face light strings join each block to the next}.",
+            "over a light pulley at the apex a light string runs from {left_blocks.last} to {right_blocks.last}{left_blocks:/; another runs from {left_blocks.first} to {left_blocks.last}/; neighbours on the left face are joined by light strings}{right_blocks:/; another runs from {right_blocks.first} to {right_blocks.last}/; neighbours on the right face are joined by light strings}.",
         ),
         either(
             "the coefficient of friction (static and kinetic) on both faces is {prism.friction}.",
@@ -52,14 +52,14 @@ class MassPrismPlane(Entity):
     left = End(
         sites=("left_lowest", "left_foot"),
         tied="{left_blocks.first}",
-        leaves="runs down the face, round a small light pulley at its foot and on to the left",
-        arrives="comes in from the left round a small light pulley at the foot of the left face and up to {left_blocks.first}",
+        leaves="runs down the left face, round a light pulley at its foot and on to the left",
+        arrives="comes in from the left, round a light pulley at the foot of the face, to {left_blocks.first}",
     )
     right = End(
         sites=("right_lowest", "right_foot"),
         tied="{right_blocks.first}",
-        leaves="runs down the face, round a small light pulley at its foot and on to the right",
-        arrives="comes in from the right round a small light pulley at the foot of the right face and up to {right_blocks.first}",
+        leaves="runs down the right face, round a light pulley at its foot and on to the right",
+        arrives="comes in from the right, round a light pulley at the foot of the face, to {right_blocks.first}",
     )
 
     def build(self, room: Frame) -> None:

@@ -8,17 +8,16 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import MOVABLE, REVERSE, Tier, grow
 from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
 
-POOL = {"TwoSideMassPlane": 1.5, "MassPrismPlane": 1.0, "MassWithFixedPulley": 1.5, MOVABLE: 1.0, REVERSE: 1.0}
+SHORT = {"TwoSideMassPlane": 1.5, "MassWithFixedPulley": 1.5, MOVABLE: 1.0, REVERSE: 1.0}
+POOL = {**SHORT, "MassPrismPlane": 2.5}
+SIDES = dict.fromkeys((f"{MOVABLE}.left", f"{MOVABLE}.right"), ("Hanging", "OnPlane"))  # more would be too long to tell
+EASY = {**dict.fromkeys(SIDES, ("Hanging",)), "MassWithFixedPulley.system": ("Hanging", "OnPlane")}
 TIERS = {
-    "easy": Tier(
-        Count(1, 2),
-        POOL,
-        {**NUMBERS["easy"], f"{MOVABLE}.left": ("Hanging",), f"{MOVABLE}.right": ("Hanging",)},
-        more=0.1,
-        words=WORDS["easy"],
+    "easy": Tier(Count(1, 2), SHORT, {**NUMBERS["easy"], **EASY}, more=0.1, words=WORDS["easy"]),
+    "medium": Tier(Count(2, 3), POOL, {**NUMBERS["medium"], **SIDES}, rough=0.3, more=0.2, words=WORDS["medium"]),
+    "hard": Tier(
+        Count(3, 4), POOL, {**NUMBERS["hard"], **SIDES}, rough=0.6, massive=0.5, more=0.2, words=WORDS["hard"]
     ),
-    "medium": Tier(Count(2, 3), POOL, NUMBERS["medium"], rough=0.3, more=0.2, words=WORDS["medium"]),
-    "hard": Tier(Count(3, 4), POOL, NUMBERS["hard"], rough=0.6, massive=0.5, more=0.2, words=WORDS["hard"]),
 }
 
 

@@ -11,6 +11,7 @@ from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
 POOL = {"MassWithFixedPulley": 2.0, MOVABLE: 1.5, REVERSE: 1.5}
 SYSTEMS = ("MassWithFixedPulley.system", f"{MOVABLE}.left", f"{MOVABLE}.right")
 HANGING = dict.fromkeys(SYSTEMS, ("Hanging",))
+STANDING = dict.fromkeys(SYSTEMS, ("Hanging", "OnPlane"))  # strings to wedges take more words than a reader holds
 TIERS = {
     "easy": Tier(Count(1, 2), POOL, {**NUMBERS["easy"], **HANGING}, massive=0.4, words=WORDS["easy"]),
     "medium": Tier(
@@ -20,7 +21,7 @@ TIERS = {
         massive=0.4,
         words=WORDS["medium"],
     ),
-    "hard": Tier(Count(3, 4), POOL, NUMBERS["hard"], rough=0.4, massive=0.5, words=WORDS["hard"]),
+    "hard": Tier(Count(3, 4), POOL, {**NUMBERS["hard"], **STANDING}, rough=0.4, massive=0.5, words=WORDS["hard"]),
 }
 
 

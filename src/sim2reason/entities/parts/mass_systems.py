@@ -116,8 +116,8 @@ class OnWedge(MassSystem):
     tail = End(
         sites=("hook", "corner"),
         tied="{blocks.last}",
-        leaves="runs up the face, over a small light pulley at the top of {wedge} and on horizontally",
-        arrives="comes in horizontally over a small light pulley at the top of {wedge} and down the face to {blocks.last}",
+        leaves="runs up the face, over a light pulley at its top and on horizontally",
+        arrives="runs horizontally over a light pulley at the top of {wedge} and down to {blocks.last}",
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:
