@@ -64,7 +64,9 @@ def report(cell: Cell, found: list[Witnessed]) -> None:
     smooth, eventful = ([w.worst for w in good if bool(w.changes) == kind] for kind in (False, True))
     parts = [f"{name} {median(v):.0e} / {max(v):.0e}" for name, v in (("smooth", smooth), ("events", eventful)) if v]
     share = len(good) / len(found)
-    print(f"{cell.recipe:10} {cell.difficulty:7} {share:6.1%} certified; median / worst: {', '.join(parts)}", flush=True)
+    print(
+        f"{cell.recipe:10} {cell.difficulty:7} {share:6.1%} certified; median / worst: {', '.join(parts)}", flush=True
+    )
     for reason, count in Counter(plain(w.reason) for w in found if not w.certified).most_common():
         examples = [w.index for w in found if not w.certified and plain(w.reason) == reason][:6]
         print(f"    {count:4}  {reason}  (index {', '.join(map(str, examples))})", flush=True)

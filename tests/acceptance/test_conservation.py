@@ -1,0 +1,99 @@
+"""Energy and momentum of drawn scenes, where nothing takes them away: no friction, hands or inelastic impacts."""
+
+from collections.abc import Iterator
+from itertools import count
+
+import numpy as np
+import pytest
+from cells import drawn
+
+from sim2reason.dsl.mechanism import Mechanism, Vector, X, Y
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities import QUANTITIES
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
+from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.trace import Trace
+
+SCENES = 17  # of each cell: 204 in all
+LIMIT = 400  # draws; scenes without friction or hands are rare among hard ones
+CLOSE = 1e-8
+
+
+def conserves(mechanism: Mechanism) -> bool:
+    return not (
+        mechanism.pulls
+        or any(contact.friction > 0.0 for contact in mechanism.contacts.values())
+        or any(pair.restitution < 1.0 for pair in mechanism.collisions)
+    )
+
+
+def motions(recipe: str, difficulty: Difficulty, seed: int) -> Iterator[Trace]:
+    """Motions that conserve energy for long enough to see; a string that snaps taut is an inelastic impact."""
+    for scene in drawn(recipe, difficulty, LIMIT, seed):
+        if conserves(scene.mechanism):
+            trace = simulate(scene)
+            if trace.stable_until > 0.0 and not any(event.kind == "taut" for event in trace.events):
+                yield trace
+
+
+def sampled(trace: Trace) -> State:
+    return trace.sample(np.linspace(0.0, trace.stable_until, 60))
+
+
+def total(state: State, quantity: str) -> Array:
+    """The sum over all bodies of a scalar (n,) or vector (n, 3)."""
+    return np.sum([QUANTITIES[quantity].evaluate(state, name) for name in state.mechanism.body], axis=0)
+
+
+def energy_drift(state: State) -> float:
+    """How far the total energy strays, relative to the largest energy that any body has or exchanges."""
+    parts = ("kinetic energy", "potential energy")
+    scale = max(np.abs(QUANTITIES[part].evaluate(state, name)).max() for part in parts for name in state.mechanism.body)
+    energy = total(state, parts[0]) + total(state, parts[1])
+    return float(np.abs(energy - energy[0]).max() / max(scale, 1e-3))
+
+
+def free_directions(mechanism: Mechanism) -> list[Vector]:
+    """Room directions in which nothing outside pushes: no string ends in the room, and every root body can move so."""
+    roots = [body for body in mechanism.bodies if body.parent is None]
+    lines = (*mechanism.strings, *mechanism.pulls)
+    if any(mechanism.site[site].body is None for line in lines for site in line.through):
+        return []
+    return [axis for axis in (X, Y) if all(any(c.axis == axis for c in body.coordinates) for body in roots)]
+
+
+def momentum_drift(state: State, direction: Vector) -> float:
+    found = total(state, "momentum") @ np.array(direction)
+    scale = max(
+        np.linalg.norm(QUANTITIES["momentum"].evaluate(state, name), axis=1).max() for name in state.mechanism.body
+    )
+    return float(np.abs(found - found[0]).max() / max(scale, 1e-3))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("recipe", list(RECIPES))
+def test_energy_stays_what_it_was_in_two_hundred_scenes(recipe: str) -> None:
+    seen = 0
+    for difficulty in DIFFICULTIES:
+        found = motions(recipe, difficulty, 21)
+        for number, trace in zip(range(SCENES), found, strict=False):
+            assert energy_drift(sampled(trace)) <= CLOSE, (recipe, difficulty, number)
+            seen += 1
+    assert seen == 3 * SCENES
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("recipe", ["collision", "incline"])
+def test_momentum_stays_where_nothing_outside_pushes(recipe: str) -> None:
+    seen = moved = 0
+    for seed in count(31):
+        for difficulty in DIFFICULTIES:
+            for number, trace in zip(range(SCENES), motions(recipe, difficulty, seed), strict=False):
+                for direction in free_directions(trace.mechanism):
+                    state = sampled(trace)
+                    assert momentum_drift(state, direction) <= CLOSE, (recipe, difficulty, number)
+                    seen += 1
+                    moved += bool(np.abs(state.v).max() > 1e-6)
+        if seen >= 30:
+            break
+    assert moved >= 0.9 * seen

@@ -1,0 +1,31 @@
+"""Two engines, one motion: what is drawn is certified before anything is drawn again."""
+
+import pytest
+from cells import CELLS, drawn
+
+from sim2reason.recipes import Difficulty
+from sim2reason.simulation.certify import CHANGES, EVENTFUL, SMOOTH
+from sim2reason.simulation.scenes import certify, simulate
+
+SCENES = 25  # of each cell; benchmarks/certified.py takes 200
+SHARE = 0.9
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("recipe", "difficulty"), CELLS)
+def test_most_scenes_are_certified_as_long_as_their_motion_is_described(recipe: str, difficulty: Difficulty) -> None:
+    certified = 0
+    for scene in drawn(recipe, difficulty, SCENES):
+        described = simulate(scene)
+        trace, certificate = certify(scene)
+        changes = any(match.event.kind in CHANGES for match in certificate.matched)
+        assert certificate.tolerance == (EVENTFUL if changes else SMOOTH)
+        if 0.0 < described.stable_until <= certificate.stable_until * (1.0 + 1e-6):
+            certified += 1
+            assert max(certificate.agreement.values()) <= certificate.tolerance
+            assert trace.stable_until == described.stable_until
+    assert certified >= SHARE * SCENES
+
+
+def test_the_tolerances_are_those_promised() -> None:
+    assert (SMOOTH, EVENTFUL) == (1e-4, 1e-3)

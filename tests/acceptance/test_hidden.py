@@ -1,0 +1,41 @@
+"""Numbers that are never said must not matter."""
+
+from itertools import islice
+
+import numpy as np
+import pytest
+from cells import asked
+
+from sim2reason.dsl.scene import Scene
+from sim2reason.recipes import DIFFICULTIES, Difficulty
+from sim2reason.simulation.scenes import simulate
+
+ITEMS = 12  # of each cell: 108 in all
+CLOSE = 1e-9
+FREE_LENGTH = (2.0, 4.0)  # m, from which all that is hidden today is drawn
+
+
+def redrawn(scene: Scene, rng: np.random.Generator) -> Scene:
+    """The same scene with every hidden number drawn again."""
+    for parameter in scene.parameters:
+        if parameter.hidden:
+            scene = scene.having(parameter.path, float(rng.uniform(*FREE_LENGTH)))
+    return scene
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+@pytest.mark.parametrize("recipe", ["pulley", "incline", "hybrid"])
+def test_hidden_numbers_change_no_answer(recipe: str, difficulty: Difficulty) -> None:
+    rng, compared = np.random.default_rng(3), 0
+    hiding = ((scene, found) for scene, found in asked(recipe, difficulty) if any(p.hidden for p in scene.parameters))
+    for scene, found in islice(hiding, ITEMS):
+        other = redrawn(scene, rng)
+        assert other != scene
+        trace, ask = simulate(other), found.question.ask
+        time, answer = ask.time(trace), ask.answer(trace)
+        if time is None or answer is None or time > trace.stable_until:
+            continue  # with shorter strings the motion ends before
+        assert answer == pytest.approx(found.question.answer, rel=CLOSE, abs=1e-12), found.prompt
+        compared += 1
+    assert compared >= ITEMS // 2

@@ -1,0 +1,32 @@
+"""What acceptance tests draw from: every recipe in every difficulty."""
+
+from collections import Counter
+from collections.abc import Iterator
+from itertools import count
+
+from sim2reason.datasets.draws import draw, generator
+from sim2reason.datasets.interview import Asking, Interview
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.questions import MODES
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
+
+CELLS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
+
+
+def drawn(recipe: str, difficulty: Difficulty, number: int, seed: int = 11) -> Iterator[Scene]:
+    """The first scenes of a cell, as drawn."""
+    return (draw(recipe, difficulty, seed=seed, index=index) for index in range(number))
+
+
+def asked(recipe: str, difficulty: Difficulty, seed: int = 11) -> Iterator[tuple[Scene, Asking]]:
+    """Questions of a cell that passed every filter, each with its scene, for ever."""
+    for attempt in count():
+        rng = generator("acceptance", recipe, difficulty, seed, attempt)
+        try:
+            scene = RECIPES[recipe](difficulty, rng)
+            found = Interview(scene, attempt).ask(MODES["numeric"], rng, Counter())
+        except (SceneError, SimulationError, UnsupportedError):
+            continue
+        if found is not None:
+            yield scene, found
