@@ -7,14 +7,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sim2reason.errors import MissingExtraError, UnsupportedError
-from sim2reason.figures.shapes import Arc, Area, Drawing, Label, Line, Shape
+from sim2reason.figures.shapes import LETTER, Arc, Area, Drawing, Label, Line, Shape, Weight
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
 
 INCH = 0.42  # of a unit
 MARGIN = 0.35  # units around everything
+ON_TOP = 10_000  # labels lie over all shapes
 WIDTHS = {"hair": 0.6, "thin": 0.8, "edge": 1.1, "string": 1.4}  # points
 FILLS = {
     "": "white",
@@ -85,74 +87,44 @@ def save(figure: "Figure", path: Path, dpi: int) -> None:
 
 
 def _shape(axes: "Axes", shape: Shape, order: int) -> None:
+    if isinstance(shape, Line) and not shape.arrow:
+        across, up = [p.real for p in shape.points], [p.imag for p in shape.points]
+        style: dict[str, Any] = {"linewidth": WIDTHS[shape.weight], "solid_capstyle": "round", "zorder": order}
+        axes.plot(across, up, "--" if shape.dashed else "-", color=_ink(shape.weight), **style)
+    else:
+        axes.add_patch(_patch(shape, order))
+
+
+def _patch(shape: Shape, order: int) -> "Patch":
+    """Everything but plain lines."""
     from matplotlib import patches  # noqa: PLC0415 - the same
 
     match shape:
-        case Line(points, weight, dashed, arrow):
-            color = STRING if weight == "string" and not arrow else "black"
-            across, up = [p.real for p in points], [p.imag for p in points]
-            style = "--" if dashed else "-"
-            if arrow:
-                tail, head = points[0], points[-1]
-                width = WIDTHS[weight]
-                axes.add_patch(
-                    patches.FancyArrowPatch(
-                        (tail.real, tail.imag),
-                        (head.real, head.imag),
-                        arrowstyle="-|>",
-                        mutation_scale=9.0,
-                        linewidth=width,
-                        color=color,
-                        shrinkA=0.0,
-                        shrinkB=0.0,
-                        zorder=order,
-                    )
-                )
-            else:
-                axes.plot(
-                    across, up, style, color=color, linewidth=WIDTHS[weight], solid_capstyle="round", zorder=order
-                )
+        case Line(points, weight):
+            tail, head = (points[0].real, points[0].imag), (points[-1].real, points[-1].imag)
+            look: dict[str, Any] = {"arrowstyle": "-|>", "mutation_scale": 9.0, "shrinkA": 0.0, "shrinkB": 0.0}
+            return patches.FancyArrowPatch(tail, head, linewidth=WIDTHS[weight], color="black", zorder=order, **look)
         case Area(points, fill):
             corners = [(p.real, p.imag) for p in points]
-            axes.add_patch(
-                patches.Polygon(
-                    corners, closed=True, facecolor=FILLS[fill], edgecolor="black", linewidth=1.1, zorder=order
-                )
-            )
+            look = {"facecolor": FILLS[fill], "edgecolor": "black", "linewidth": WIDTHS["edge"]}
+            return patches.Polygon(corners, closed=True, zorder=order, **look)
         case Arc(center, radius, start, stop, weight, fill):
-            at = (center.real, center.imag)
-            if stop - start >= 360.0:
-                axes.add_patch(
-                    patches.Circle(
-                        at, radius, facecolor=FILLS[fill], edgecolor="black", linewidth=WIDTHS[weight], zorder=order
-                    )
-                )
-            else:
-                color = STRING if weight == "string" else "black"
-                axes.add_patch(
-                    patches.Arc(
-                        at,
-                        2 * radius,
-                        2 * radius,
-                        theta1=start,
-                        theta2=stop,
-                        color=color,
-                        linewidth=WIDTHS[weight],
-                        zorder=order,
-                    )
-                )
+            at, width = (center.real, center.imag), WIDTHS[weight]
+            if shape.whole:
+                look = {"facecolor": FILLS[fill], "edgecolor": "black", "linewidth": width}
+                return patches.Circle(at, radius, zorder=order, **look)
+            look = {"theta1": start, "theta2": stop, "color": _ink(weight), "linewidth": width}
+            return patches.Arc(at, 2.0 * radius, 2.0 * radius, zorder=order, **look)
+
+
+def _ink(weight: Weight) -> str:
+    return STRING if weight == "string" else "black"
 
 
 def _label(axes: "Axes", label: Label) -> None:
-    points = label.size * INCH * 72.0
-    style = "italic" if label.name and len(label.text) <= 2 else "normal"
-    axes.text(
-        label.at.real,
-        label.at.imag,
-        label.text,
-        fontsize=points,
-        style=style,
-        ha="center",
-        va="center_baseline" if False else "center",
-        zorder=10_000,
-    )
+    style: dict[str, Any] = {"ha": "center", "va": "center", "zorder": ON_TOP, "fontsize": label.size * INCH * 72.0}
+    if label.name and len(label.text) <= LETTER:
+        style["style"] = "italic"
+    if label.crossed:
+        style["bbox"] = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
+    axes.text(label.at.real, label.at.imag, label.text, **style)

@@ -15,6 +15,7 @@ from sim2reason.simulation.trace import Event, Trace
 MOTION = ("displacement", "velocity", "acceleration")
 SAMPLES = 400
 STILL = 1e-9
+FIXED = "a fixed point"
 
 
 @dataclass(frozen=True)
@@ -62,8 +63,9 @@ def motion(trace: Trace, telling: Telling) -> Motion:
     panels = [_moved(quantity, state, mentions, telling) for quantity in MOTION]
     panels.append(_tensions(state, mentions))
     kept = tuple(panel for panel in panels if panel.curves)
-    marks = tuple(Mark(event.time, told(event, trace.mechanism, mentions)) for event in _worth(trace, duration))
-    return Motion(times, kept, marks, min(trace.stable_until, duration), trace.cut, duration)
+    marks = [Mark(event.time, told(event, trace.mechanism, mentions)) for event in _worth(trace, duration)]
+    marks = [m for n, m in enumerate(marks) if not any(m.text == b.text and m.time - b.time < STILL for b in marks[:n])]
+    return Motion(times, kept, tuple(marks), min(trace.stable_until, duration), trace.cut, duration)
 
 
 def instants(trace: Trace, duration: float) -> Array:
@@ -139,7 +141,7 @@ VERBS = {
 def told(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
     """An event in the words of the text."""
     said = [_subject(subject, mechanism, mentions) for subject in event.subjects] or [""]
-    said.sort(key=lambda phrase: "pulley" in phrase or "fixed" in phrase)  # a block meets a pulley
+    said.sort(key=lambda phrase: 2 if phrase == FIXED else int("pulley" in phrase))  # a block meets a pulley
     return VERBS.get(event.kind, event.kind).format(*said, *([""] * 2))
 
 
@@ -151,10 +153,12 @@ def _subject(name: str, mechanism: Mechanism, mentions: dict[str, str]) -> str:
     owner = name.rpartition(".")[0]
     site = mechanism.site.get(name)
     if owner in mentions:
-        return mentions[owner]
+        body = mechanism.body.get(owner)
+        table = site is None and body is not None and len(body.coordinates) > 1
+        return f"{mentions[owner]}, along {name[-1]}," if table else mentions[owner]
     if site is not None and site.body in mentions:
         return mentions[site.body]
     pulley = next(
         (text for address, text in mentions.items() if address.startswith(f"{owner.split('.')[0]}.pulley")), ""
     )
-    return pulley or ("a string" if site is None else "a fixed point")
+    return pulley or ("a string" if site is None else FIXED)

@@ -237,7 +237,7 @@ class FacePiece(Piece):
         """The angle at the foot of a face, with its value."""
         foot, side = face.at(face.length), 1.0 if face.uphill.real > 0.0 else -1.0
         value = to_degrees(atan2(face.uphill.imag, abs(face.uphill.real)))
-        radius = min(0.75, 0.45 * face.length)
+        radius = min(0.75, max(0.3, 0.9 * face.length * abs(face.uphill.real)))
         start, stop = (0.0, value) if side > 0.0 else (180.0 - value, 180.0)
         found.shapes.append(Arc(foot, radius, start, stop, weight="thin"))
         if foot.imag > self.base + 0.05:

@@ -1,6 +1,7 @@
 """Where labels stand: not on each other, and not on lines if it can be helped."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from sim2reason.figures.shapes import Arc, Area, Label, Line, Shape, Wanted, outline
@@ -36,7 +37,7 @@ def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[Label, ..
             options = _options(wanted[n])
             costs = [alone[n][i] + _crowded(label, others) for i, label in enumerate(options)]
             chosen[n] = options[costs.index(min(costs))]
-    return tuple(chosen[n] for n in range(len(wanted)))
+    return tuple(replace(chosen[n], crossed=_under(chosen[n].box, strokes) > 0.0) for n in range(len(wanted)))
 
 
 def _options(wanted: Wanted) -> list[Label]:
@@ -55,8 +56,16 @@ def _alone(
     mine = _wider(label.box)
     left, low, right, high = mine
     corners = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
-    lines = sum(ON_LINE * weight * length_inside(a, b, mine) for a, b, weight in strokes)
-    return LATER * index + lines + sum(IN_BLOCK for block in blocks if depth(corners, block) > 0.0)
+    return (
+        LATER * index
+        + ON_LINE * _under(mine, strokes)
+        + sum(IN_BLOCK for block in blocks if depth(corners, block) > 0.0)
+    )
+
+
+def _under(area: Box, strokes: Sequence[tuple[complex, complex, float]]) -> float:
+    """The length of the strokes that run through a box, by their weights."""
+    return sum(weight * length_inside(a, b, area) for a, b, weight in strokes)
 
 
 def _mistaken(label: Label, wanted: Wanted, wheels: Sequence[Arc]) -> float:

@@ -8,12 +8,25 @@ from sim2reason.bodies.pulley import FixedPulley, MovablePulley
 from sim2reason.dsl.measures import Force, Measure
 from sim2reason.figures.paths import FACES, Knot
 from sim2reason.figures.pieces import Piece, Plan, around, draws
-from sim2reason.figures.shapes import SIZE, SMALL, TINY, Arc, Area, Line, Shape, Sketch, Wanted, dot_at, hatched, width
+from sim2reason.figures.shapes import (
+    LETTER,
+    SIZE,
+    SMALL,
+    TINY,
+    Arc,
+    Area,
+    Line,
+    Shape,
+    Sketch,
+    Wanted,
+    dot_at,
+    hatched,
+    width,
+)
 from sim2reason.figures.vectors import UP, Polygon, degrees, dot, rectangle, ring, unit
 
 BRACKET, PLATE = 0.95, 1.1  # from an axle to what holds it, and how wide that is
 ARROW = 1.3
-LETTER = 2  # characters; longer names are nouns
 
 
 @draws(Block)

@@ -11,6 +11,7 @@ Fill = Literal["", "block", "wedge", "fixed", "disc", "ink", "table"]
 HATCH, STEP = 0.2, 0.22  # length and distance of the strokes that mark what is fixed
 SLANT = complex(-0.7071, -0.7071)
 SIZE, SMALL, TINY = 0.42, 0.34, 0.28  # heights of names, of numbers, and of numbers inside blocks
+LETTER = 2  # characters; longer names are nouns
 WIDE = {"m": 0.98, "w": 0.82, "M": 0.87, "W": 0.99, "i": 0.3, "l": 0.3, ".": 0.34, " ": 0.34, "j": 0.3, "°": 0.5}
 
 
@@ -58,6 +59,7 @@ class Label:
     subject: str
     size: float = SIZE
     name: bool = True  # the name of a body, not a number
+    crossed: bool = False  # a line runs under it, so that it needs a ground of its own
 
     @property
     def box(self) -> Box:

@@ -6,13 +6,13 @@ from sim2reason.bodies.puck import Puck, Table
 from sim2reason.dsl.measures import Angle
 from sim2reason.figures.loose import said
 from sim2reason.figures.pieces import Plan, around
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Line, Sketch, Wanted, width
+from sim2reason.figures.shapes import SIZE, SMALL, TINY, Arc, Area, Line, Sketch, Wanted, width
 from sim2reason.figures.vectors import UP, box, rectangle
 
 SPAN = 7.0  # units across the larger side
 LONGEST = 1.7  # arrow
 SMALLEST = 0.3  # radius of a drawn puck
-TICK = 0.08
+TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
 STILL = 1e-3  # of the fastest
 
 
@@ -63,17 +63,18 @@ def _axes(found: Sketch, low: complex, high: complex, subject: str) -> None:
 
 
 def _ticks(found: Sketch, low: complex, high: complex, scale: float, covered: list[tuple[complex, float]]) -> None:
-    """A tick and a number at every metre of the axes that no puck covers."""
-    ends = ((1.0 + 0j, low.real, high.real, 0.3), (UP, low.imag, high.imag, 0.36))
-    for way, start, end, aside in ends:
-        for metre in range(ceil((start + 0.2) / scale), int((end - 0.2) / scale) + 1):
-            at, across = metre * scale * way, way * 1j
-            if not metre or any(abs(at - spot) < reach for spot, reach in covered):
+    """Ticks with numbers, at round distances, wherever no puck covers the axis."""
+    step = next(m * 10.0**k for k in range(-6, 7) for m in (1.0, 2.0, 5.0) if m * 10.0**k * scale >= PITCH)
+    for way, start, end in ((1.0 + 0j, low.real, high.real), (UP, low.imag, high.imag)):
+        for number in range(ceil((start + 0.2) / (scale * step)), int((end - 0.2) / (scale * step)) + 1):
+            at, across = number * step * scale * way, way * 1j
+            if not number or any(abs(at - spot) < reach for spot, reach in covered):
                 continue
             found.shapes.append(Line((at - TICK * across, at + TICK * across), "thin"))
             sides = (-1.0, 1.0) if way.real else (1.0, -1.0)
-            text = str(metre).replace("-", "\N{MINUS SIGN}")
-            found.labels.append(Wanted(text, tuple(at + side * aside * across for side in sides), "", 0.28, name=False))
+            text = f"{number * step:g}".replace("-", "\N{MINUS SIGN}")
+            aside = 0.3 if way.real else 0.17 + 0.5 * width(text, TINY)
+            found.labels.append(Wanted(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False))
 
 
 def _puck(found: Sketch, plan: Plan, name: str, at: complex, radius: float, velocity: complex) -> None:
