@@ -108,7 +108,11 @@ def _forward(state: State, body: str) -> float:
 
 def _tensions(state: State, mentions: dict[str, str]) -> Panel:
     phrases = strings(state.mechanism, mentions)
-    curves = [Curve(_short(phrase), QUANTITIES["tension"].evaluate(state, name)) for name, phrase in phrases.items()]
+    curves: list[Curve] = []
+    for name, phrase in phrases.items():
+        values = QUANTITIES["tension"].evaluate(state, name)
+        unknown = "" if np.isfinite(values).any() else ": not determined"
+        curves.append(Curve(_short(phrase) + unknown, values))
     return Panel("tension (N)", tuple(curves))
 
 
