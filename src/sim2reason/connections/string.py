@@ -29,7 +29,7 @@ OPENINGS = (
     "one end of {string} is tied to {tied}; from there the string {verbs}.",
 )
 LIGHT_STRING = "light string"
-OVER = "passes over "
+OVER, ROUND = "passes over ", "passes round "
 FREE = 2.5  # m of string between a site that moves and the pulley that the string brings
 
 
@@ -99,7 +99,7 @@ class String(Connection):
             order.reverse()
         for stop, turn in zip(stops[1:], gaps, strict=True):
             if turn is not None:
-                verbs.append(OVER + speaker.at(order.pop(0)))
+                verbs.append(winding(turn, speaker.scene.builder) + speaker.at(order.pop(0)))
             port = stop.port
             verbs.append(speaker.render(port.arrives if isinstance(port, End) else port.passes, stop.owner))
         string = called(again=speaker.heard(LIGHT_STRING))
@@ -136,6 +136,12 @@ def turns(stops: list[Stop], builder: Builder) -> list[tuple[str, str] | None]:
         straight = opposite(builder.faces[leaves], builder.faces[reaches])
         found.append(None if straight else (leaves, reaches))
     return found
+
+
+def winding(turn: tuple[str, str], builder: Builder) -> str:
+    """Over a pulley goes a string that comes up to it from both sides; else it goes round it."""
+    rises = all((builder.faces[site] or ZERO)[2] >= 0.0 for site in turn)
+    return OVER if rises else ROUND
 
 
 def joined(verbs: list[str]) -> str:
@@ -205,13 +211,14 @@ class Ear:
         final = leg.last and not rest
         for end, then in self._verb(at, verb, before, leg.heard, stop.owner, final=final):
             yield from self._on(end, replace(leg, stops=rest, heard=then), links, owned, verb)
-        if owned and before == f"{OVER}{{{owned[-1]}}}":
+        if owned and before.endswith(f"{{{owned[-1]}}}"):
             return  # there is one pulley in a gap at most
         address = f"{self._name}.pulley{len(owned) + 1}"
         own = replace(leg.heard.knowing(address, FixedPulley), values={**leg.heard.values, f"{address}.mass": 0.0})
-        over = f"{OVER}{{{address}}}"
-        for end, then in self._verb(at, over, before, own, "", final=False):
-            yield from self._next(end, replace(leg, heard=then), links, (*owned, address), over)
+        for word in (OVER, ROUND):  # which of them is right, telling it again will show
+            passed = f"{word}{{{address}}}"
+            for end, then in self._verb(at, passed, before, own, "", final=False):
+                yield from self._next(end, replace(leg, heard=then), links, (*owned, address), passed)
 
     def _verb(
         self, at: int, verb: str, before: str, heard: "Heard", owner: str, *, final: bool

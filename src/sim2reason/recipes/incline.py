@@ -9,7 +9,7 @@ from sim2reason.recipes.parts.grow import Tier, grow
 from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
 
 ON_FACES = {"system": ("OnPlane", "OnWedge", "OnWedge")}
-PRISM = 10  # words more for an easy scene, since no prism is told in less
+PRISM = 14  # words more for an easy scene, since no prism is told in less
 SIMPLE = {"TwoSideMassPlane": 2.0, "MassPrismPlane": 1.5}
 WIDE = {"TwoSideMassPlane": 2.0, "MassPrismPlane": 1.5, "MassWithFixedPulley": 1.5}
 TIERS = {

@@ -141,8 +141,9 @@ class Grower:
         A hook only where something can still move (`loose`), a hand only where none pulls already.
         """
         pulled = any(link.port == "end" for link in links)
-        if self.left > 0 and (not loose or self._chance(0.75)):
-            pool = {kind: weight for kind, weight in self.tier.pool.items() if kind != REVERSE}
+        hangs = bool(links) and links[-1].port == "bottom"  # straight down, where only an axle can be met
+        pool = {kind: w for kind, w in self.tier.pool.items() if kind == MOVABLE or (kind != REVERSE and not hangs)}
+        if pool and self.left > 0 and (not loose or self._chance(0.75)):
             named = self._add(self._pick(pool))
             ends = [port for port, held in outer_ports(type(named.entity)).items() if not isinstance(held, Pass)]
             port = ends[int(self.rng.integers(len(ends)))]
