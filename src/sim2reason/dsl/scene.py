@@ -184,19 +184,20 @@ class Scene(Model):
     def value(self, path: str) -> Any:
         """What stands at an address."""
         head, _, rest = path.partition(".")
-        if head == "world":
-            return lookup(self.world, rest) if rest else self.world
-        return lookup(self.entity(head, path), rest) if rest else self.entity(head, path)
+        holder = self.world if head == "world" else self._connection(head) or self.entity(head, path)
+        return lookup(holder, rest) if rest else holder
+
+    def _connection(self, name: str) -> Connection | None:
+        return next((c for number, c in enumerate(self.connections, 1) if f"{c.key}_{number}" == name), None)
 
     def having(self, path: str, value: object) -> "Scene":
         """The same scene with another value at an address, validated again."""
         head, _, rest = path.partition(".")
         if head == "world":
             return rebuilt(self, world=changed(self.world, rest, value))
-        for number, connection in enumerate(self.connections):
-            if head == f"{connection.key}_{number + 1}":
-                new = changed(connection, rest, value)
-                return rebuilt(self, connections=(*self.connections[:number], new, *self.connections[number + 1 :]))
+        if (string := self._connection(head)) is not None:
+            kept = tuple(changed(c, rest, value) if c is string else c for c in self.connections)
+            return rebuilt(self, connections=kept)
         self.entity(head, path)
         entities = tuple(
             Named(name=n.name, entity=changed(n.entity, rest, value)) if n.name == head else n for n in self.entities

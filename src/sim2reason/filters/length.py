@@ -9,7 +9,7 @@ class Length:
     """The prompt has too many words."""
 
     needs_witness = False
-    order = 1
+    order = 2
 
     def reason(self, candidate: Candidate) -> str:
         """Count words as a word processor does."""

@@ -123,7 +123,7 @@ class Grower:
             return False
         if port == "bottom":
             return getattr(entity, "load", None) is None
-        return (self.left > 0 and self._chance(0.8)) or self._chance(self.tier.more)
+        return (self.left > 0 and (not self.paths or self._chance(0.8))) or self._chance(self.tier.more)
 
     def _path(self, start: Link) -> tuple[Link, ...]:
         """A string from an open end: perhaps under a movable pulley, and on to another end."""
