@@ -11,6 +11,6 @@ class Block(Body):
     mass: Mass
 
     nouns = ("block", "crate")
-    lone = ("a {noun} of mass {mass}", "a {mass} {noun}", "a {noun} whose mass is {mass}")
+    lone = ("a {noun} of mass {mass}", "a {noun} ({mass})", "a {noun} whose mass is {mass}")
     named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
     listed = "{letter} ({mass})"

@@ -19,7 +19,7 @@ class Plane(Body):
 
     nouns = ("plane",)
     letters = ""
-    lone = ("a {surface} {tilt}", "a fixed {surface} {tilt}")
+    lone = ("a {surface} {tilt}", "a fixed {surface} {tilt}", "a {surface}, fixed {tilt}")
     words = {
         "surface": Smoothness,
         "tilt": Word("angle", {0.0: "horizontal plane"}, "plane inclined at {angle} to the horizontal"),

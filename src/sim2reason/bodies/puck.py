@@ -22,7 +22,7 @@ class Puck(Body):
     vy: Velocity
 
     nouns = ("puck", "disc", "sphere")
-    lone = ("a {noun} of mass {mass}", "a {mass} {noun}")
+    lone = ("a {noun} of mass {mass}", "a {noun} ({mass})")
     named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
     listed = "{letter} ({mass})"
     symbols = {"vx": "v_x", "vy": "v_y"}
@@ -41,7 +41,7 @@ class Table(Body):
         "lie": Word("tilt", {0.0: "horizontal table"}, "table tilted at {tilt} to the horizontal"),
         "axes": Word(
             "tilt",
-            {0.0: "the x and y axes lie in its surface, x to the right and y away from you"},
-            "the x axis lies in its surface, horizontal and to the right, and the y axis points straight up its slope",
+            {0.0: "x points to the right and y away from you"},
+            "x points horizontally to the right and y straight up the slope",
         ),
     }

@@ -23,7 +23,7 @@ class Wedge(Body):
     letters = "WVUY"
     lone = (
         "a wedge of mass {mass} with a {surface} face at {angle} to the horizontal",
-        "a {mass} wedge with a {surface} face at {angle} to the horizontal",
+        "a wedge ({mass}) with a {surface} face at {angle} to the horizontal",
     )
     named = (
         "wedge {letter} of mass {mass} with a {surface} face at {angle} to the horizontal",
@@ -46,7 +46,7 @@ class Prism(Body):
     letters = "WVUY"
     lone = (
         "a prism of mass {mass} with {surface} faces rising at {left} on the left and {right} on the right",
-        "a {mass} prism with {surface} faces at {left} (left) and {right} (right) to the horizontal",
+        "a prism ({mass}) with {surface} faces at {left} (left) and {right} (right) to the horizontal",
     )
     named = (
         "prism {letter} of mass {mass} with {surface} faces rising at {left} on the left and {right} on the right",

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 OPENINGS = (
     "{string} tied to {tied} {verbs}.",
     "{string} is tied to {tied}; it {verbs}.",
-    "one end of {string} is tied to {tied}; from there the string {verbs}.",
+    "from {tied} {string} {verbs}.",
 )
 LIGHT_STRING = "light string"
 OVER, ROUND = "passes over ", "passes round "

@@ -76,6 +76,7 @@ CLOSINGS: tuple[Closing, ...] = (
             "everything is released from rest.",
             "everything starts from rest.",
             "everything is let go from rest.",
+            "at first everything is held at rest, then released.",
             "the motion starts from rest.",
         ),
     ),
@@ -102,8 +103,10 @@ CLOSINGS: tuple[Closing, ...] = (
         _has_massive_pulley,
         (
             "pulleys turn without friction, and no string slips on them.",
-            "the strings do not slip on the pulleys, which turn freely.",
+            "strings do not slip on the pulleys, which turn freely.",
             "axles are frictionless, and strings do not slip on pulleys.",
+            "the pulleys turn freely, and strings do not slip on them.",
+            "there is neither friction at axles nor slipping on pulleys.",
         ),
     ),
     Closing(
@@ -135,6 +138,10 @@ CLOSINGS: tuple[Closing, ...] = (
         (
             "take g = {world.gravity}.",
             "use g = {world.gravity}.",
+            "here g = {world.gravity}.",
+            "let g = {world.gravity}.",
+            "the free-fall acceleration is g = {world.gravity}.",
+            "the acceleration due to gravity is g = {world.gravity}.",
             "the acceleration of free fall is g = {world.gravity}.",
         ),
     ),

@@ -11,8 +11,9 @@ if TYPE_CHECKING:
 
 LEAD_INS = (
     "the table lists the {plural} as they are at t = 0.",
-    "the {plural} at t = 0 are these.",
     "at t = 0 the {plural} are as listed here.",
+    "the state of the {plural} at t = 0 is this.",
+    "for t = 0 the table gives the mass, the position and the velocity of all {plural}.",
 )
 
 

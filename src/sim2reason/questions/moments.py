@@ -110,7 +110,7 @@ class Moved(_At):
         return (
             f"when {body} is first {said} from its starting point",
             f"at the moment when {body} is first {said} from its starting point",
-            f"as soon as {body} has got {said} away from its starting point",
+            f"as soon as {body} is {said} from its starting point",
         )
 
 
@@ -139,11 +139,11 @@ class Collided:
     def phrases(self, mentions: Mapping[str, str], *, released: bool) -> tuple[str, ...]:
         """As in: just after the first collision of A and B."""
         del released
-        a, b, side = mentions[self.a], mentions[self.b], "after" if self.after else "before"
+        both, side = pair(mentions[self.a], mentions[self.b]), "after" if self.after else "before"
         return (
-            f"just {side} the first collision of {a} with {b}",
-            f"just {side} {a} and {b} collide for the first time",
-            f"immediately {side} the first collision of {a} with {b}",
+            f"just {side} the first collision of {both}",
+            f"just {side} {both} collide for the first time",
+            f"immediately {side} the first collision of {both}",
         )
 
 
@@ -180,6 +180,13 @@ class Stopped(_At):
             f"at the moment when {body} first comes to rest",
             f"when {body} comes to rest for the first time",
         )
+
+
+def pair(one: str, other: str) -> str:
+    """Two bodies as one phrase: *pucks A and B*, *block A and wedge W*."""
+    noun, _, letter = one.rpartition(" ")
+    same, _, second = other.rpartition(" ")
+    return f"{noun}s {letter} and {second}" if noun == same and noun != "the" else f"{one} and {other}"
 
 
 def say_seconds(value: float) -> str:

@@ -1,16 +1,31 @@
 """The sentences that ask for a noun phrase at a moment; the verbs are drawn by quota, not by chance alone."""
 
-from sim2reason.questions.targets import Target
+import re
+
+import numpy as np
+
+from sim2reason.questions.targets import GAIN, Target
 
 FAST = "the speed of "
 FAR = "the distance of "
 FROM_START = " from its starting point"
+QUOTA = {"what": 0.35, "find": 0.3, "how": 0.6, "determine": 0.12, "calculate": 0.08}
+"""How often a verb asks, where it can; *how* can ask for little, and makes up for it there."""
+
+_VERB = re.compile("|".join(QUOTA))
+
+
+def chosen(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
+    """One of several sentences that ask the same: its verb by quota, then any with that verb."""
+    verbs = [found.group() if (found := _VERB.search(shape.lower())) else "what" for shape in shapes]
+    weights = np.array([QUOTA[verb] / verbs.count(verb) for verb in verbs])
+    return shapes[int(rng.choice(len(shapes), p=weights / weights.sum()))]
 
 
 def asking(target: Target, noun: str, when: str) -> tuple[str, ...]:
     """All ways to ask for a quantity, a magnitude or a component, at a moment."""
     sense = target.sense
-    if sense is None or (sense.axis and len(sense.axis) == 1):  # the axes of the text have their own signs
+    if sense is None or sense == GAIN or len(sense.axis) == 1:  # a gain, or an axis of the text, has a sign of its own
         return (*_special(noun, when), *_plain(noun, when))
     positive = sense.positive
     return (

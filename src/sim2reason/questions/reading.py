@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 
 from sim2reason.questions import KINDS, Ask, Moment, Target, Words
-from sim2reason.questions.moments import AtStart, AtTime, Collided, Moved, Stopped
+from sim2reason.questions.moments import AtStart, AtTime, Collided, Moved, Stopped, pair
 from sim2reason.questions.phrasing import FAR, FAST
 from sim2reason.questions.targets import targets
 from sim2reason.simulation.trace import Trace
@@ -49,7 +49,7 @@ def _moments(text: str, trace: Trace, words: Words) -> Iterator[Moment]:
     for name in named:
         yield Stopped(name)
         yield from (Moved(name, float(number)) for number in _METRES.findall(text))
-        for other in named:
-            if other != name:
-                yield Collided(name, other, after=True)
-                yield Collided(name, other, after=False)
+    for met in trace.mechanism.collisions:
+        if {met.a, met.b} <= set(words.mentions) and pair(words.mentions[met.a], words.mentions[met.b]) in text:
+            yield Collided(met.a, met.b, after=True)
+            yield Collided(met.a, met.b, after=False)

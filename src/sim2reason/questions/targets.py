@@ -71,7 +71,7 @@ SIGNED: Mapping[str, str] = {
     "acceleration": "the {component}acceleration of {body}",
     "momentum": "the {component}momentum of {body}",
     "net force": "the {component}net force on {body}",
-    "potential energy": "the change in the gravitational potential energy of {body} since the start",
+    "potential energy": "the gain in gravitational potential energy of {body} since the start (negative for a loss)",
 }
 GROUND = frozenset({"displacement", "velocity", "acceleration", "momentum"})
 

@@ -1,5 +1,6 @@
 """Mass systems: what hangs on, or is drawn by, one end of a string."""
 
+from itertools import pairwise
 from math import cos, radians, sin
 from typing import Annotated
 
@@ -146,5 +147,5 @@ def link(room: Frame, count: int, first: str = "hook0", last: str = "") -> None:
     hooks = [first, *(f"hook{index}" for index in range(1, count))]
     if last:
         hooks = [*(f"hook{index}" for index in range(count - 1)), last]
-    for index, (one, other) in enumerate(zip(hooks, hooks[1:], strict=False)):
+    for index, (one, other) in enumerate(pairwise(hooks)):
         room.string(f"link{index}", room.address(one), room.address(other))

@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.questions import KINDS, Ask, Target, Words
 from sim2reason.questions.choices import happenings
-from sim2reason.questions.moments import Collided, Moved, Stopped, say_metres
+from sim2reason.questions.moments import Collided, Moved, Stopped, pair, say_metres
 from sim2reason.simulation.trace import Trace
 
 
@@ -26,8 +26,8 @@ class TimeToEventKind:
                 there = f"first {say_metres(distance)} from its starting point"
                 return _shapes(since, "is", words.mentions[body], there, f"{words.mentions[body]} is {there}")
             case Collided(a, b, _):
-                pair = f"{words.mentions[a]} and {words.mentions[b]}"
-                return _shapes(since, "do", pair, "first collide", f"{pair} first collide")
+                both = pair(words.mentions[a], words.mentions[b])
+                return _shapes(since, "do", both, "first collide", f"{both} first collide")
             case Stopped(body):
                 name = words.mentions[body]
                 return _shapes(since, "does", name, "first come to rest", f"{name} first comes to rest")
