@@ -46,7 +46,7 @@ def witnessed(cell: Cell, index: int) -> Witnessed:
         described = simulate(scene, engine=RECORDED).stable_until
         trace, certificate = certify(scene)
     except (SimulationError, UnsupportedError) as error:
-        return Witnessed(index, False, 0, 0.0, f"exact: {error}")
+        return Witnessed(index, certified=False, changes=0, worst=0.0, reason=f"exact: {error}")
     worst = max(certificate.agreement.values(), default=0.0)
     changes = sum(event.kind in CHANGES and event.time <= described for event in trace.events)
     certified = certificate.stable_until >= described * (1.0 - 1e-6) and described > 1e-3 * DURATION

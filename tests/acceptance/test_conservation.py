@@ -5,8 +5,8 @@ from itertools import count
 
 import numpy as np
 import pytest
-from cells import drawn
 
+from cells import drawn
 from sim2reason.dsl.mechanism import Mechanism, Vector, X, Y
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import QUANTITIES

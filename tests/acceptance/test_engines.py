@@ -1,8 +1,8 @@
 """Two engines, one motion: what is drawn is certified before anything is drawn again."""
 
 import pytest
-from cells import CELLS, drawn
 
+from cells import CELLS, drawn
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import CHANGES, EVENTFUL, SMOOTH
 from sim2reason.simulation.scenes import certify, simulate

@@ -4,8 +4,8 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from cells import asked
 
+from cells import asked
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import DIFFICULTIES, Difficulty
 from sim2reason.simulation.scenes import simulate

@@ -4,8 +4,8 @@ from collections import defaultdict
 from collections.abc import Iterator
 
 import pytest
-from cells import CELLS, drawn
 
+from cells import CELLS, drawn
 from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.recipes import Difficulty, hybrid, incline, pulley

@@ -1,0 +1,152 @@
+"""What a program can check of the English of five hundred prompts; a physicist reads the rest."""
+
+import re
+from collections import Counter
+from dataclasses import dataclass
+from statistics import median
+
+import pytest
+
+from cells import CELLS
+from english import LETTER, NUMBER, STRING, VERB, Prose, digits, introduced, shape
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Request
+
+ITEMS = 42  # of each cell: 504 in all
+CEILING = {"easy": 250, "medium": 250, "hard": 400}
+TARGET = {"easy": (40, 90), "medium": (50, 150), "hard": (100, 250)}  # words
+FORMULA = 9  # words; sentences as short as "Take g = 9.8 m/s²." have the shape that they have in every book
+QUOTA = {"what": 0.35, "find": 0.30, "how": 0.15, "determine": 0.12, "calculate": 0.08}
+
+pytestmark = pytest.mark.slow
+
+
+@dataclass(frozen=True)
+class Sample:
+    item: Item
+    prose: Prose
+
+
+@pytest.fixture(scope="module")
+def batch() -> list[Sample]:
+    made = (
+        make(Request(recipe, difficulty, "numeric", 77, index)).item
+        for recipe, difficulty in CELLS
+        for index in range(ITEMS)
+    )
+    return [Sample(item, Prose(item.prompt)) for item in made if item is not None]
+
+
+def offenders(batch: list[Sample], pattern: str) -> list[str]:
+    found = ((re.search(pattern, s.prose.plain), s.prose.plain) for s in batch)
+    return [f"{match.group()!r} in {text}" for match, text in found if match]
+
+
+def test_the_batch_is_whole(batch: list[Sample]) -> None:
+    assert len(batch) >= 0.99 * ITEMS * len(CELLS)
+
+
+@pytest.mark.parametrize(
+    ("fault", "pattern"),
+    [
+        ("internal names", r"_(?![^$]*\$)|[a-z][A-Z]|\[|\]|\bentity\b|\bport\b|\bNone\b|\bnan\b"),
+        ("zeros of a computer", r"(?<![\d.])0\.0+(?!\d)|\d\.\d*e[+-]?\d"),
+        ("punctuation", r"[,;:]\.|,,|\.\.|  |\s[,.;?]|\(\s|\s\)|,;|\?\."),
+        ("a hyphen for a minus", r"(?<![\w-])-\d"),
+        ("a number without its space", r"\d(?:kg|m|s|N|J)\b"),
+        ("a wrong article", r"(?:\ba|(?:^|\. )A) (?:(?!uni)[aeiou]|8|11 |18 )|\b[Aa]n [^aeiou\W]"),
+        ("a word twice", r"\b(\w+) \1\b"),
+        ("stock phrases", r"\b(?:please|consider|following scenario|respectively|unless otherwise)\b|!"),
+    ],
+)
+def test_no_prompt_has(batch: list[Sample], fault: str, pattern: str) -> None:
+    assert not offenders(batch, pattern), fault
+
+
+def test_numbers_have_three_significant_digits_at_most(batch: list[Sample]) -> None:
+    assert not [(n, s.prose.body) for s in batch for n in NUMBER.findall(s.prose.body) if digits(n) > 3]
+
+
+def test_no_sentence_is_said_twice(batch: list[Sample]) -> None:
+    twice = [[x for x, n in Counter(s.prose.sentences).items() if n > 1 and "coefficient" not in x] for s in batch]
+    assert not [found for found in twice if found]
+
+
+def test_every_letter_is_introduced_and_used_again(batch: list[Sample]) -> None:
+    for sample in batch:
+        text = sample.prose.body
+        text = re.sub(r"(^|[.\n] ?)A (?=[a-z])", r"\1a ", text)  # the article that begins a sentence
+        letters = set(LETTER.findall(text)) - {"N", "J"}
+        for letter in letters:
+            assert introduced(letter, text), (letter, text)
+        assert letters & set("BCDEFGH") <= set("BCDEFGH"[: len(letters & set("BCDEFGH"))]), text
+
+
+def test_words_that_tell_of_forces_stand_only_where_they_belong(batch: list[Sample]) -> None:
+    for sample in batch:
+        text, recipe = sample.prose.plain, sample.item.recipe
+        assert ("g = " in text) == (recipe != "collision" or "tilted" in text), text
+        assert not ("light string" in text and recipe == "collision"), text
+        assert ("coefficient of friction" in text or "friction on" in text.lower()) == ("rough" in text), text
+        assert "air resistance" not in text
+        assert text.count("g = 9.8") <= 1
+
+
+def test_each_string_has_two_ends(batch: list[Sample]) -> None:
+    ends = re.compile(
+        r"\btied to\b|\bends (?:at|in)\b|\bto\b|\breaches\b|\bjoins\b|\b[Ff]rom\b|\b(?:by|on) a light string"
+    )
+    for sample in batch:
+        for sentence in sample.prose.story:
+            if STRING.search(sentence):
+                assert len(ends.findall(sentence)) >= 2, sentence
+
+
+def test_the_question_is_one_sentence_at_the_end(batch: list[Sample]) -> None:
+    for sample in batch:
+        question = sample.prose.question
+        asks = VERB.findall(question)
+        determined = re.match(r"Determine how", question) is not None
+        assert len(asks) == 1 + determined, question
+        assert question.endswith("?") == (sample.prose.verb in ("what", "how") and not determined), question
+        assert not any(VERB.search(sentence) for sentence in sample.prose.story), sample.prose.text
+
+
+def test_signs_are_defined_where_they_matter_and_nowhere_else(batch: list[Sample]) -> None:
+    for sample in batch:
+        question, item = sample.prose.question, sample.item
+        told = any(word in question for word in ("positive", "x component", "y component", "gain in"))
+        assert told == bool(item.answer.sign), (question, item.answer.sign)
+        assert item.answer.sign or item.answer.value > 0.0, question
+
+
+@pytest.mark.parametrize("difficulty", list(TARGET))
+def test_lengths_keep_to_their_targets(batch: list[Sample], difficulty: str) -> None:
+    words = sorted(s.prose.words for s in batch if s.item.difficulty == difficulty)
+    low, high = TARGET[difficulty]
+    assert low <= median(words) <= high
+    assert words[int(0.9 * len(words))] <= 1.2 * high
+    assert words[-1] <= CEILING[difficulty]
+
+
+def test_no_opening_is_worn_out(batch: list[Sample]) -> None:
+    openings = Counter(" ".join(s.prose.plain.split()[:5]) for s in batch)
+    opening, count = openings.most_common(1)[0]
+    assert count <= 0.05 * len(batch), opening
+
+
+@pytest.mark.parametrize("recipe", ["pulley", "incline", "hybrid", "collision"])
+def test_no_sentence_shape_is_worn_out(batch: list[Sample], recipe: str) -> None:
+    items = [s for s in batch if s.item.recipe == recipe]
+    shapes = Counter(found for s in items for found in {shape(x) for x in s.prose.sentences})
+    shapes = Counter({found: count for found, count in shapes.items() if len(found.split()) > FORMULA})
+    found, count = shapes.most_common(1)[0]
+    assert count <= 0.15 * len(items), found
+
+
+def test_verbs_and_kinds_keep_their_quotas(batch: list[Sample]) -> None:
+    verbs = Counter(s.prose.verb for s in batch)
+    for verb, share in QUOTA.items():
+        assert verbs[verb] / len(batch) == pytest.approx(share, abs=0.09), verbs
+    assert sum(s.item.kind == "state" for s in batch) <= 0.3 * len(batch)
