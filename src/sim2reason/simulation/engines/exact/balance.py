@@ -1,9 +1,10 @@
 """The forces of one instant: which strings pull, which contacts hold, and what the mechanism leaves open."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import nan
 
 from sim2reason.simulation.engines.exact.equations import Equations
+from sim2reason.simulation.engines.exact.lifts import lifted
 from sim2reason.simulation.engines.exact.linear import Row, solve
 from sim2reason.simulation.engines.exact.modes import Forces, Mode, Problem, Solution, scales, search, stiffest
 
@@ -19,7 +20,7 @@ class Balance:
     normal: Row
     friction: Row
     mode: Mode
-    lifted: int | None  # the contact that its face would have to pull, and most of all
+    lifted: tuple[int, ...]  # the contacts that come apart
     loose: bool  # a massless part that no force holds
 
 
@@ -49,15 +50,19 @@ def balance(system: Equations, v: Row, tight: list[int], guess: Mode) -> Balance
     )
     found = search(problem, start)
     open_ended = _open(stiffest(problem, found).spare, found.forces)
-    small, _ = scales(problem, found.x)
+    small, small_x = scales(problem, found.x)
     loose = found.loose or _unheld(system, problem, found, open_ended, small)
-    return _spread(system, tight, found, open_ended, lifted(found.forces.normal, small), loose=loose)
+    found = replace(found, mode=_straight(problem, found, start, small_x))
+    return _spread(system, tight, found, open_ended, lifted(system, problem, found, small), loose=loose)
 
 
-def lifted(normal: Row, small: float) -> int | None:
-    """The contact whose face would have to pull it, by more than rounding; of several the one it pulls most."""
-    worst = min(range(len(normal)), key=normal.__getitem__, default=None)
-    return None if worst is None or normal[worst] >= -small else worst
+def _straight(problem: Problem, found: Solution, before: Mode, small: float) -> Mode:
+    """The mode found, but a string that was taut stays so under no tension while its ends do not come together."""
+    acting = tuple(
+        acts or (was and abs(row.rate(found.x)) <= small)
+        for acts, was, row in zip(found.mode.acting, before.acting, problem.rows, strict=True)
+    )
+    return Mode(acting, found.mode.rubbing)
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
@@ -92,7 +97,7 @@ def _unheld(system: Equations, problem: Problem, found: Solution, forces: Forces
 
 
 def _spread(
-    system: Equations, tight: list[int], found: Solution, forces: Forces, lifted: int | None, *, loose: bool
+    system: Equations, tight: list[int], found: Solution, forces: Forces, away: tuple[int, ...], *, loose: bool
 ) -> Balance:
     """From the strings and contacts that took part to all of them."""
     tension, acting = [0.0] * len(system.strings), [False] * len(system.strings)
@@ -102,7 +107,7 @@ def _spread(
     for grip, force in zip(system.grips, forces.friction, strict=True):
         friction[grip.contact] = 0.0 if found.forces.normal[grip.contact] < 0.0 else force
     mode = Mode(tuple(acting), found.mode.rubbing)
-    return Balance(found.x, tension, [_clipped(force) for force in forces.normal], friction, mode, lifted, loose)
+    return Balance(found.x, tension, [_clipped(force) for force in forces.normal], friction, mode, away, loose)
 
 
 def _clipped(force: float) -> float:

@@ -5,11 +5,11 @@ from math import inf
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.exact.balance import Balance, balance, lifted
+from sim2reason.simulation.engines.exact.balance import Balance, balance
 from sim2reason.simulation.engines.exact.equations import TOUCHING, Equations, Pair, equations
 from sim2reason.simulation.engines.exact.events import STILL, Approach, approach, crossing, stop
 from sim2reason.simulation.engines.exact.impulses import strike
-from sim2reason.simulation.engines.exact.linear import Row, dot
+from sim2reason.simulation.engines.exact.linear import Row
 from sim2reason.simulation.engines.exact.modes import Mode
 from sim2reason.simulation.engines.exact.motion import Motion, Segment
 from sim2reason.simulation.trace import ENGINES, Event, Trace
@@ -87,18 +87,15 @@ class _Run:
         if self._crowded(hits):
             return None
         found = strike(self.system, self.v, full, touching, list(self.mode.acting))
-        momenta = [dot(row, self.v) for row in self.system.mass]  # what an impulse must be compared with
-        self.v = [0.0 if abs(speed) < REST else speed for speed in found.x]
-        self._rest(found.mode.rubbing)
+        self.v = [0.0 if abs(speed) < REST else speed for speed in found.v]
+        self._rest(found.rubbing)
         for pair in hits:
             self._record("collision", *pair.names)
             self.hits |= dict.fromkeys(pair.movable, (self.now, pair.names))
-        small = 1e-9 * max(map(abs, (*found.forces.normal, *momenta)), default=0.0)
-        away = lifted(found.forces.normal, small)
-        if away is not None:
+        if found.lifted:
             for number in sorted(snapped):
                 self._record("taut", self.system.mechanism.strings[number].name)
-            self._lift(away)
+            self._lift(found.lifted)
             return None
         return snapped
 
@@ -133,7 +130,7 @@ class _Run:
         still = tuple(0 if self._stopped(number) else side for number, side in enumerate(before.rubbing))
         found = balance(system, self.v, tight, Mode(acting, still))
         pressing = next((pair for pair, near in self._approaches(found.a) if self._pressed(near)), None)
-        ended = found.lifted is not None or found.loose or pressing is not None
+        ended = bool(found.lifted) or found.loose or pressing is not None
         if self.segments or snapped:
             self._note_changes(before, found.mode, snapped)
         if not ended or not self.segments:
@@ -141,7 +138,7 @@ class _Run:
         self.mode = found.mode
         if not ended:
             return found
-        if found.lifted is not None:
+        if found.lifted:
             self._lift(found.lifted)
         elif found.loose:
             self._end("indeterminate", *self._unheld())
@@ -251,8 +248,10 @@ class _Run:
         names = [c.name for number, c in enumerate(self.system.mechanism.coordinates) if number in moving]
         return tuple(names)
 
-    def _lift(self, contact: int) -> None:
-        self._end("lift", list(self.system.mechanism.contacts)[contact])
+    def _lift(self, contacts: tuple[int, ...]) -> None:
+        names = list(self.system.mechanism.contacts)
+        for number in contacts:
+            self._end("lift", names[number])
 
     def _record(self, kind: str, *subjects: str) -> None:
         self.events.append(Event(self.now, kind, subjects))

@@ -5,10 +5,23 @@ u⁺ = −e u⁻), strings at full length (inelastic, they only pull), contacts 
 rubs by Coulomb's law with impulses in place of forces).
 """
 
+from typing import NamedTuple
+
 from sim2reason.simulation.engines.exact.equations import Equations, Gradient, Pair
 from sim2reason.simulation.engines.exact.events import STILL, Approach
+from sim2reason.simulation.engines.exact.lifts import lifted
 from sim2reason.simulation.engines.exact.linear import Row, dot
-from sim2reason.simulation.engines.exact.modes import Mode, Problem, Solution, search
+from sim2reason.simulation.engines.exact.modes import Mode, Problem, search
+
+ROUNDING = 1e-9  # of the largest impulse or momentum: a face that pulls by less does not pull
+
+
+class Struck(NamedTuple):
+    """What an impact leaves."""
+
+    v: Row  # the velocities just after
+    rubbing: tuple[int, ...]  # of each rough contact: 0 if it sticks
+    lifted: tuple[int, ...]  # the contacts that come apart; v then means nothing
 
 
 def closing(pair: Pair, approach: Approach, size: tuple[int, int]) -> Gradient:
@@ -27,8 +40,8 @@ def strike(
     strings: list[int],
     pairs: list[tuple[Pair, Approach]],
     taut: list[bool],
-) -> Solution:
-    """The velocities just after, as `x`, and the impulses, N s.
+) -> Struck:
+    """The velocities just after, and what comes apart.
 
     Args:
         system: the mechanism.
@@ -45,10 +58,11 @@ def strike(
         rows.append(closing(pair, approach, size))
         acting.append(approach.rate < -STILL)
         targets.append(min(0.0, pair.restitution * approach.rate))
+    momenta = [dot(row, v) for row in system.mass]
     problem = Problem(
         system.mass,
         system.lifted,
-        [dot(row, v) for row in system.mass],
+        momenta,
         [dot(row, v) for row in system.lifted],
         tuple(rows),
         targets,
@@ -56,4 +70,6 @@ def strike(
         (0,) * len(system.grips),
     )
     sides = tuple((v[grip.coordinate] > 0.0) - (v[grip.coordinate] < 0.0) for grip in system.grips)
-    return search(problem, Mode(tuple(acting), sides))
+    found = search(problem, Mode(tuple(acting), sides))
+    small = ROUNDING * max(map(abs, (*found.forces.normal, *momenta)), default=0.0)
+    return Struck(found.x, found.mode.rubbing, lifted(system, problem, found, small))

@@ -151,7 +151,7 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
     found = solve(_system(problem, mode, active, 0.0))
     loose = any(any(abs(part) > TOLERANCE for part in null[:n]) for null in found.nulls)
     if loose:
-        faint = FAINT * max((row[number] for number, row in enumerate(problem.mass)), default=1.0)
+        faint = FAINT * (max((row[number] for number, row in enumerate(problem.mass)), default=0.0) or 1.0)
         found = solve(_system(problem, mode, active, faint))
     x = found.x[:n]
     forces = _forces(problem, mode, x, _spread(found.x[n:], active, len(mode.acting)), 1.0)
