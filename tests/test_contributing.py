@@ -8,7 +8,7 @@ from pathlib import Path
 PAGE = Path(__file__).parents[1] / "CONTRIBUTING.md"
 LONGEST = 60  # lines, as the page promises
 
-TRY = '''
+TRY = """
 
 from math import cos, radians, sin
 
@@ -31,7 +31,7 @@ for friction, mass in ((0.0, 0.0), (0.2, 0.6)):
     at = [c.name for c in trace.mechanism.coordinates].index("edge.block.slide")
     assert abs(trace.state.a[0, at] / expected - 1.0) < 1e-9, (trace.state.a, expected)
 print("fine")
-'''
+"""
 
 
 def example() -> str:

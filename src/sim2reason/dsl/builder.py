@@ -68,8 +68,7 @@ class Frame:
 
     def part(self, name: str, at: Vector = ZERO) -> "Frame":
         """The same body, shifted by `at`, with `name` before all names: room for a part of an entity."""
-        frame = Frame(self._builder, self.address(name), self.name, add(self.at, at))
-        return frame
+        return Frame(self._builder, self.address(name), self.name, add(self.at, at))
 
     def body(self, name: str, mass: float = 0.0, *, at: Vector = ZERO, inertia: float = 0.0) -> "Frame":
         """A new body carried by this one, its centre of mass at `at`; welded until it is told to move."""

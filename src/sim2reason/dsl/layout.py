@@ -1,12 +1,13 @@
 """Where entities stand: each is placed so that the strings from its neighbours run straight."""
 
 from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 from math import hypot
 from typing import TYPE_CHECKING
 
 from sim2reason.dsl.builder import Builder, add, scale
 from sim2reason.dsl.mechanism import ZERO, Vector
-from sim2reason.dsl.ports import Stop
+from sim2reason.dsl.ports import End, Stop
 
 if TYPE_CHECKING:
     from sim2reason.dsl.connection import Connection
@@ -48,7 +49,7 @@ def placed(
 def _pairs(stops: list[Stop]) -> list[tuple[str, str]]:
     """Neighbouring sites of different entities along a path: where it leaves one and reaches the next."""
     found: list[tuple[str, str]] = []
-    for one, other in zip(stops, stops[1:], strict=False):
+    for one, other in pairwise(stops):
         leaves, reaches = one.sites[-1], _first(other)
         if leaves.split(".")[0] != reaches.split(".")[0]:
             found.append((leaves, reaches))
@@ -57,8 +58,6 @@ def _pairs(stops: list[Stop]) -> list[tuple[str, str]]:
 
 def _first(stop: Stop) -> str:
     """The site that a string reaches first: an end is listed from the inside out, so its last."""
-    from sim2reason.dsl.ports import End
-
     return stop.sites[-1] if isinstance(stop.port, End) else stop.sites[0]
 
 

@@ -242,7 +242,7 @@ def _bodies(value: Model, address: str) -> dict[str, Body]:
 
 
 def path_stops(scene: Scene, links: tuple[Link, ...]) -> list[Stop]:
-    """The stops of a path of links in the order of travel; SceneError where an end stands inside or a pass at an end."""
+    """The stops of a path of links in the order of travel."""
     found: list[Stop] = []
     for index, link in enumerate(links):
         stops = stops_of(scene.entity(link.entity), link.port, link.entity, flipped=link.flipped)

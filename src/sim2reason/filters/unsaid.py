@@ -1,8 +1,10 @@
 """Drops a question whose answer hangs on a number that the text does not give."""
 
+from typing import cast
+
 import numpy as np
 
-from sim2reason.dsl.model import field_types
+from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.filters import FILTERS, Candidate
@@ -38,7 +40,7 @@ def tightest(scene: Scene) -> Scene:
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value is not None:
             owner, _, name = parameter.path.rpartition(".")
-            held = field_types(type(scene.value(owner)))[name]
+            held = field_types(cast("type[Model]", type(scene.value(owner))))[name]
             if held.drawn is not None and parameter.value != held.drawn.low:
                 scene = scene.having(parameter.path, held.drawn.low)
     return scene
