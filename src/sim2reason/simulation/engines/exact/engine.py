@@ -15,7 +15,7 @@ from sim2reason.simulation.engines.exact.motion import Motion, Segment
 from sim2reason.simulation.trace import ENGINES, Event, Trace
 
 SEGMENTS = 500
-CROWD = 5e-3  # s; a body that is hit again sooner is hit by too much at once
+CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
 TIE = 1e-11  # s; events that are no further apart are simultaneous
 REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
 ORDER = ("collision", "taut", "slack", "stick", "slip", "turn", "reach", "limit", "lift", "crowd", "indeterminate")
@@ -53,7 +53,8 @@ class _Run:
         self.mode = Mode((True,) * len(system.strings), (0,) * len(system.grips))
         self.segments: list[Segment] = []
         self.events: list[Event] = []
-        self.hits: dict[str, tuple[float, tuple[str, str]]] = {}  # the last hit of each body
+        self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}  # the last hit of each body
+        self.jerks: dict[int, tuple[float, tuple[str, ...]]] = {}  # the last jerk of each string
         self.cut = ""
 
     def finish(self) -> Motion:
@@ -84,7 +85,7 @@ class _Run:
         hits = [pair for pair, near in touching if near.rate < -STILL]
         if not snapped and not hits:
             return snapped
-        if self._crowded(hits):
+        if self._crowded(hits, snapped):
             return None
         found = strike(self.system, self.v, full, touching, list(self.mode.acting))
         self.v = [0.0 if abs(speed) < REST else speed for speed in found.v]
@@ -92,6 +93,8 @@ class _Run:
         for pair in hits:
             self._record("collision", *pair.names)
             self.hits |= dict.fromkeys(pair.movable, (self.now, pair.names))
+        for number in snapped:
+            self.jerks[number] = (self.now, (self.system.mechanism.strings[number].name,))
         if found.lifted:
             for number in sorted(snapped):
                 self._record("taut", self.system.mechanism.strings[number].name)
@@ -104,9 +107,10 @@ class _Run:
             if side == 0:
                 self.v[grip.coordinate] = 0.0
 
-    def _crowded(self, hits: list[Pair]) -> bool:
-        """End at the earlier hit if a body is hit again too soon."""
+    def _crowded(self, hits: list[Pair], snapped: set[int]) -> bool:
+        """End at the earlier hit if a body is hit again too soon, or a string jerks again: two can do so by turns."""
         recent = [self.hits[name] for pair in hits for name in pair.movable if name in self.hits]
+        recent += [self.jerks[number] for number in snapped if number in self.jerks]
         early = min((hit for hit in recent if TIE < self.now - hit[0] < CROWD), default=None)
         if early is None:
             return False

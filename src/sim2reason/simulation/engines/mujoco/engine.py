@@ -16,7 +16,7 @@ from sim2reason.simulation.trace import Event, Trace
 SEGMENTS = 500
 STEPS = 100_000
 CLOSER = 20  # times that a step is shortened to end where bodies meet
-CROWD = 5e-3  # s; a body that is hit again sooner is hit by too much at once
+CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
 TIE = 1e-9  # s; events that are no further apart are simultaneous
 REST = 1e-8  # m/s or rad/s; what rounding leaves of a speed that is zero
 SHORT = 1e-7  # s; how long before two sites meet the last step ends, since there a string has no direction
@@ -50,7 +50,8 @@ class Motion:
         self.mode: Mode | None = None
         self.record = Record(mechanism)
         self.events: list[Event] = []
-        self.hits: dict[str, tuple[float, tuple[str, str]]] = {}
+        self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}
+        self.jerks: dict[int, tuple[float, tuple[str, ...]]] = {}
         self.segments, self.steps, self.cut = 0, 0, ""
 
     def advance(self) -> bool:
@@ -78,7 +79,7 @@ class Motion:
         snapped = (strings.value <= TOUCHING) & (strings.rate < -STILL)
         gaps = self.watch.approach(self.q, self.v, zero).gaps
         hits = np.flatnonzero((gaps.value <= TOUCHING) & (gaps.rate < -STILL))
-        if not (snapped.any() or len(hits)) or self._crowded(hits):
+        if not (snapped.any() or len(hits)) or self._crowded(hits, np.flatnonzero(snapped)):
             return snapped
         self.v, lifted = strike(self.plant, self.watch, self.q, self.v)
         self.v[np.abs(self.v) < REST] = 0.0
@@ -86,6 +87,8 @@ class Motion:
             pair = self.mechanism.collisions[number]
             self._note("collision", pair.a, pair.b)
             self.hits |= dict.fromkeys(self._movable(int(number)), (self.now, (pair.a, pair.b)))
+        for number in np.flatnonzero(snapped):
+            self.jerks[int(number)] = (self.now, (self.mechanism.strings[number].name,))
         self._lift(lifted)
         if self.cut:
             self._note_snapped(snapped)
@@ -101,9 +104,10 @@ class Motion:
         pair = self.mechanism.collisions[number]
         return [name for name in (pair.a, pair.b) if self.plant.center(name)[1].any()]
 
-    def _crowded(self, hits: Integers) -> bool:
-        """End at the earlier hit if a body is hit again too soon."""
+    def _crowded(self, hits: Integers, snapped: Integers) -> bool:
+        """End at the earlier hit if a body is hit again too soon, or at the earlier jerk of a string."""
         recent = [self.hits[name] for number in hits for name in self._movable(int(number)) if name in self.hits]
+        recent += [self.jerks[int(number)] for number in snapped if int(number) in self.jerks]
         early = min((hit for hit in recent if TIE < self.now - hit[0] < CROWD), default=None)
         if early is None:
             return False
@@ -160,7 +164,8 @@ class Motion:
                 return False
             if change <= TIE:
                 return True
-            self._step(min(change, finish - 0.5 * SHORT, left, STEP))
+            room = finish - 0.5 * SHORT if finish <= left else inf  # what ends after the duration needs no care
+            self._step(min(change, room, left, STEP))
             a = self.plant.a
             self._note_step(settled, a)
 
