@@ -34,7 +34,10 @@ def unit(vector: Vector) -> Vector:
 
 def add(*vectors: Vector) -> Vector:
     """The sum of vectors."""
-    return (sum(v[0] for v in vectors), sum(v[1] for v in vectors), sum(v[2] for v in vectors))
+    x = y = z = 0.0
+    for vector in vectors:
+        x, y, z = x + vector[0], y + vector[1], z + vector[2]
+    return (x, y, z)
 
 
 def scale(factor: float, vector: Vector) -> Vector:

@@ -1,5 +1,7 @@
 """Parts and entities: mechanisms made of bodies, with lines that tell them and ports that join them."""
 
+from collections.abc import Mapping
+from functools import cache
 from typing import Any, ClassVar, TypeVar
 
 from pydantic import ConfigDict
@@ -43,18 +45,21 @@ def entity(cls: type[E]) -> type[E]:
     return ENTITIES.add(cls.__name__, cls)
 
 
-def ports_of(cls: type[Part]) -> dict[str, Port]:
+@cache
+def ports_of(cls: type[Part]) -> Mapping[str, Port]:
     """The ports that a class declares, by name, in the order of declaration."""
     members = {name: member for base in reversed(cls.__mro__) for name, member in vars(base).items()}
     return {name: member for name, member in members.items() if isinstance(member, Port)}
 
 
-def ropes_of(cls: type[Part]) -> dict[str, Rope]:
+@cache
+def ropes_of(cls: type[Part]) -> Mapping[str, Rope]:
     """The strings inside an entity, by name."""
     return {name: member for name, member in vars(cls).items() if isinstance(member, Rope)}
 
 
-def outer_ports(cls: type[Part]) -> dict[str, Port]:
+@cache
+def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
     """The ports that a connection can use: those that no rope and no chain of the class uses up."""
     declared = ports_of(cls)
     used = {stop for rope in ropes_of(cls).values() for stop in rope.stops}

@@ -1,6 +1,6 @@
 """Where entities stand: each is placed so that the strings from its neighbours run straight."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from math import hypot
 from typing import TYPE_CHECKING
@@ -32,14 +32,15 @@ def placed(
     """A builder in which all entities are built, each where its strings want it."""
     neighbours = [pair for connection in connections for pair in _pairs(stops(connection))]
     offsets: dict[str, Vector] = {}
+    alone: dict[str, Builder] = {}
     right = 0.0
     for named in entities:
-        scratch = Builder()
+        scratch = alone[named.name] = Builder()
         named.entity.build(scratch.room(named.name))
         low, high = scratch.extent()
         offsets[named.name] = (right - low, 0.0, 0.0)
         right += high - low + GAP
-    _align(neighbours, offsets, entities)
+    _align(neighbours, offsets, alone)
     builder = Builder((0.0, 0.0, -gravity), glued)
     for named in entities:
         named.entity.build(builder.room(named.name, offsets[named.name]))
@@ -61,14 +62,11 @@ def _first(stop: Stop) -> str:
     return stop.sites[-1] if isinstance(stop.port, End) else stop.sites[0]
 
 
-def _align(pairs: list[tuple[str, str]], offsets: dict[str, Vector], entities: "Sequence[Named]") -> None:
+def _align(pairs: list[tuple[str, str]], offsets: dict[str, Vector], alone: Mapping[str, Builder]) -> None:
     """Shift entities, outwards from the first, so that what faces each other does so on one line."""
-    local = Builder()
-    for named in entities:
-        named.entity.build(local.room(named.name))
     done: set[str] = set()
-    for named in entities:  # each tree of the forest from its first entity on
-        queue = [named.name]
+    for first in alone:  # each tree of the forest from its first entity on
+        queue = [first]
         while queue:
             here = queue.pop()
             if here in done:
@@ -77,14 +75,15 @@ def _align(pairs: list[tuple[str, str]], offsets: dict[str, Vector], entities: "
             for one, other in [*pairs, *((b, a) for a, b in pairs)]:
                 name, neighbour = one.split(".")[0], other.split(".")[0]
                 if name == here and neighbour not in done:
-                    _shift(one, other, local, offsets)
+                    _shift(one, other, alone, offsets)
                     queue.append(neighbour)
 
 
-def _shift(fixed: str, moved: str, local: Builder, offsets: dict[str, Vector]) -> None:
-    here, there = local.faces[fixed], local.faces[moved]
+def _shift(fixed: str, moved: str, alone: Mapping[str, Builder], offsets: dict[str, Vector]) -> None:
+    near, far = fixed.split(".", maxsplit=1)[0], moved.split(".", maxsplit=1)[0]
+    here, there = alone[near].faces[fixed], alone[far].faces[moved]
     if (here is None and there is None) or not opposite(here, there):
         return
     towards = here if here is not None else scale(-1.0, there or ZERO)
-    wanted = add(local.position(fixed), offsets[fixed.split(".", maxsplit=1)[0]], scale(FREE, towards))
-    offsets[moved.split(".", maxsplit=1)[0]] = add(wanted, scale(-1.0, local.position(moved)))
+    wanted = add(alone[near].position(fixed), offsets[near], scale(FREE, towards))
+    offsets[far] = add(wanted, scale(-1.0, alone[far].position(moved)))

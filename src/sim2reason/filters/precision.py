@@ -31,8 +31,9 @@ class Precision:
             if not shiftable(candidate.scene, parameter):
                 continue
             shifted = solved(candidate.scene, parameter, candidate.trace)
-            new = ask.answer(shifted) if shifted is not None else None
-            if shifted is None or new is None or _story(shifted, ask.time(shifted)) != before:
+            when = ask.time(shifted) if shifted is not None else None
+            new = ask.answer_at(when, shifted) if shifted is not None else None
+            if shifted is None or new is None or _story(shifted, when) != before:
                 return f"a small shift of {parameter.path} changes the order of events"
             total += ((new - answer) / answer) ** 2
         condition = sqrt(total) / SHIFT

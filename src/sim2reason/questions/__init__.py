@@ -27,7 +27,10 @@ class Ask:
 
     def answer(self, trace: Trace) -> float | None:
         """The value in SI units; None if the moment does not come, NaN if the mechanism leaves it open."""
-        time = self.time(trace)
+        return self.answer_at(self.time(trace), trace)
+
+    def answer_at(self, time: float | None, trace: Trace) -> float | None:
+        """The same where it is already known when the moment comes."""
         if time is None or self.target is None:
             return time
         return self.target.value(trace.sample(np.array([self.moment.side(time)])))
