@@ -1,0 +1,66 @@
+"""The real maker: a set is the same to the byte on any number of workers, and after kills."""
+
+import hashlib
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+ITEMS, SHARD = 24, 2
+KILLS = 5
+
+pytestmark = pytest.mark.slow
+
+
+def start(out: Path, workers: int) -> "subprocess.Popen[bytes]":
+    options = ["--items", str(ITEMS), "--shard-size", str(SHARD), "--seed", "8", "--workers", str(workers)]
+    code = "from sim2reason.cli import main; main()"
+    command = [sys.executable, "-c", code, "generate", str(out), "--recipe", "all", "--difficulty", "all", *options]
+    return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=os.environ)
+
+
+def finish(out: Path, workers: int) -> None:
+    run = start(out, workers)
+    _, err = run.communicate(timeout=120)
+    assert run.returncode == 0, err.decode()
+
+
+def digest(folder: Path) -> str:
+    """SHA-256 over the names and bytes of all files."""
+    found = hashlib.sha256()
+    for path in sorted(path for path in folder.rglob("*") if path.is_file()):
+        found.update(str(path.relative_to(folder)).encode() + b"\0" + path.read_bytes())
+    return found.hexdigest()
+
+
+def shards(out: Path) -> int:
+    return len(list(out.glob("items-*.parquet")))
+
+
+def killed(out: Path, rng: random.Random) -> None:
+    """Start, wait for one more shard and a moment, kill."""
+    wanted, run, end = shards(out) + 1, start(out, rng.choice((1, 2, 4))), time.monotonic() + 60
+    while shards(out) < wanted and run.poll() is None and time.monotonic() < end:
+        time.sleep(0.002)
+    time.sleep(rng.uniform(0.0, 0.03))
+    run.kill()
+    run.communicate()
+    assert run.returncode == -signal.SIGKILL, "it finished before it was killed"
+
+
+def test_one_two_and_four_workers_and_kills_give_one_digest(tmp_path: Path) -> None:
+    for workers in (1, 2, 4):
+        finish(tmp_path / f"by{workers}", workers)
+    rng = random.Random(5)
+    for _ in range(KILLS):
+        killed(tmp_path / "killed", rng)
+    assert 0 < shards(tmp_path / "killed") <= ITEMS // SHARD
+    finish(tmp_path / "killed", 2)
+    digests = {path.name: digest(path) for path in sorted(tmp_path.iterdir())}
+    assert len(set(digests.values())) == 1, digests
+    assert shards(tmp_path / "killed") == ITEMS // SHARD
