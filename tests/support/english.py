@@ -11,7 +11,8 @@ UNITS = r"kg·m/s|m/s²|m/s|kg|m|s|N|J|°"
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 LETTER = re.compile(r"(?<![A-Za-z$_])([A-Z])(?![A-Za-z$])")
 STRING = re.compile(
-    r"light string (?:is )?tied to|^From .* light string|light string .*\bjoins\b|light string runs from|by a light string from"
+    r"light string (?:is )?tied to|^From .* light string|light string .*\bjoins\b"
+    r"|light string runs from|by a light string from"
 )
 
 

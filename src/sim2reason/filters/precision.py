@@ -24,6 +24,8 @@ class Precision:
     def reason(self, candidate: Candidate) -> str:
         """Shift each stated number by one part in a thousand and solve again."""
         answer, ask = candidate.question.answer, candidate.question.ask
+        if answer == 0.0:
+            return "no number of digits is relative to zero"
         time = ask.time(candidate.trace)
         before = _story(candidate.trace, time)
         total = 0.0

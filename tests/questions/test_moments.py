@@ -1,0 +1,111 @@
+"""When things happen, against closed forms."""
+
+from math import cos, inf, nan, radians, sin, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from plain_scenes import G, atwood, ramp, table
+from sim2reason.questions.moments import (
+    AtStart,
+    AtTime,
+    Collided,
+    Moved,
+    Stopped,
+    first_crossing,
+    pair,
+    spoken,
+    two_digits,
+)
+from sim2reason.simulation.scenes import simulate
+
+BLOCK = "ramp.blocks.0"
+NAMES = {BLOCK: "the block", "table.pucks.0": "puck A", "table.pucks.1": "puck B"}
+
+
+@given(st.floats(0.05, 0.999), st.floats(0.1, 10.0))
+def test_the_first_of_two_crossings_is_found(share: float, end: float) -> None:
+    root = share * end
+    found = first_crossing(lambda t: (t - root) * (2.0 * end - t), end)
+    assert found == pytest.approx(root, rel=1e-12)
+
+
+def test_a_parabola_that_only_touches_on_its_way_back_is_met_on_its_way_there() -> None:
+    assert first_crossing(lambda t: 1.0 - (t - 1.0) ** 2 - 0.75, 2.0) == pytest.approx(0.5, rel=1e-12)
+
+
+def test_what_is_never_reached_is_none() -> None:
+    assert first_crossing(lambda t: t - 3.0, 2.0) is None
+    assert first_crossing(lambda t: np.full_like(t, -1.0), 2.0) is None
+
+
+def test_a_block_that_slides_down_is_somewhere_at_the_textbook_time() -> None:
+    trace = simulate(ramp(angle=30.0, friction=0.2))
+    a = G * (sin(radians(30)) - 0.2 * cos(radians(30)))
+    assert Moved(BLOCK, 0.5).time(trace) == pytest.approx(sqrt(2.0 * 0.5 / a), rel=1e-10)
+    assert Moved(BLOCK, 1e3).time(trace) is None
+
+
+def test_a_block_sent_uphill_turns_and_is_first_there_on_its_way_up() -> None:
+    trace = simulate(ramp(angle=30.0, speed=3.0))
+    a, v = G * sin(radians(30)), 3.0
+    assert Stopped(BLOCK).time(trace) == pytest.approx(v / a, rel=1e-10)
+    assert Moved(BLOCK, 0.5).time(trace) == pytest.approx((v - sqrt(v * v - 2.0 * a * 0.5)) / a, rel=1e-10)
+
+
+def test_a_block_that_stays_never_stops() -> None:
+    assert Stopped(BLOCK).time(simulate(ramp(angle=10.0, friction=0.6))) is None
+    assert Stopped("one.system.blocks.0").time(simulate(atwood())) is None
+
+
+def test_pucks_meet_when_the_gap_is_closed_and_sides_differ() -> None:
+    trace = simulate(table(speed=2.0))
+    before, after = Collided(*list(NAMES)[1:], after=False), Collided(*list(NAMES)[1:], after=True)
+    assert before.time(trace) == after.time(trace) == pytest.approx(0.8 / 2.0, rel=1e-12)
+    assert before.side(0.4) < 0.4 == after.side(0.4)
+    assert Collided("table.pucks.0", "nobody", after=True).time(trace) is None
+
+
+def test_times_are_those_that_are_said() -> None:
+    trace = simulate(ramp())
+    assert AtTime(0.5).time(trace) == 0.5
+    assert AtTime(50.0).time(trace) is None
+    assert AtStart().time(trace) == 0.0
+
+
+@given(st.floats(0.01, 900.0))
+def test_spoken_numbers_have_two_digits_and_are_what_is_said(value: float) -> None:
+    said = two_digits(value)
+    assert float(said) == spoken(value) == pytest.approx(value, rel=0.05)
+    assert "e" not in said
+    assert spoken(spoken(value)) == spoken(value)
+
+
+@pytest.mark.parametrize(("value", "said"), [(0.5, "0.50"), (0.996, "1.0"), (12.4, "12"), (0.05, "0.050")])
+def test_two_digits(value: float, said: str) -> None:
+    assert two_digits(value) == said
+
+
+@pytest.mark.parametrize("value", [nan, inf])
+def test_what_is_no_number_is_not_said(value: float) -> None:
+    with pytest.raises((ValueError, OverflowError)):
+        two_digits(value)
+
+
+@pytest.mark.parametrize("released", [True, False])
+def test_every_moment_has_three_phrases_in_the_words_of_the_text(released: bool) -> None:
+    moments = (AtStart(), AtTime(0.5), Moved(BLOCK, 0.5), Stopped(BLOCK), Collided(*list(NAMES)[1:], after=True))
+    for moment in moments:
+        phrases = moment.phrases(NAMES, released=released)
+        assert len(set(phrases)) >= 3
+        assert all(NAMES[name].split()[-1] in phrase for name in moment.subjects for phrase in phrases)
+        if isinstance(moment, AtStart | AtTime):
+            assert all(("t =" in phrase) != released for phrase in phrases)
+
+
+def test_two_of_a_kind_are_a_pair() -> None:
+    assert pair("puck A", "puck B") == "pucks A and B"
+    assert pair("the block", "the wedge") == "the block and the wedge"
+    assert pair("block A", "prism W") == "block A and prism W"

@@ -1,0 +1,123 @@
+"""What can be asked of whom, in which words and with which sign; and the sentences that ask."""
+
+from collections import Counter
+from math import cos, radians, sin
+
+import numpy as np
+import pytest
+
+from plain_scenes import G, atwood, ramp, table
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.speaker import tell
+from sim2reason.questions import KINDS, MODES, Ask, Words
+from sim2reason.questions.moments import AtStart, AtTime
+from sim2reason.questions.phrasing import QUOTA, asking, chosen
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.targets import Target, targets
+from sim2reason.simulation.scenes import simulate
+
+MAGNITUDES = ("speed", "magnitude", "distance", "kinetic", "tension", "normal")
+
+
+def offered(scene: Scene) -> dict[str, Target]:
+    return targets(scene.mechanism, words_of(tell(scene)).mentions)
+
+
+def answer(scene: Scene, phrase: str, time: float) -> float:
+    found = Ask("state", offered(scene)[phrase], AtTime(time)).answer(simulate(scene))
+    assert found is not None
+    return found
+
+
+def noun(scene: Scene) -> str:
+    return words_of(tell(scene)).mentions[next(iter(scene.bodies))]
+
+
+def test_a_block_on_a_ramp() -> None:
+    scene = ramp(mass=2.0, angle=30.0, friction=0.2)
+    block = next(said for address, said in words_of(tell(scene)).mentions.items() if "blocks" in address)
+    a = G * (sin(radians(30)) - 0.2 * cos(radians(30)))
+    press = 2.0 * G * cos(radians(30))
+    assert answer(scene, f"the speed of {block}", 0.5) == pytest.approx(a * 0.5)
+    assert answer(scene, f"the velocity of {block}", 0.5) == pytest.approx(-a * 0.5), "up the slope is positive"
+    assert answer(scene, f"the kinetic energy of {block}", 0.5) == pytest.approx(0.5 * 2.0 * (a * 0.5) ** 2)
+    assert answer(scene, f"the magnitude of the net force on {block}", 0.5) == pytest.approx(2.0 * a)
+    normal = f"the normal force on {block} from the surface that it rests on"
+    assert answer(scene, normal, 0.5) == pytest.approx(press)
+    drop = f"the gain in gravitational potential energy of {block} since the start (negative for a loss)"
+    assert answer(scene, drop, 0.5) == pytest.approx(-2.0 * G * 0.5 * a * 0.25 * sin(radians(30)))
+
+
+def test_a_smooth_face_is_not_asked_for_its_friction() -> None:
+    assert not any("friction" in phrase for phrase in offered(ramp()))
+    assert any("friction" in phrase for phrase in offered(ramp(friction=0.3)))
+
+
+def test_a_string_is_told_by_its_ends() -> None:
+    scene = atwood(3.0, 2.0)
+    tensions = {phrase: target for phrase, target in offered(scene).items() if target.quantity == "tension"}
+    assert list(tensions) == ["the tension in the string"]
+    assert answer(scene, "the tension in the string", 0.5) == pytest.approx(2 * 3.0 * 2.0 * G / 5.0)
+
+
+def test_pucks_have_components_along_the_axes_of_the_text() -> None:
+    phrases = offered(table())
+    assert any(phrase.startswith("the x component of the velocity") for phrase in phrases)
+    assert not any("up the slope" in (t.sense.positive if t.sense else "") for t in phrases.values())
+
+
+def test_signed_targets_have_a_sense_and_magnitudes_have_none() -> None:
+    for scene in (ramp(friction=0.3), atwood(), table()):
+        for phrase, target in offered(scene).items():
+            magnitude = any(word in phrase for word in MAGNITUDES)
+            assert magnitude != target.signed, phrase
+
+
+@pytest.mark.parametrize("kind", list(KINDS))
+def test_every_kind_asks_in_three_shapes_that_end_as_they_begin(kind: str) -> None:
+    asked = 0
+    for scene in (ramp(speed=2.0), ramp(friction=0.2), atwood(), table()):
+        words, trace = words_of(tell(scene)), simulate(scene)
+        for seed in range(8):
+            ask = KINDS[kind].draw(trace, words, offered(scene), np.random.default_rng(seed))
+            if ask is None:
+                continue
+            asked += 1
+            phrase = next((p for p, target in offered(scene).items() if target == ask.target), "")
+            shapes = KINDS[kind].shapes(ask, words, phrase)
+            assert len(set(shapes)) >= 3
+            assert all(shape[-1] in ".?" and shape.count("?") <= 1 for shape in shapes)
+            assert ask.answer(trace) is not None
+    assert asked
+
+
+def test_a_sign_is_defined_for_components_alone() -> None:
+    signed = next(t for t in offered(ramp()).values() if t.sense and t.quantity == "velocity")
+    plain = next(t for t in offered(ramp()).values() if not t.sense and t.quantity == "velocity")
+    assert all("positive" in shape for shape in asking(signed, "the velocity of A", "just after release"))
+    assert not any("positive" in shape for shape in asking(plain, "the speed of A", "just after release"))
+
+
+def test_verbs_are_drawn_by_quota() -> None:
+    shapes = ("what is it?", "when, what is it?", "if so, what is it?", "find it.", "determine it.", "calculate it.")
+    rng, total = np.random.default_rng(0), sum(share for verb, share in QUOTA.items() if verb != "how")
+    drawn = Counter(chosen(shapes, rng) for _ in range(4000))
+    for verb, share in QUOTA.items():
+        count = sum(number for shape, number in drawn.items() if verb in shape)
+        assert verb == "how" or count / 4000 == pytest.approx(share / total, abs=0.03)
+
+
+def test_a_mode_asks_what_it_answers() -> None:
+    words, trace = words_of(tell(ramp(speed=2.0))), simulate(ramp(speed=2.0))
+    for seed in range(30):
+        question = MODES["numeric"](trace, words, "", np.random.default_rng(seed))
+        if question is not None:
+            assert question.answer == question.ask.answer(trace)
+            assert question.text[0].isupper()
+            assert bool(question.sign) == (question.ask.target is not None and question.ask.target.signed)
+
+
+def test_an_unknown_time_has_no_answer() -> None:
+    assert Ask("state", None, AtTime(99.0)).answer(simulate(ramp())) is None
+    assert Ask("start", None, AtStart()).answer(simulate(ramp())) == 0.0
+    assert isinstance(words_of(tell(ramp())), Words)

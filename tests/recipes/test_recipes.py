@@ -1,0 +1,83 @@
+"""Recipes: what they draw fits together, can be told, and depends on the generator alone."""
+
+import numpy as np
+import pytest
+
+from cells import CELLS, drawn
+from sim2reason.datasets.draws import draw
+from sim2reason.dsl.entity import outer_ports
+from sim2reason.dsl.files import dump, load
+from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.speaker import tell
+from sim2reason.errors import SceneError, UnknownNameError
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, hybrid, incline, pulley
+from sim2reason.recipes.parts.grow import LONGEST_SENTENCE, PREFIX, Tier, grow
+
+SCENES = 12
+GROWN = {"pulley": pulley.TIERS, "incline": incline.TIERS, "hybrid": hybrid.TIERS}
+
+
+@pytest.mark.parametrize(("recipe", "difficulty"), CELLS)
+def test_a_draw_is_a_function_of_its_coordinates(recipe: str, difficulty: Difficulty) -> None:
+    assert draw(recipe, difficulty, seed=3, index=1) == draw(recipe, difficulty, seed=3, index=1)
+    assert draw(recipe, difficulty, seed=3, index=1) != draw(recipe, difficulty, seed=4, index=1)
+    assert draw(recipe, difficulty, seed=3, index=1) != draw(recipe, difficulty, seed=3, index=2)
+
+
+@pytest.mark.parametrize(("recipe", "difficulty"), CELLS)
+def test_scenes_can_be_built_told_and_written(recipe: str, difficulty: Difficulty) -> None:
+    for scene in drawn(recipe, difficulty, SCENES):
+        assert scene.mechanism.coordinates
+        assert tell(scene).text
+        assert load(dump(scene)) == scene
+
+
+@pytest.mark.parametrize(("recipe", "difficulty"), [cell for cell in CELLS if cell[0] in GROWN])
+def test_grown_scenes_keep_to_their_tier(recipe: str, difficulty: Difficulty) -> None:
+    tier = GROWN[recipe][difficulty]
+    for scene in drawn(recipe, difficulty, SCENES):
+        grown = [type(n.entity).__name__ for n in scene.entities if type(n.entity).__name__ in tier.pool]
+        assert 1 <= len(grown) <= tier.size.high
+        sentences = [len(sentence.split()) for sentence in tell(scene).sentences]
+        assert sum(sentences) <= tier.words
+        assert max(sentences) <= LONGEST_SENTENCE
+        used = {(link.entity, link.port) for connection in scene.connections for link in connection.links}
+        required = {
+            (n.name, p) for n in scene.entities for p, held in outer_ports(type(n.entity)).items() if held.required
+        }
+        assert required <= used
+
+
+@pytest.mark.parametrize(("recipe", "difficulty"), CELLS)
+def test_numbers_are_what_is_said(recipe: str, difficulty: Difficulty) -> None:
+    for scene in drawn(recipe, difficulty, SCENES):
+        for parameter in scene.parameters:
+            if parameter.value is not None and not parameter.hidden:
+                assert parameter.measure.round(parameter.value) == parameter.value, parameter.path
+
+
+def test_a_choice_of_zero_is_a_choice() -> None:
+    smooth = Tier(Count(1, 1), {"TwoSideMassPlane": 1.0}, {"mass": Range(1.0, 2.0)})
+    for seed in range(20):
+        scene = grow(smooth, np.random.default_rng(seed))
+        assert [p.value for p in scene.parameters if p.measure.name == "friction"] == [0.0]
+
+
+def test_what_can_not_be_told_in_so_few_words_is_refused() -> None:
+    with pytest.raises(SceneError, match="5 words"):
+        grow(Tier(Count(1, 1), {"TwoSideMassPlane": 1.0}, {}, words=5), np.random.default_rng(0))
+
+
+def test_names_say_what_entities_are() -> None:
+    for recipe in GROWN:
+        for scene in drawn(recipe, "hard", SCENES):
+            assert all(n.name.rstrip("0123456789") == PREFIX[type(n.entity).__name__] for n in scene.entities)
+
+
+def test_unknown_names_are_refused_with_what_there_is() -> None:
+    with pytest.raises(UnknownNameError, match="pulley"):
+        draw("puley")
+    with pytest.raises(SceneError, match="easy, medium, hard"):
+        draw("pulley", "harder")
+    assert set(DIFFICULTIES) == {"easy", "medium", "hard"}
+    assert set(GROWN) < set(RECIPES)

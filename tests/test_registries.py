@@ -1,0 +1,198 @@
+"""One contract for each registry, held by every member, present and future."""
+
+from collections.abc import Mapping
+from inspect import getdoc, signature
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import sim2reason
+from plain_scenes import atwood, ramp, table
+from sim2reason.datasets.draws import draw
+from sim2reason.datasets.interview import Interview
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.connection import CONNECTIONS, Connection
+from sim2reason.dsl.entity import ENTITIES, Entity, declared_numbers, outer_ports
+from sim2reason.dsl.files import dump, load
+from sim2reason.dsl.model import Model, field_types
+from sim2reason.dsl.model import draw as draw_model
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.speaker import tell
+from sim2reason.dsl.template import wordings
+from sim2reason.dsl.units import parse
+from sim2reason.errors import UnknownNameError
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions import KINDS, MODES
+from sim2reason.questions.prompt import words_of
+from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.registry import Registry
+from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.trace import ENGINES
+
+REGISTRIES: Mapping[str, Registry[Any]] = {
+    registry.kind: registry for registry in (ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, KINDS, MODES, FILTERS)
+}
+MEMBERS = [(kind, name) for kind, registry in REGISTRIES.items() for name in registry]
+SOURCE = Path(sim2reason.__file__).parent
+
+
+def all_bodies() -> list[type[Body]]:
+    """Every body class of the package; connections and entities load them."""
+    assert ENTITIES
+    assert CONNECTIONS
+    return sorted(
+        (c for c in Body.__subclasses__() if c.__module__.startswith("sim2reason.")), key=lambda c: c.__name__
+    )
+
+
+def scenes() -> list[Scene]:
+    return [ramp(friction=0.3), atwood(), table()]
+
+
+@pytest.mark.parametrize(("kind", "name"), MEMBERS)
+def test_every_member_is_documented_and_found_by_its_name(kind: str, name: str) -> None:
+    member = REGISTRIES[kind][name]
+    described = getattr(member, "evaluate", member)
+    if not callable(described) or isinstance(described, type):
+        described = described if isinstance(described, type) else type(described)
+    elif not hasattr(described, "__name__"):
+        described = type(described)
+    text = getdoc(described)
+    assert text
+    assert text.split("\n", maxsplit=1)[0].endswith((".", ":", "?", "*")), text
+
+
+@pytest.mark.parametrize("kind", list(REGISTRIES))
+def test_every_registry_is_sorted_and_refuses_what_it_does_not_hold(kind: str) -> None:
+    registry = REGISTRIES[kind]
+    assert list(registry) == sorted(registry)
+    assert len(registry) > 0
+    nearest = next(iter(registry))
+    with pytest.raises(UnknownNameError, match="did you mean"):
+        _ = registry[nearest + "x"]
+    with pytest.raises(ValueError, match="registered twice"):
+        registry.add(nearest, lambda: None)
+
+
+@pytest.mark.parametrize("kind", list(REGISTRIES))
+def test_a_member_is_one_file(kind: str) -> None:
+    folder = SOURCE / kind.replace(".", "/")
+    files = {path.stem for path in folder.glob("*.py")} | {path.name for path in folder.iterdir() if path.is_dir()}
+    assert len(REGISTRIES[kind]) >= 1
+    assert files - {"__init__", "__pycache__", "parts"}
+
+
+@pytest.mark.parametrize("name", list(ENTITIES))
+def test_entities_can_be_drawn_built_and_told(name: str) -> None:
+    cls = ENTITIES[name]
+    assert issubclass(cls, Entity)
+    assert cls.__name__ == name
+    for seed in range(20):
+        entity = draw_model(cls, np.random.default_rng(seed), {"tilt": 10.0, "gravity": 9.8})
+        builder = Builder()
+        entity.build(builder.room("it"))
+        assert entity == cls.model_validate_json(entity.model_dump_json(), strict=False) or "system" in cls.model_fields
+    assert all(len(wordings(saying)) >= 3 for saying in cls.says), "three ways to say each line"
+    assert declared_numbers(cls) is not None
+    for port in outer_ports(cls).values():
+        assert port.name
+
+
+@pytest.mark.parametrize("body", all_bodies(), ids=lambda body: body.__name__)
+def test_bodies_are_introduced_in_two_ways_with_all_their_numbers(body: type[Body]) -> None:
+    assert getdoc(body)
+    assert body.nouns
+    assert len(body.lone) >= 2
+    assert not body.letters or len(body.named) >= 2
+    said = {name for name, held in field_types(body).items() if held.measure is not None and not held.hidden}
+    assert all(held.drawn is not None for name, held in field_types(body).items() if name in said)
+
+
+@pytest.mark.parametrize("name", list(CONNECTIONS))
+def test_connections_are_named_by_their_key_and_say_what_they_join(name: str) -> None:
+    cls = CONNECTIONS[name]
+    assert issubclass(cls, Connection)
+    assert cls.key == name
+    assert getdoc(cls.joins)
+
+
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+@pytest.mark.parametrize("name", list(RECIPES))
+def test_recipes_draw_scenes_that_travel_through_a_file(name: str, difficulty: str) -> None:
+    scene = draw(name, difficulty, seed=1)
+    assert load(dump(scene)) == scene
+    assert tell(scene, 3).text == tell(load(dump(scene)), 3).text
+
+
+@pytest.mark.parametrize("name", list(QUANTITIES))
+def test_quantities_are_read_off_any_motion(name: str) -> None:
+    quantity, seen = QUANTITIES[name], 0
+    assert quantity.name == name
+    assert quantity.symbol
+    for scene in scenes():
+        state = simulate(scene).state
+        for subject in quantity.subjects(scene.mechanism):
+            values = quantity.evaluate(state, subject)
+            assert values.shape == ((len(state.times), 3) if quantity.vector else (len(state.times),))
+            assert np.isfinite(values).all()
+            seen += 1
+    assert seen
+
+
+@pytest.mark.parametrize("name", list(ENGINES))
+def test_engines_describe_the_same_motion_at_the_same_times(name: str) -> None:
+    for scene in scenes():
+        trace, recorded = simulate(scene, engine=name), simulate(scene)
+        assert trace.engine == name
+        assert trace.mechanism == scene.mechanism
+        assert np.array_equal(trace.state.times, recorded.state.times)
+        assert trace.stable_until == pytest.approx(recorded.stable_until, abs=1e-6)
+        within = trace.state.times <= trace.stable_until
+        assert np.allclose(trace.state.q[within], recorded.state.q[within], atol=1e-6)
+
+
+@pytest.mark.parametrize("name", list(KINDS))
+def test_kinds_draw_and_say(name: str) -> None:
+    kind = KINDS[name]
+    assert list(signature(kind.draw).parameters) == ["trace", "words", "targets", "rng"]
+    assert list(signature(kind.shapes).parameters) == ["ask", "words", "noun"]
+
+
+@pytest.mark.parametrize("name", list(MODES))
+def test_modes_ask_every_kind_of_some_scene(name: str) -> None:
+    asked = set[str]()
+    for scene in [ramp(friction=0.3, speed=2.0), *scenes()]:
+        trace, words = simulate(scene), words_of(tell(scene))
+        for kind in KINDS:
+            for seed in range(6):
+                question = MODES[name](trace, words, kind, np.random.default_rng(seed))
+                if question is not None:
+                    asked.add(question.ask.kind)
+                    assert question.mode == name
+                    assert parse(question.unit)
+    assert asked == set(KINDS)
+
+
+@pytest.mark.parametrize("name", list(FILTERS))
+def test_filters_give_a_reason_or_none(name: str) -> None:
+    found = FILTERS[name]
+    assert isinstance(found.needs_witness, bool)
+    for scene in scenes():
+        interview = Interview(scene, 1)
+        words = words_of(interview.telling)
+        question = MODES["numeric"](interview.trace, words, "state", np.random.default_rng(2))
+        if question is not None:
+            reason = found.reason(Candidate(scene, interview.trace, question, interview.telling.text))
+            assert isinstance(reason, str)
+            assert "\n" not in reason
+
+
+def test_models_are_frozen_and_refuse_what_they_do_not_know() -> None:
+    for cls in (*ENTITIES.values(), *all_bodies()):
+        assert issubclass(cls, Model)
+        assert cls.model_config.get("frozen")
+        assert cls.model_config.get("extra") == "forbid"
