@@ -116,6 +116,8 @@ def compare(recorded: Trace, witness: Trace) -> Certificate:
         end, reason = min(end, parted.time), f"only one engine sees: {_told(parted)}"
     changes = any(m.event.kind in CHANGES for m in matched)
     blind = tuple(_around(match, near) for match in matched)
+    if parted is not None and parted.time >= float(times[-1]) - near:  # one engine may see it just after the end
+        blind += ((parted.time - near, parted.time + near),)
     heard = (times <= end) & ~_inside(times, blind)
     table = _Table(recorded.state, witness.state, times <= end, heard, EVENTFUL if changes else SMOOTH)
     stable, worst = table.first_over()

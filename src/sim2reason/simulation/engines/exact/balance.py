@@ -52,17 +52,25 @@ def balance(system: Equations, v: Row, tight: list[int], guess: Mode) -> Balance
     open_ended = _open(stiffest(problem, found).spare, found.forces)
     small, small_x = scales(problem, found.x)
     loose = found.loose or _unheld(system, problem, found, open_ended, small)
-    found = replace(found, mode=_straight(problem, found, start, small_x))
+    found = replace(found, mode=_kept(problem, found, start, small_x))
     return _spread(system, tight, found, open_ended, lifted(system, problem, found, small), loose=loose)
 
 
-def _straight(problem: Problem, found: Solution, before: Mode, small: float) -> Mode:
-    """The mode found, but a string that was taut stays so under no tension while its ends do not come together."""
+def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode:
+    """The mode found, less the changes that nothing shows.
+
+    A string that was taut stays so under no tension while its ends do not come together, and a contact at rest
+    that is not accelerated sticks, though of forces that are not determined some let it slide at no speed.
+    """
     acting = tuple(
         acts or (was and abs(row.rate(found.x)) <= small)
         for acts, was, row in zip(found.mode.acting, before.acting, problem.rows, strict=True)
     )
-    return Mode(acting, found.mode.rubbing)
+    rubbing = tuple(
+        0 if not slides and abs(found.x[grip.coordinate]) <= small else side
+        for slides, side, grip in zip(problem.sliding, found.mode.rubbing, problem.grips, strict=True)
+    )
+    return Mode(acting, rubbing)
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:

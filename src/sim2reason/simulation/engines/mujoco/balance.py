@@ -15,8 +15,9 @@ from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.plant import Flags, Integers, Plant
 
-TURNS = 12
+TURNS = 24
 ROUNDS = 60
+PATIENT = 30  # rounds, after which forces too small to matter may go on changing
 CLOSE = 1e-10  # of the largest force: forces that differ by less are the same
 EQUAL = 1e-7  # the same where they are not unique
 LEAST = 1e-12  # m; an overlap that still makes a row
@@ -56,11 +57,12 @@ def balance(plant: Plant, demand: Demand) -> Balance:
     rough = plant.friction > 0.0
     normal = np.zeros(len(rough)) if demand.normal is None else demand.normal
     history: list[tuple[Array, Array]] = []
-    for _ in range(ROUNDS):
+    for number in range(ROUNDS):
         found = _turns(plant, demand, normal)
         fresh = found.forces[plant.presses]
         change = np.where(rough, fresh - normal, 0.0)
-        if np.abs(change).max(initial=0.0) <= 10.0 * CLOSE * (_largest(found.forces) + 1e-6):
+        close = 10.0 * (CLOSE if number < PATIENT else EQUAL)
+        if np.abs(change).max(initial=0.0) <= close * (_largest(found.forces) + 1e-6):
             return found
         history.append((normal, change))
         normal = np.maximum(_mixed(history), 0.0)

@@ -18,6 +18,7 @@ STEPS = 100_000
 CLOSER = 20  # times that a step is shortened to end where bodies meet
 CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
 TIE = 1e-9  # s; events that are no further apart are simultaneous
+TOGETHER = 1e-7  # s; the same of ends of the motion, as lengths are known to 1e-8 m and may change slowly
 REST = 1e-8  # m/s or rad/s; what rounding leaves of a speed that is zero
 SHORT = 1e-7  # s; how long before two sites meet the last step ends, since there a string has no direction
 STEADY = 1e-4  # of the largest load; forces are constant between events
@@ -191,7 +192,7 @@ class Motion:
     def _finish(self, ends: Array) -> bool:
         soonest = float(ends.min())
         self.now += soonest
-        for number in np.flatnonzero(ends <= soonest + TIE):
+        for number in np.flatnonzero(ends <= soonest + TOGETHER):
             kind, subjects = self.watch.ends[int(number)]
             self._end(kind, *subjects)
         return False

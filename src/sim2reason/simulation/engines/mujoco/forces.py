@@ -46,14 +46,16 @@ def settle(plant: Plant, watch: Watch, q: Array, v: Array, taut: Flags) -> Settl
     rough = plant.friction > 0.0
     sliding = np.where(rough, np.sign(v[plant.rubs]), 0.0)
     demand = _demand(plant, q, v, tight, sliding, zero)
-    last, found = _decide(plant, demand, START, FAINT * plant.load_scale)
+    faint = FAINT * plant.load_scale
+    last, found = _decide(plant, demand, START, faint)
     a = found.a
     lifted = tuple(int(i) for i in np.flatnonzero(a[plant.faces] > STILL))
     still = tight & (np.abs(watch.strings(q, v, a).second) <= STILL)
     held = rough & (v[plant.rubs] == 0.0) & (np.abs(a[plant.rubs]) <= STILL)
     open_ended = _undetermined(plant, still, held, last.sliding)
     mode = Mode(last.strings | (still & taut), last.sliding)
-    return Settled(mode, found, open_ended, lifted, _loose(plant, last.strings, last.sliding))
+    pulling = last.strings & ((found.forces[plant.strings] > faint) | open_ended[plant.strings])
+    return Settled(mode, found, open_ended, lifted, _loose(plant, pulling, last.sliding))
 
 
 def _demand(plant: Plant, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> Demand:
@@ -79,6 +81,11 @@ def _decide(
     started = resting & at_limit & (np.abs(a) > start)
     sliding = np.where(started, np.sign(a), demand.sliding)
     last = replace(demand, strings=pulling, sliding=sliding, locked=resting & ~started, normal=normal)
+    found = balance(plant, last)
+    torn = demand.strings & ~pulling & (plant.gradients[: len(pulling)] @ found.a > STILL)
+    if not torn.any():
+        return last, found
+    last = replace(last, strings=pulling | torn)  # a faint pull holds what has hardly any mass
     return last, balance(plant, last)
 
 
