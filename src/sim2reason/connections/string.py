@@ -145,7 +145,8 @@ def winding(turn: tuple[str, str], builder: Builder) -> str:
 
 
 def joined(verbs: list[str]) -> str:
-    """V, V and V; a repeated verb becomes *then*."""
+    """V, V and V; a repeated verb becomes *then*, and a way that the next verb tells whole is not told twice."""
+    verbs = verbs[1:] if len(verbs) > 1 and verbs[1].startswith(verbs[0]) else verbs
     said = [verbs[0], *(after(before, verb) for before, verb in pairwise(verbs))]
     return said[0] if len(said) == 1 else ", ".join(said[:-1]) + " and " + said[-1]
 
@@ -189,7 +190,7 @@ class Ear:
                 if begin is not None and stop.port.leaves:
                     for here, left in self._hearer.template(self._text, begin, stop.port.leaves, stop.owner, then):
                         yield from self._on(here, replace(rest, heard=left), (leg.link,), (), stop.port.leaves)
-                elif begin is not None:
+                if begin is not None:  # how it leaves may be left to the verb after it
                     yield from self._on(begin, replace(rest, heard=then), (leg.link,), (), "")
 
     def _on(self, at: int, leg: "Leg", links: tuple[Link, ...], owned: tuple[str, ...], before: str) -> Iterator[Told]:
