@@ -24,11 +24,12 @@ ON_PURPOSE: dict[str, dict[str, tuple[str, ...]]] = {
         "OnPlane.blocks count": ("hybrid easy",),
         "TwoSideMassPlane.blocks count": ("incline easy", "hybrid easy"),
         "MassPrismPlane.left_blocks count": ("incline easy", "incline medium", "hybrid medium"),
-        "MassPrismPlane.right_blocks count": ("incline easy",),
+        "MassPrismPlane.right_blocks count": ("incline easy", "hybrid medium"),
+        "OnWedge.blocks count": ("hybrid medium",),
     },
-    "friction is for the recipes of faces, and is too long to tell on an easy prism": {
+    "friction is for the recipes of faces, and is too long to tell on a prism among much else": {
         "Plane.friction value": ("pulley easy", "pulley medium", "hybrid easy"),
-        "Prism.friction value": ("incline easy",),
+        "Prism.friction value": ("incline easy", "hybrid medium"),
         "Wedge.friction value": ("hybrid medium",),
     },
     "only a row of blocks without strings is sent off with a speed": {

@@ -42,6 +42,19 @@ def test_nothing_is_told_from_zero_or_from_the_text() -> None:
     assert not reason("degenerate", candidate(table(), AtTime(0.9), Target("velocity", LEFT), -0.3))
 
 
+def test_what_a_hit_has_not_changed_yet_is_no_question() -> None:
+    slow = table(speed=1.37)
+    momentum = Target("momentum", LEFT)
+    assert "changes" in reason("degenerate", candidate(slow, Collided(LEFT, RIGHT, after=False), momentum, 1.37))
+    assert not reason("degenerate", candidate(table(speed=2.0), Collided(LEFT, RIGHT, after=True), momentum, 0.4))
+
+
+def test_a_distance_that_the_question_states_is_no_answer() -> None:
+    same = candidate(atwood(), Moved(BLOCK, 0.83), Target("displacement", OTHER))
+    assert "stated" in reason("degenerate", same)
+    assert not reason("degenerate", candidate(atwood(), Moved(BLOCK, 0.83), Target("velocity", OTHER)))
+
+
 def test_a_small_share_of_the_largest_value_is_nothing() -> None:
     found = candidate(atwood(), AtTime(1.0), Target("velocity", BLOCK))
     largest = found.question.answer

@@ -114,7 +114,7 @@ CLOSINGS: tuple[Closing, ...] = (
         _has_room,
         (
             "no body reaches a pulley.",
-            "the strings are long enough for the motion.",
+            "every string is long enough for the motion.",
             "there is string enough for the motion.",
         ),
     ),

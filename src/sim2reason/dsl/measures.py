@@ -44,7 +44,7 @@ class Measure:
     """The meaning of a number.
 
     `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. It is spoken either with
-    `decimals` places or, where that is None, with two significant digits.
+    `decimals` places, though not with more than three significant digits, or, where that is None, with two.
     """
 
     name: str
@@ -54,10 +54,10 @@ class Measure:
 
     def places(self, value: float) -> int:
         """How many decimal places `value` is spoken with; negative would be tens, so at least 0."""
-        if self.decimals is not None:
-            return self.decimals
         if value == 0.0:
-            return 0
+            return self.decimals or 0
+        if self.decimals is not None:
+            return min(self.decimals, max(0, 2 - floor(log10(abs(float(f"{value:.2e}"))))))
         return max(0, 1 - floor(log10(abs(float(f"{value:.1e}")))))
 
     def round(self, value: float) -> float:

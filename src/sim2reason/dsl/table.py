@@ -10,10 +10,11 @@ if TYPE_CHECKING:
     from sim2reason.dsl.speaker import Speaker
 
 LEAD_INS = (
-    "the table lists the {plural} as they are at t = 0.",
+    "listed below are the {plural} as they are at t = 0.",
     "at t = 0 the {plural} are as listed here.",
     "the state of the {plural} at t = 0 is this.",
-    "for t = 0 the table gives the mass, the position and the velocity of all {plural}.",
+    "the {plural} begin, at t = 0, as follows.",
+    "for t = 0 the mass, the position and the velocity of all {plural} are these.",
 )
 
 

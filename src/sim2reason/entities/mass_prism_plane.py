@@ -35,7 +35,7 @@ class MassPrismPlane(Entity):
         ),
         either(
             "{left_blocks} {left_blocks:rests/rest, the lower one first,/rest, in this order from the lowest up,} on the left face, and {right_blocks}{right_blocks:/, the lower one first,/, in this order from the lowest up,} on the right.",
-            "on the left face {left_blocks:lies/lie, the lower one first,/lie, from the lowest up,} {left_blocks}, and on the right{right_blocks:/, the lower one first,/, from the lowest up,} {right_blocks}.",
+            "on the left face {left_blocks:lies/lie, the lower one first,/lie, from the lowest up,} {left_blocks}, and on the right face{right_blocks:/, the lower one first,/, from the lowest up,} {right_blocks}.",
             "the left face carries {left_blocks}{left_blocks:/, the lower one first/, from the lowest up}, and the right one {right_blocks}{right_blocks:/, the lower one first/, from the lowest up}.",
         ),
         either(

@@ -1,18 +1,22 @@
 """Drops a question whose answer is nothing, or stands in the text."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.moments import Moved
 
 SMALLEST = 0.01  # of the scene's largest value of the quantity: two spoken digits can't tell less from zero
 FLOORS = {"m": 1e-3, "m/s": 1e-2, "m/s^2": 1e-2, "s": 1e-2}
 FLOOR = 1e-3
+GIVEN = frozenset({"velocity", "momentum", "kinetic energy"})  # at the start, by the text
 SAME = 2e-3  # relative: what rounds to the same three digits
 
 
 class Degenerate:
-    """The answer is zero, too small to be told from zero, or one of the stated numbers."""
+    """The answer is zero, too small to be told from zero, one of the stated numbers, or what it was at the start."""
 
     needs_witness = False
     order = 0
@@ -22,12 +26,28 @@ class Degenerate:
         answer, unit = abs(candidate.question.answer), candidate.question.unit
         if answer <= max(FLOORS.get(unit, FLOOR), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"
-        said = (
-            p for p in candidate.scene.parameters if not p.hidden and p.value is not None and p.measure.unit == unit
-        )
-        if any(abs(answer - abs(p.value or 0.0)) <= SAME * answer for p in said):
+        if any(abs(answer - abs(said)) <= SAME * answer for said in _stated(candidate, unit)):
             return "the answer is a stated number"
-        return ""
+        return "nothing changes it before" if _lasting(candidate) else ""
+
+
+def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
+    """The numbers of a unit in the text of the scene and in the question."""
+    for parameter in candidate.scene.parameters:
+        if not parameter.hidden and parameter.value is not None and parameter.measure.unit == unit:
+            yield parameter.value
+    moment = candidate.question.ask.moment
+    if isinstance(moment, Moved) and unit == "m":
+        yield moment.distance
+
+
+def _lasting(candidate: Candidate) -> bool:
+    """Whether a quantity that the text gives at the start still has that value."""
+    target, answer = candidate.question.ask.target, candidate.question.answer
+    if target is None or target.quantity not in GIVEN:
+        return False
+    start = target.value(candidate.trace.sample(np.zeros(1)))
+    return abs(answer - start) <= SAME * abs(answer)
 
 
 def _scale(candidate: Candidate) -> float:

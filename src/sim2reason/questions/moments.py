@@ -61,7 +61,7 @@ class AtTime(_At):
         del mentions
         said = say_seconds(self.after)
         if released:
-            return (f"{said} after release", f"{said} from release", f"{said} after the start")
+            return (f"{said} after release", f"{said} after the release", f"{said} after the start")
         return (f"at t = {said}", f"at the time t = {said}", f"at the instant t = {said}")
 
 

@@ -6,7 +6,7 @@ from sim2reason.dsl.measures import Count
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import MOVABLE, REVERSE, Tier, grow
-from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
+from sim2reason.recipes.parts.ranges import NUMBERS, PRISM, WORDS
 
 SHORT = {"TwoSideMassPlane": 1.5, "MassWithFixedPulley": 1.5, MOVABLE: 1.0, REVERSE: 1.0}
 POOL = {**SHORT, "MassPrismPlane": 2.5}
@@ -14,7 +14,9 @@ SIDES = dict.fromkeys((f"{MOVABLE}.left", f"{MOVABLE}.right"), ("Hanging", "OnPl
 EASY = {**dict.fromkeys(SIDES, ("Hanging",)), "MassWithFixedPulley.system": ("Hanging", "OnPlane")}
 TIERS = {
     "easy": Tier(Count(1, 2), SHORT, {**NUMBERS["easy"], **EASY}, more=0.1, words=WORDS["easy"]),
-    "medium": Tier(Count(2, 3), POOL, {**NUMBERS["medium"], **SIDES}, rough=0.3, more=0.2, words=WORDS["medium"]),
+    "medium": Tier(
+        Count(2, 3), POOL, {**NUMBERS["medium"], **SIDES}, rough=0.3, more=0.2, words=WORDS["medium"] + PRISM
+    ),
     "hard": Tier(
         Count(3, 4), POOL, {**NUMBERS["hard"], **SIDES}, rough=0.6, massive=0.5, more=0.2, words=WORDS["hard"]
     ),

@@ -6,10 +6,9 @@ from sim2reason.dsl.measures import Count
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import Tier, grow
-from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
+from sim2reason.recipes.parts.ranges import NUMBERS, PRISM, WORDS
 
 ON_FACES = {"system": ("OnPlane", "OnWedge", "OnWedge")}
-PRISM = 14  # words more for an easy scene, since no prism is told in less
 SIMPLE = {"TwoSideMassPlane": 2.0, "MassPrismPlane": 1.5}
 WIDE = {"TwoSideMassPlane": 2.0, "MassPrismPlane": 1.5, "MassWithFixedPulley": 1.5}
 TIERS = {

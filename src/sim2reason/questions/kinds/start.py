@@ -14,7 +14,10 @@ class StartKind:
 
     def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
         """A quantity that can differ from zero before anything has moved."""
-        del trace, words
+        del words
+        mechanism = trace.mechanism
+        if not (mechanism.strings or mechanism.pulls or mechanism.contacts):
+            return None  # what only falls has the acceleration that the text gives it
         target = pick(immediate(targets), rng)
         return Ask("start", target, AtStart()) if target is not None else None
 
