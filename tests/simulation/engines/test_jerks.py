@@ -1,4 +1,4 @@
-"""Strings that jerk again and again: both engines end the motion at the same jerk."""
+"""Jerks and hits in quick succession, or against much friction: both engines make the same of them."""
 
 import numpy as np
 import pytest
@@ -61,3 +61,21 @@ def test_two_strings_that_jerk_by_turns_without_end() -> None:
     last = [event.time for event in trace.events if event.kind == "taut"]
     assert trace.stable_until == last[-1] < 0.2700
     assert max(certificate.agreement.values()) <= 1e-7
+
+
+@ENGINES
+def test_carts_that_meet_part_whatever_friction_could_hold(engine: Engine) -> None:
+    """Two rough carts, the first with a slope and cargo, meet at u: they part at −e·u whatever floors and strings do.
+
+    Both at rest is no solution, as 0 is not −e·u, though there are friction impulses, and many, that hold both:
+    an equation that can't be met stays so however the others are.
+    """
+    mechanism = machines.train(np.random.default_rng(13098))
+    trace = engine(mechanism, np.linspace(0.0, 0.2, 21))
+    (hit,) = (event.time for event in trace.events if event.kind == "collision")
+    before, after = (trace.sample(np.array([hit + shift])).v[0] for shift in (-1e-7, 1e-7))
+    (pair,) = mechanism.collisions
+    names = [coordinate.name for coordinate in mechanism.coordinates]
+    a, b = names.index("cart0.slide"), names.index("cart1.slide")
+    assert after[b] - after[a] == pytest.approx(-pair.restitution * (before[b] - before[a]), abs=1e-5)
+    assert after[a] < -1.0 < 1.0 < after[b]

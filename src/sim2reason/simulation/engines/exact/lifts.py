@@ -3,11 +3,10 @@
 A solution of `modes` holds every contact closed. Where it needs a face to pull, the contact whose face pulls
 most need not be the one that opens: a block that a wedge is jerked away under pulls at the wedge too, and so
 makes the floor seem to pull the wedge, which in truth stays down. So the rises of the contacts that open become
-unknowns like the coordinates, and what opens is found as what acts is: z ≥ 0, N ≥ 0, zN = 0.
+unknowns like the coordinates, and what opens is found as what acts is: z ≥ 0, N ≥ 0, zN = 0. All contacts that
+contradict that change sides, again and again; if that goes in circles, only the last of them does, which without
+friction comes to an end: K. G. Murty, Note on a Bard-type scheme for solving the complementarity problem (1974).
 """
-
-from collections.abc import Iterator
-from itertools import combinations
 
 from sim2reason.dsl.kinematics import dot, kinematics
 from sim2reason.errors import SimulationError
@@ -16,7 +15,7 @@ from sim2reason.simulation.engines.exact.linear import Row
 from sim2reason.simulation.engines.exact.modes import Mode, Problem, Solution, search
 
 RISING = 1e-9  # of the largest velocity or acceleration: a contact that opens does so faster
-SETS = 512  # of contacts that are tried before the one that is pulled most is named
+PIVOTS = 64  # sets of contacts that are tried before the one that is pulled most is named
 
 
 def lifted(system: Equations, problem: Problem, found: Solution, small: float) -> tuple[int, ...]:
@@ -25,19 +24,19 @@ def lifted(system: Equations, problem: Problem, found: Solution, small: float) -
     if not pulled:
         return ()
     heave = _heave(system)
-    for number, apart in enumerate(_candidates(len(problem.press))):
-        if number > SETS:
+    tried = set[frozenset[int]]()
+    apart, wrong = frozenset[int](), frozenset(pulled)
+    for _ in range(PIVOTS):
+        flipped = apart ^ wrong
+        apart = flipped if flipped not in tried else apart ^ {max(wrong)}
+        tried.add(apart)
+        try:
+            rises, wrong = _rises(problem, heave, found.mode, tuple(sorted(apart)), small)
+        except SimulationError:  # what is left closed can't rub so
             break
-        rises = _rises(problem, heave, found.mode, apart, small)
-        if rises:
+        if not wrong:
             return rises
     return (min(pulled, key=found.forces.normal.__getitem__),)
-
-
-def _candidates(count: int) -> Iterator[tuple[int, ...]]:
-    """Sets of contacts, the small ones first: bodies seldom leave their faces together."""
-    for size in range(1, count + 1):
-        yield from combinations(range(count), size)
 
 
 def _heave(system: Equations) -> list[Row]:
@@ -53,19 +52,18 @@ def _heave(system: Equations) -> list[Row]:
     return heave
 
 
-def _rises(problem: Problem, heave: list[Row], mode: Mode, apart: tuple[int, ...], small: float) -> tuple[int, ...]:
-    """Those of `apart` that rise, if these contacts and no others can be the ones that open; else none."""
+def _rises(
+    problem: Problem, heave: list[Row], mode: Mode, apart: tuple[int, ...], small: float
+) -> tuple[tuple[int, ...], frozenset[int]]:
+    """Those of `apart` that rise if these contacts and no others are open, and all that show that it is not so."""
     opened, kept = _opened(problem, heave, apart)
     rubbing = tuple(side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in apart)
-    try:
-        found = search(opened, Mode(mode.acting, rubbing))
-    except SimulationError:
-        return ()
-    rises = found.x[len(problem.force) :]
+    found = search(opened, Mode(mode.acting, rubbing))
     least = RISING * max(map(abs, found.x))
-    if min(rises) < -least or min((found.forces.normal[i] for i in range(len(kept))), default=0.0) < -small:
-        return ()
-    return tuple(number for number, rise in zip(apart, rises, strict=True) if rise > least)
+    rises = list(zip(apart, found.x[len(problem.force) :], strict=True))
+    closing = [number for number, rise in rises if rise < -least]
+    pulled = [number for number, force in zip(kept, found.forces.normal, strict=True) if force < -small]
+    return tuple(number for number, rise in rises if rise > least), frozenset(closing + pulled)
 
 
 def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple[Problem, list[int]]:

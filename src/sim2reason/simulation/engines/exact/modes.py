@@ -159,7 +159,7 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
         _forces(problem, mode, [0.0] * n, _spread(null[n:], active, len(mode.acting)), 0.0) for null in found.nulls
     ]
     solution = Solution(mode, x, forces, spare, loose, found.consistent)
-    if not spare or loose or not _flips(problem, solution).count():
+    if not spare or loose or not found.consistent or not _flips(problem, solution).count():
         return solution
     better = bearing(problem, mode, x)
     if better is None:
