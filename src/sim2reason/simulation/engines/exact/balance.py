@@ -1,6 +1,6 @@
 """The forces of one instant: which strings pull, which contacts hold, and what the mechanism leaves open."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import nan
 
 from sim2reason.simulation.engines.exact.equations import Equations
@@ -52,8 +52,8 @@ def balance(system: Equations, v: Row, tight: list[int], guess: Mode) -> Balance
     open_ended = _open(stiffest(problem, found).spare, found.forces)
     small, small_x = scales(problem, found.x)
     loose = found.loose or _unheld(system, problem, found, open_ended, small)
-    found = replace(found, mode=_kept(problem, found, start, small_x))
-    return _spread(system, tight, found, open_ended, lifted(system, problem, found, small), loose=loose)
+    away = lifted(system, problem, found, small)
+    return _spread(system, tight, found, _kept(problem, found, start, small_x), open_ended, away, loose=loose)
 
 
 def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode:
@@ -62,14 +62,13 @@ def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode
     A string that was taut stays so under no tension while its ends do not come together, and a contact at rest
     that is not accelerated sticks, though of forces that are not determined some let it slide at no speed.
     """
-    acting = tuple(
-        acts or (was and abs(row.rate(found.x)) <= small)
-        for acts, was, row in zip(found.mode.acting, before.acting, problem.rows, strict=True)
-    )
-    rubbing = tuple(
-        0 if not slides and abs(found.x[grip.coordinate]) <= small else side
-        for slides, side, grip in zip(problem.sliding, found.mode.rubbing, problem.grips, strict=True)
-    )
+    acting, rubbing = found.mode
+    for number, acts in enumerate(acting):
+        if before.acting[number] and not acts and abs(problem.rows[number].rate(found.x)) <= small:
+            acting = (*acting[:number], True, *acting[number + 1 :])
+    for number, side in enumerate(rubbing):
+        if side and not problem.sliding[number] and abs(found.x[problem.grips[number].coordinate]) <= small:
+            rubbing = (*rubbing[:number], 0, *rubbing[number + 1 :])
     return Mode(acting, rubbing)
 
 
@@ -105,16 +104,23 @@ def _unheld(system: Equations, problem: Problem, found: Solution, forces: Forces
 
 
 def _spread(
-    system: Equations, tight: list[int], found: Solution, forces: Forces, away: tuple[int, ...], *, loose: bool
+    system: Equations,
+    tight: list[int],
+    found: Solution,
+    kept: Mode,
+    forces: Forces,
+    away: tuple[int, ...],
+    *,
+    loose: bool,
 ) -> Balance:
     """From the strings and contacts that took part to all of them."""
     tension, acting = [0.0] * len(system.strings), [False] * len(system.strings)
-    for number, force, acts in zip(tight, forces.rows, found.mode.acting, strict=True):
+    for number, force, acts in zip(tight, forces.rows, kept.acting, strict=True):
         tension[number], acting[number] = _clipped(force), acts
     friction = [0.0] * len(system.press)
     for grip, force in zip(system.grips, forces.friction, strict=True):
         friction[grip.contact] = 0.0 if found.forces.normal[grip.contact] < 0.0 else force
-    mode = Mode(tuple(acting), found.mode.rubbing)
+    mode = Mode(tuple(acting), kept.rubbing)
     return Balance(found.x, tension, [_clipped(force) for force in forces.normal], friction, mode, away, loose)
 
 

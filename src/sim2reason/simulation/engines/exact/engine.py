@@ -136,7 +136,10 @@ class _Run:
         pressing = next((pair for pair, near in self._approaches(found.a) if self._pressed(near)), None)
         ended = bool(found.lifted) or found.loose or pressing is not None
         if self.segments or snapped:
-            self._note_changes(before, found.mode, snapped)
+            # which strings are slack about a part that nothing holds is as open as how it moves
+            self._note_changes(
+                before, found.mode._replace(acting=before.acting) if found.loose else found.mode, snapped
+            )
         if not ended or not self.segments:
             self._append(found)
         self.mode = found.mode

@@ -65,7 +65,10 @@ def balance(plant: Plant, demand: Demand) -> Balance:
         if np.abs(change).max(initial=0.0) <= close * (_largest(found.forces) + 1e-6):
             return found
         history.append((normal, change))
-        normal = np.maximum(_mixed(history), 0.0)
+        mixed = _mixed(history)
+        if (mixed < 0.0).any():  # the line through the last guesses crosses where something begins to slide or stick
+            history, mixed = [], fresh
+        normal = np.maximum(mixed, 0.0)
     raise SimulationError("MuJoCo: friction and normal forces find no balance; friction may be too strong")
 
 

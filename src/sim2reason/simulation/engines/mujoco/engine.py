@@ -65,7 +65,7 @@ class Motion:
         taut = snapped | (np.ones_like(snapped) if self.mode is None else self.mode.taut)
         settled = settle(self.plant, self.watch, self.q, self.v, taut)
         self.plant.check()
-        self._note_changes(settled.mode, snapped)
+        self._note_changes(settled, snapped)
         if self._ended(settled):
             return False
         self.mode = settled.mode
@@ -119,8 +119,12 @@ class Motion:
 
     # ---- forces
 
-    def _note_changes(self, mode: Mode, snapped: Flags) -> None:
-        before = self.mode
+    def _note_changes(self, settled: Settled, snapped: Flags) -> None:
+        mode, before = settled.mode, self.mode
+        if (
+            settled.loose and before is not None
+        ):  # strings about a part that nothing holds are slack or not as one likes
+            mode = mode._replace(taut=before.taut)
         for number, string in enumerate(self.mechanism.strings):
             if snapped[number] or (before is not None and mode.taut[number] and not before.taut[number]):
                 self._note("taut", string.name)
