@@ -10,7 +10,7 @@ import yaml
 from scene_files import drawn
 from sim2reason.connections.string import String
 from sim2reason.dsl.connection import Link
-from sim2reason.dsl.entity import ENTITIES, outer_ports
+from sim2reason.dsl.entity import ENTITIES, outer_ports, ports_of
 from sim2reason.dsl.files import dump, load
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Scene
@@ -166,15 +166,22 @@ def test_a_side_may_be_said_as_a_connecting_point() -> None:
     assert load(BIGHT.replace(LEFT, "{entity: q, direction: under, connecting_point: left}")) == load(BIGHT)
 
 
+def forget_ports() -> None:
+    """What is kept of classes, which do not change but in a test."""
+    for kept in (directions, outer_ports, ports_of):
+        kept.cache_clear()
+
+
 def test_sides_whose_names_are_used_twice_are_told_by_their_pulley(monkeypatch: pytest.MonkeyPatch) -> None:
     entity = ENTITIES["MassWithReverseMovablePulley"]
     monkeypatch.setattr(entity, "second", Pass(sites=("pulley.left", "pulley.right"), passes=""), raising=False)
-    directions.cache_clear()
+    forget_ports()
     try:
         assert ("left", "") not in directions(entity)
         assert told_end("q", entity, "under", 0) == {"entity": "q", "direction": "under", "connecting_point": "left"}
     finally:
-        directions.cache_clear()
+        monkeypatch.undo()
+        forget_ports()
 
 
 @pytest.mark.parametrize("name", sorted(ENTITIES))
