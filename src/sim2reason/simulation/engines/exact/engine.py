@@ -10,7 +10,7 @@ from sim2reason.simulation.engines.exact.equations import TOUCHING, Equations, P
 from sim2reason.simulation.engines.exact.events import STILL, Approach, approach, crossing, stop
 from sim2reason.simulation.engines.exact.impulses import strike
 from sim2reason.simulation.engines.exact.linear import Row
-from sim2reason.simulation.engines.exact.modes import Mode
+from sim2reason.simulation.engines.exact.modes import Mode, NoForcesError
 from sim2reason.simulation.engines.exact.motion import Motion, Segment
 from sim2reason.simulation.trace import ENGINES, Event, Trace
 
@@ -36,9 +36,14 @@ def simulate(mechanism: Mechanism, times: Array) -> Trace:
 def motion(mechanism: Mechanism, duration: float) -> Motion:
     """The motion from 0 to `duration` seconds, or to the event that ends it; raises as `simulate` does."""
     run = _Run(equations(mechanism), duration)
-    while run.step():
-        if len(run.segments) > SEGMENTS:
-            raise SimulationError(f"more than {SEGMENTS} events before {duration:g} s; simulate a shorter time")
+    try:
+        while run.step():
+            if len(run.segments) > SEGMENTS:
+                raise SimulationError(f"more than {SEGMENTS} events before {duration:g} s; simulate a shorter time")
+    except NoForcesError as error:
+        rough = ", ".join(name for name, contact in mechanism.contacts.items() if contact.friction > 0.0)
+        remedy = f"; friction may be too strong on {rough}" if rough else ""
+        raise SimulationError(f"{error} at {run.now:.6g} s{remedy}") from error
     return run.finish()
 
 

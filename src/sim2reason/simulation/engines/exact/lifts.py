@@ -9,10 +9,9 @@ friction comes to an end: K. G. Murty, Note on a Bard-type scheme for solving th
 """
 
 from sim2reason.dsl.kinematics import dot, kinematics
-from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.exact.equations import Equations, Gradient, Grip
 from sim2reason.simulation.engines.exact.linear import Row
-from sim2reason.simulation.engines.exact.modes import Mode, Problem, Solution, search
+from sim2reason.simulation.engines.exact.modes import Mode, NoForcesError, Problem, Solution, search
 
 RISING = 1e-9  # of the largest velocity or acceleration: a contact that opens does so faster
 PIVOTS = 64  # sets of contacts that are tried before the one that is pulled most is named
@@ -32,7 +31,7 @@ def lifted(system: Equations, problem: Problem, found: Solution, small: float) -
         tried.add(apart)
         try:
             rises, wrong = _rises(problem, heave, found.mode, tuple(sorted(apart)), small)
-        except SimulationError:  # what is left closed can't rub so
+        except NoForcesError:  # what is left closed can't rub so
             break
         if not wrong:
             return rises

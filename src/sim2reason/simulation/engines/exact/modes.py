@@ -28,6 +28,10 @@ MODES = 2000  # that are tried one by one before the search gives up
 FAINT = 1e-6  # of the largest mass: what a massless body that nothing holds gets, for the search alone
 
 
+class NoForcesError(SimulationError):
+    """No mode is consistent; who knows the bodies says which of them rub."""
+
+
 class Mode(NamedTuple):
     """Which rows act, and how each rough contact rubs: 0 sticks, ±1 slides to that side."""
 
@@ -102,13 +106,11 @@ def search(problem: Problem, guess: Mode) -> Solution:
     if no mode is consistent is friction let off where the normal force is negative.
 
     Raises:
-        SimulationError: no mode is consistent, as can happen with strong friction.
+        NoForcesError: no mode is consistent, as can happen with strong friction.
     """
     found = _searched(problem, guess, lenient=False) or _searched(problem, guess, lenient=True)
     if found is None:
-        raise SimulationError(
-            "no forces are consistent with the strings and rough contacts; friction may be too strong"
-        )
+        raise NoForcesError("no forces are consistent with the strings and rough contacts")
     return found
 
 
