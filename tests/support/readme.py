@@ -53,7 +53,9 @@ def commands(text: str) -> Iterator[str]:
 def fits(output: tuple[str, ...], printed: str) -> bool:
     """Whether a program printed what the page shows."""
     pattern = "".join(r"(?:.*\n)*?" if line == "…" else _line(line) for line in output)
-    return not output or re.fullmatch(pattern, "".join(line.rstrip() + "\n" for line in printed.splitlines())) is not None
+    return (
+        not output or re.fullmatch(pattern, "".join(line.rstrip() + "\n" for line in printed.splitlines())) is not None
+    )
 
 
 def _line(line: str) -> str:

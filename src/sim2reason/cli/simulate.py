@@ -73,9 +73,7 @@ def command(
     return 1 if found["cut"] == "certificate" else 0
 
 
-def run(
-    content: str, engine: str, duration: float, samples: int, out: Path | None, by_rule: bool = False
-) -> Summary:
+def run(content: str, engine: str, duration: float, samples: int, out: Path | None, by_rule: bool = False) -> Summary:
     """Simulate the scene of a text, in a worker process; write the trace to `out`."""
     from sim2reason.dsl.files import load
     from sim2reason.simulation import files, scenes
