@@ -20,7 +20,7 @@ from sim2reason.dsl.files import dump, load
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.model import draw as draw_model
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.speaker import tell
+from sim2reason.dsl.telling.speaker import tell
 from sim2reason.dsl.template import wordings
 from sim2reason.dsl.units import parse
 from sim2reason.errors import UnknownNameError

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from sim2reason.dsl.mechanism import Mechanism
     from sim2reason.dsl.reading import read
     from sim2reason.dsl.scene import Scene
-    from sim2reason.dsl.speaker import tell
+    from sim2reason.dsl.telling import tell
     from sim2reason.errors import Sim2ReasonError
     from sim2reason.grading import Score
     from sim2reason.simulation.certify import Certificate
@@ -39,7 +39,7 @@ _HOMES = {
     "read": "dsl.reading",
     "simulate": "simulation.scenes",
     "stream": "datasets.items",
-    "tell": "dsl.speaker",
+    "tell": "dsl.telling",
 }
 
 __all__ = [

@@ -10,7 +10,7 @@ from click.testing import CliRunner, Result
 from scene_files import drawn
 from sim2reason.cli import main
 from sim2reason.dsl.files import dump, load
-from sim2reason.dsl.speaker import hiding, symbolic, tell
+from sim2reason.dsl.telling.speaker import hiding, symbolic, tell
 
 RAMP = """\
 scene:
@@ -100,8 +100,8 @@ def test_a_pipe_of_real_processes(ramp: Path) -> None:
 def test_the_schema_is_written(tmp_path: Path) -> None:
     import json
 
-    from sim2reason.dsl.format_page import format_page
-    from sim2reason.dsl.schema import schema
+    from sim2reason.dsl.files.page import format_page
+    from sim2reason.dsl.files.schema import schema
 
     printed = CliRunner().invoke(main, ["schema"]).stdout
     assert json.loads(printed) == schema()

@@ -6,7 +6,7 @@ from click.testing import CliRunner
 from sim2reason.cli import main
 from sim2reason.datasets.draws import draw
 from sim2reason.dsl.files import dump
-from sim2reason.dsl.speaker import tell
+from sim2reason.dsl.telling.speaker import tell
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.scene import Named, Scene
-from sim2reason.dsl.speaker import tell
+from sim2reason.dsl.telling.speaker import tell
 from sim2reason.errors import MissingExtraError, UnsupportedError
 from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.canvas import draw

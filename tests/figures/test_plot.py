@@ -10,7 +10,7 @@ from sim2reason.bodies.puck import Puck, Table
 from sim2reason.datasets.draws import draw
 from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.scene import Named, Scene
-from sim2reason.dsl.speaker import tell
+from sim2reason.dsl.telling.speaker import tell
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.figures.curves import VERBS, motion, told

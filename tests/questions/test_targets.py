@@ -8,7 +8,7 @@ import pytest
 
 from plain_scenes import G, atwood, ramp, table
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.speaker import tell
+from sim2reason.dsl.telling.speaker import tell
 from sim2reason.questions import KINDS, MODES, Ask, Words
 from sim2reason.questions.moments import AtStart, AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen

@@ -8,7 +8,7 @@ from sim2reason.datasets.draws import draw
 from sim2reason.dsl.entity import outer_ports
 from sim2reason.dsl.files import dump, load
 from sim2reason.dsl.measures import Count, Range
-from sim2reason.dsl.speaker import tell
+from sim2reason.dsl.telling.speaker import tell
 from sim2reason.errors import SceneError, UnknownNameError
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, hybrid, incline, pulley
 from sim2reason.recipes.parts.grow import LONGEST_SENTENCE, PREFIX, Tier, grow

@@ -9,10 +9,10 @@ import yaml
 
 from sim2reason.dsl.entity import ENTITIES
 from sim2reason.dsl.files import dump, told
+from sim2reason.dsl.files.tendons import directions
+from sim2reason.dsl.files.yaml_text import write
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.tendons import directions
-from sim2reason.dsl.yaml_text import write
 from sim2reason.errors import SceneError
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 

@@ -6,7 +6,7 @@ import click
 
 from sim2reason.cli import source
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.speaker import dialect, tell
+from sim2reason.dsl.telling.speaker import dialect, tell
 from sim2reason.errors import SceneError
 
 EXAMPLE = """\b

@@ -22,7 +22,7 @@ A schematic: angles are right, lengths are not. Needs: pip install 'sim2reason[f
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the wording, as in describe.")
 def command(scene: Path, out: Path, numbers: bool, seed: int) -> None:
     """Draw the initial state of the scene in the file SCENE (- is standard input) as a line drawing."""
-    from sim2reason.dsl.speaker import tell
+    from sim2reason.dsl.telling.speaker import tell
     from sim2reason.figures import canvas
     from sim2reason.figures.drawing import drawing
 

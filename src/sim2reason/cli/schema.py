@@ -5,8 +5,8 @@ from pathlib import Path
 
 import click
 
-from sim2reason.dsl.format_page import format_page
-from sim2reason.dsl.schema import schema
+from sim2reason.dsl.files.page import format_page
+from sim2reason.dsl.files.schema import schema
 
 EXAMPLE = """\b
 Example:

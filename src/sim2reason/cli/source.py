@@ -4,8 +4,8 @@ import sys
 from pathlib import Path
 
 from sim2reason.dsl.files import decoded, load
+from sim2reason.dsl.files.yaml_text import MAX_BYTES
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.yaml_text import MAX_BYTES
 from sim2reason.errors import SceneError
 
 STDIN = Path("-")

@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.speaker import Telling, tell
+from sim2reason.dsl.telling.speaker import Telling, tell
 from sim2reason.filters import Candidate, sift
 from sim2reason.questions import Mode, Question
 from sim2reason.questions.prompt import prompt, words_of

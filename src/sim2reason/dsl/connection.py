@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from sim2reason.dsl.reading.heard import Heard
     from sim2reason.dsl.reading.hearer import Hearer
     from sim2reason.dsl.reading.trails import Trail
-    from sim2reason.dsl.speaker import Speaker
+    from sim2reason.dsl.telling.speaker import Speaker
 
 
 class Link(Model):

@@ -6,8 +6,8 @@ import numpy as np
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.speaker import Telling
 from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.telling.speaker import Telling
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.targets import axes, senses, strings
 from sim2reason.simulation.trace import Event, Trace

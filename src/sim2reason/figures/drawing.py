@@ -7,7 +7,7 @@ from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.pulley import FixedPulley, MovablePulley
 from sim2reason.dsl.measures import Speed
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.speaker import Telling, tell
+from sim2reason.dsl.telling.speaker import Telling, tell
 from sim2reason.errors import UnsupportedError
 from sim2reason.figures import faces
 from sim2reason.figures.arrange import Arranger

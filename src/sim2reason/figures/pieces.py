@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.speaker import Telling
+from sim2reason.dsl.telling.speaker import Telling
 from sim2reason.figures.paths import Knot, Paths
 from sim2reason.figures.shapes import Sketch
 from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit

@@ -6,7 +6,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sim2reason.dsl.speaker import Telling
+from sim2reason.dsl.telling.speaker import Telling
 from sim2reason.figures.canvas import SETTINGS, check, matplotlib, save
 from sim2reason.figures.curves import Motion, Panel, motion
 from sim2reason.simulation.trace import Trace

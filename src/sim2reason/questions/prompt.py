@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.dsl.measures import show_unit
-from sim2reason.dsl.speaker import Telling
+from sim2reason.dsl.telling.speaker import Telling
 from sim2reason.questions import Question, Words
 
 FORMATS = (

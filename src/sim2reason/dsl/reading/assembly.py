@@ -8,7 +8,7 @@ from pydantic import ValidationError
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Entity
-from sim2reason.dsl.mistakes import explained
+from sim2reason.dsl.files.mistakes import explained
 from sim2reason.dsl.model import FieldType, M, Model, field_types
 from sim2reason.dsl.reading.heard import Heard, Strung
 from sim2reason.dsl.scene import Named, Scene, World

@@ -7,7 +7,7 @@ from typing import Any
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection, Link
 from sim2reason.dsl.model import M, Model
-from sim2reason.dsl.naming import Names, letter_at
+from sim2reason.dsl.telling.naming import Names, letter_at
 
 MANY = 8  # members of a variable-length part that a text can count
 

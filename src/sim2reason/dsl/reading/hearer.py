@@ -8,8 +8,8 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure, join_unit
 from sim2reason.dsl.model import Model, field_types
-from sim2reason.dsl.phrases import another, join
 from sim2reason.dsl.reading.heard import MANY, Heard
+from sim2reason.dsl.telling.phrases import another, join
 from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
 from sim2reason.errors import TextError
 

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from sim2reason.dsl.closings import closings
 from sim2reason.dsl.entity import Part
-from sim2reason.dsl.naming import Names, letters
 from sim2reason.dsl.reading.heard import Heard
 from sim2reason.dsl.reading.tokens import pieces, shown
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.speaker import Speaker, Telling, numeric
+from sim2reason.dsl.telling.closings import closings
+from sim2reason.dsl.telling.naming import Names, letters
+from sim2reason.dsl.telling.speaker import Speaker, Telling, numeric
 from sim2reason.dsl.template import Each, Saying, wordings
 from sim2reason.errors import TextError
 

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sim2reason.dsl.closings import CLOSINGS
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link, Told
 from sim2reason.dsl.entity import ENTITIES, Entity, outer_ports
 from sim2reason.dsl.ports import Pass
@@ -18,6 +17,7 @@ from sim2reason.dsl.reading.proof import prove
 from sim2reason.dsl.reading.tokens import pieces, shown
 from sim2reason.dsl.reading.trails import Leg, free_legs
 from sim2reason.dsl.scene import MAX_ENTITIES, Scene, World
+from sim2reason.dsl.telling.closings import CLOSINGS
 from sim2reason.errors import SceneError, TextError, UnsupportedError
 
 MAX_READINGS = 200

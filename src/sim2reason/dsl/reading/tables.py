@@ -8,7 +8,7 @@ from sim2reason.dsl.measures import Measure, show_unit
 from sim2reason.dsl.model import field_types
 from sim2reason.dsl.reading.heard import Heard
 from sim2reason.dsl.reading.hearer import NUMBER, Hearer
-from sim2reason.dsl.table import LEAD_INS, headings, shared_start
+from sim2reason.dsl.telling.table import LEAD_INS, headings, shared_start
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import Choice, draw
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Named, Scene
-from sim2reason.dsl.speaker import tell
+from sim2reason.dsl.telling.speaker import tell
 from sim2reason.errors import SceneError
 
 REVERSE = "MassWithReverseMovablePulley"

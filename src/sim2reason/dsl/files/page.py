@@ -6,13 +6,13 @@ from typing import cast
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import CONNECTIONS
 from sim2reason.dsl.entity import ENTITIES, Entity, Part, outer_ports
+from sim2reason.dsl.files.schema import Field, fields, is_many, snake, summary, words
+from sim2reason.dsl.files.tendons import directions, own_fields
+from sim2reason.dsl.files.yaml_text import MAX_BYTES, MAX_DEPTH, MAX_NODES
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import World
-from sim2reason.dsl.schema import Field, fields, is_many, snake, summary, words
-from sim2reason.dsl.tendons import directions, own_fields
-from sim2reason.dsl.yaml_text import MAX_BYTES, MAX_DEPTH, MAX_NODES
 
 HEAD = f"""\
 # Scene files

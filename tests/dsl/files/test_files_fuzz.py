@@ -9,9 +9,9 @@ import pytest
 
 from scene_files import composed, drawn, spoiled
 from sim2reason.dsl.files import dump, load
+from sim2reason.dsl.files.yaml_text import write
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.speaker import tell
-from sim2reason.dsl.yaml_text import write
+from sim2reason.dsl.telling.speaker import tell
 from sim2reason.errors import SceneError, Sim2ReasonError
 from sim2reason.simulation.scenes import simulate
 

@@ -12,10 +12,10 @@ from sim2reason.connections.string import String
 from sim2reason.dsl.connection import Link
 from sim2reason.dsl.entity import ENTITIES, outer_ports, ports_of
 from sim2reason.dsl.files import dump, load
+from sim2reason.dsl.files.tendons import directions, told_end
+from sim2reason.dsl.files.yaml_text import MAX_BYTES
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.tendons import directions, told_end
-from sim2reason.dsl.yaml_text import MAX_BYTES
 from sim2reason.errors import SceneError
 
 BIGHT = """\
@@ -238,6 +238,6 @@ def test_scenes_in_memory_obey_the_same_rules() -> None:
 
 
 def test_the_example_of_the_page_is_a_scene() -> None:
-    page = (Path(__file__).parents[2] / "docs/scene-format.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[3] / "docs/scene-format.md").read_text(encoding="utf-8")
     example = page.partition("```yaml\n")[2].partition("```")[0]
     assert [named.name for named in load(dedent(example)).entities] == ["fixed", "bight", "hook"]

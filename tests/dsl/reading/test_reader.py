@@ -15,15 +15,15 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import ENTITIES, Part
 from sim2reason.dsl.files import load
+from sim2reason.dsl.files.yaml_text import write
 from sim2reason.dsl.kinematics import carried, slides_of
 from sim2reason.dsl.model import field_types
 from sim2reason.dsl.reading import Reading, read
 from sim2reason.dsl.reading.likeness import Signature, signature
 from sim2reason.dsl.reading.tokens import MAX_CHARACTERS, MAX_PIECES, pieces
 from sim2reason.dsl.scene import Named, Scene
-from sim2reason.dsl.speaker import Telling, tell
+from sim2reason.dsl.telling.speaker import Telling, tell
 from sim2reason.dsl.template import Each, slots, wordings
-from sim2reason.dsl.yaml_text import write
 from sim2reason.entities.two_d_collision_plane import Pair
 from sim2reason.errors import DrawError, SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty

@@ -7,7 +7,7 @@ from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.model import field_types
 
 if TYPE_CHECKING:
-    from sim2reason.dsl.speaker import Speaker
+    from sim2reason.dsl.telling.speaker import Speaker
 
 LEAD_INS = (
     "listed below are the {plural} as they are at t = 0.",

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from sim2reason.dsl.files import load
+from sim2reason.dsl.files.yaml_text import MAX_DEPTH, MAX_NODES, parse, write
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.yaml_text import MAX_DEPTH, MAX_NODES, parse, write
 from sim2reason.errors import SceneError
 from sim2reason.simulation.scenes import simulate
 
@@ -144,7 +144,7 @@ def test_values_that_the_format_has_come_back() -> None:
 def test_a_reader_without_libyaml_refuses_and_reads_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     import yaml
 
-    from sim2reason.dsl import yaml_text
+    from sim2reason.dsl.files import yaml_text
 
     wanted = load(GOOD)
     monkeypatch.setattr(yaml_text, "Parser", yaml.SafeLoader)

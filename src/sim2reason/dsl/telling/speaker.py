@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from sim2reason.dsl.body import Body
-from sim2reason.dsl.closings import closings
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.model import Parameter, field_types, lookup, parameters
-from sim2reason.dsl.naming import Names, letters, symbols
-from sim2reason.dsl.phrases import another, canonical, join, resolved
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.table import table
+from sim2reason.dsl.telling.closings import closings
+from sim2reason.dsl.telling.naming import Names, letters, symbols
+from sim2reason.dsl.telling.phrases import another, canonical, join, resolved
+from sim2reason.dsl.telling.table import table
 from sim2reason.dsl.template import COUNT_WORDS, Each, Saying, Slot, Word, slots, wordings
 from sim2reason.errors import SceneError
 

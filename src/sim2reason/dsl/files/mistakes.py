@@ -7,9 +7,9 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
+from sim2reason.dsl.files.schema import fields, words
+from sim2reason.dsl.files.yaml_text import shown
 from sim2reason.dsl.model import Model
-from sim2reason.dsl.schema import fields, words
-from sim2reason.dsl.yaml_text import shown
 from sim2reason.errors import SceneError
 
 PROBLEMS: Mapping[str, str] = {

@@ -13,10 +13,10 @@ from pydantic.fields import FieldInfo
 
 from sim2reason.dsl.connection import CONNECTIONS, Connection
 from sim2reason.dsl.entity import ENTITIES, Entity
+from sim2reason.dsl.files.tendons import directions, own_fields
 from sim2reason.dsl.measures import Hidden, Measure
 from sim2reason.dsl.model import Model
 from sim2reason.dsl.scene import MAX_ENTITIES, NAME, World
-from sim2reason.dsl.tendons import directions, own_fields
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 Json = dict[str, Any]

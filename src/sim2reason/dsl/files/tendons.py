@@ -12,8 +12,8 @@ from typing import Any
 
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.dsl.entity import Entity, outer_ports
+from sim2reason.dsl.files.yaml_text import Plain, shown
 from sim2reason.dsl.ports import Pass
-from sim2reason.dsl.yaml_text import Plain, shown
 from sim2reason.errors import SceneError
 
 END_KEYS = ("entity", "direction", "connecting_point")

@@ -13,10 +13,10 @@ from scene_files import composed, drawn
 from sim2reason.bodies.block import Block
 from sim2reason.dsl.entity import ENTITIES
 from sim2reason.dsl.files import dump
-from sim2reason.dsl.format_page import format_page
+from sim2reason.dsl.files.page import format_page
+from sim2reason.dsl.files.schema import Json, fields, schema, snake, words
 from sim2reason.dsl.measures import Mass
 from sim2reason.dsl.model import Model
-from sim2reason.dsl.schema import Json, fields, schema, snake, words
 
 CHECK = jsonschema.Draft202012Validator(schema())
 
@@ -110,5 +110,5 @@ def test_every_type_is_told_in_both_spellings() -> None:
 
 
 def test_the_committed_page_is_current() -> None:
-    page = Path(__file__).parents[2] / "docs" / "scene-format.md"
+    page = Path(__file__).parents[3] / "docs" / "scene-format.md"
     assert page.read_text(encoding="utf-8") == format_page(), "run: sim2reason schema --page -o docs/scene-format.md"

@@ -18,12 +18,12 @@ from typing import Any, NamedTuple, NoReturn, TypeVar
 from pydantic import ValidationError
 
 from sim2reason.dsl.entity import ENTITIES, Entity
-from sim2reason.dsl.mistakes import explained
+from sim2reason.dsl.files.mistakes import explained
+from sim2reason.dsl.files.schema import is_many, snake
+from sim2reason.dsl.files.tendons import own_values, paths, read_pair, told_pairs
+from sim2reason.dsl.files.yaml_text import MAX_BYTES, Lines, Plain, parse, shown, write
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Named, Scene, World
-from sim2reason.dsl.schema import is_many, snake
-from sim2reason.dsl.tendons import own_values, paths, read_pair, told_pairs
-from sim2reason.dsl.yaml_text import MAX_BYTES, Lines, Plain, parse, shown, write
 from sim2reason.errors import SceneError
 
 M = TypeVar("M", bound=Model)
