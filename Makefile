@@ -7,7 +7,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check lint types contracts format build clean
+.PHONY: help demo test check lint types contracts docs format clean
 
 help: ## say what can be made
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -50,6 +50,14 @@ types: .venv/dev
 
 contracts: .venv/dev
 	$(BIN)/lint-imports --no-logo
+
+docs: .venv/dev ## write anew what the docs show: outputs, tables and pictures
+	$(BIN)/sim2reason draw --recipe hybrid --difficulty medium --seed 7 --index 12 -o docs/images/scene.yaml
+	$(BIN)/sim2reason figure docs/images/scene.yaml -o docs/images/scene.svg --numbers
+	$(BIN)/sim2reason plot docs/images/scene.yaml -o docs/images/traces.png
+	$(BIN)/sim2reason schema --page -o docs/scene-format.md
+	$(BIN)/python docs/grading_examples.py
+	$(BIN)/python tests/support/readme.py README.md --write
 
 format: .venv/dev ## mend what can be mended by itself
 	$(BIN)/ruff check --fix .

@@ -25,7 +25,7 @@ SHOWN = ("displacement", "velocity", "acceleration", "tension", "normal force", 
 STUCK = {
     "indeterminate": ("nothing holds a massless part", "give it a mass or hang something on it"),
     "lift": ("a body leaves its face", "pull on it with less force"),
-    "crowd": ("bodies that touch are pressed together", "move them apart"),
+    "crowd": ("impacts follow each other too closely to tell apart", "move what meets apart"),
     "reach": ("two points of a string meet", "leave more string between them"),
     "limit": ("something stands at the end of its travel", "let it start elsewhere"),
 }

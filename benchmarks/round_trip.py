@@ -1,0 +1,46 @@
+"""How often a prompt alone leads back to its answer: ``python benchmarks/round_trip.py [ITEMS] [SEED]``.
+
+Each prompt is read back into a scene and a question, hidden numbers are drawn anew, and the scene is solved again.
+"""
+
+import sys
+import time
+
+import numpy as np
+
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Config
+from sim2reason.errors import Sim2ReasonError
+from sim2reason.questions.understanding import understand
+from sim2reason.recipes import RECIPES
+
+TOLERANCE = 0.01
+
+
+def main(items: int = 500, seed: int = 11) -> int:
+    """Print the share, and every item that is not answered again; exit code 1 if fewer than 99 % are."""
+    config = Config(items=items, recipes=tuple(RECIPES), seed=seed)
+    right, asked, spent = 0, 0, 0.0
+    for position in range(items):
+        item = make(config.request(position)).item
+        if item is None:
+            continue
+        asked += 1
+        begin = time.process_time()
+        try:
+            answer = understand(item.prompt, np.random.default_rng(position)).answer
+        except Sim2ReasonError as error:
+            print(f"{item.id}: {error}")
+            continue
+        finally:
+            spent += time.process_time() - begin
+        if answer is not None and abs(answer - item.answer.value) <= TOLERANCE * abs(item.answer.value):
+            right += 1
+        else:
+            print(f"{item.id}: {answer} for {item.answer.value}")
+    print(f"{right} of {asked} prompts lead back to their answer; {1e3 * spent / asked:.1f} ms of CPU each")
+    return 0 if right >= 0.99 * asked else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(*map(int, sys.argv[1:])))

@@ -1,0 +1,45 @@
+"""A prompt alone leads back to its answer: every given is in it, and it means one scene and one question."""
+
+import numpy as np
+import pytest
+
+from sim2reason.datasets.draws import draw
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Request
+from sim2reason.dsl.telling import tell
+from sim2reason.errors import TextError
+from sim2reason.questions.prompt import FORMATS
+from sim2reason.questions.understanding import understand
+from sim2reason.recipes import DIFFICULTIES, RECIPES
+
+ITEMS = 8  # of each recipe and difficulty; benchmarks/round_trip.py takes 500 in all
+
+
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+@pytest.mark.parametrize("recipe", RECIPES)
+def test_the_answer_follows_from_the_text(recipe: str, difficulty: str) -> None:
+    """The scene is rebuilt from the words, its hidden numbers are drawn anew, and it is solved and asked again."""
+    for index in range(ITEMS):
+        item = make(Request(recipe, difficulty, "numeric", 31, index)).item
+        assert item is not None
+        understood = understand(item.prompt, np.random.default_rng(index))
+        assert understood.answer == pytest.approx(item.answer.value, rel=0.01), item.prompt
+        assert understood.ask.kind == item.kind
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("What?", "does not say how to answer"),
+        ("How far? Give your answer in m, to three significant figures, inside \\boxed{}.", "no question"),
+    ],
+)
+def test_what_is_no_prompt_is_refused(text: str, says: str) -> None:
+    with pytest.raises(TextError, match=says):
+        understand(text)
+
+
+def test_a_question_that_is_not_ours_is_refused() -> None:
+    telling = tell(draw("pulley", "easy", seed=31))
+    with pytest.raises(TextError, match="no question is asked"):
+        understand(f"{telling.text} Why is the sky blue? {FORMATS[0].format(unit='m')}")
