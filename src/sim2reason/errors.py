@@ -44,7 +44,7 @@ class SimulationError(Sim2ReasonError):
 
 
 class DrawError(Sim2ReasonError):
-    """A recipe whose draws were all refused within the budget."""
+    """A recipe whose draws were all refused within the budget, or that was asked for at impossible coordinates."""
 
 
 class DatasetError(Sim2ReasonError):

@@ -28,6 +28,16 @@ def test_engines_can_be_chosen(tmp_path: Path, engine: str) -> None:
     assert (tmp_path / "traces.png").stat().st_size > 1000
 
 
+@pytest.mark.parametrize("duration", ["nan", "inf", "0", "-1", "soon"])
+def test_a_duration_is_a_finite_stretch(tmp_path: Path, duration: str) -> None:
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(dump(draw("incline", "easy")), encoding="utf-8")
+    result = CliRunner().invoke(main, ["plot", str(scene), "-o", str(tmp_path / "t.png"), "--duration", duration])
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert "--duration" in result.stderr
+
+
 def test_an_unknown_engine_is_an_error_of_one_line(tmp_path: Path) -> None:
     scene = tmp_path / "scene.yaml"
     scene.write_text(dump(draw("incline", "easy")), encoding="utf-8")

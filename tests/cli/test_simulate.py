@@ -83,7 +83,7 @@ def test_people_get_a_table(atwood: Path) -> None:
     assert result.exit_code == 0
     assert ["tendon_1", "tension", "14.7", "N"] in [line.split() for line in result.stdout.splitlines()]
     assert "1.10657 s: reach of a.system.hook, a.pulley.left" in result.stdout
-    assert "The motion is followed until 1.10657 s, not 2 s: reach" in result.stdout
+    assert "The motion is followed until 1.10657 s, not 2 s: two points of a string meet" in result.stdout
 
 
 def test_both_engines_give_a_certificate(atwood: Path) -> None:
@@ -168,3 +168,16 @@ def test_a_crash_is_an_error() -> None:
 def test_the_library_gives_what_the_command_gives(atwood: Path) -> None:
     trace = simulate(load(ATWOOD))
     assert document(atwood)["stable_until"] == trace.stable_until
+
+
+@pytest.mark.parametrize("out", ["missing/trace.parquet", "."])
+def test_what_can_not_be_written_is_one_line(atwood: Path, tmp_path: Path, out: str) -> None:
+    result = run(atwood, "-o", tmp_path / out)
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert str(tmp_path) in result.stderr
+
+
+def test_a_worker_hands_on_what_the_system_refuses(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError):
+        guarded(20.0, os.listdir, tmp_path / "missing")

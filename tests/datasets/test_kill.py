@@ -20,7 +20,9 @@ pytestmark = pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason=
 
 def start(out: Path, maker: str, workers: int, mark: str) -> "subprocess.Popen[bytes]":
     options = ["--items", "1000", "--recipe", "incline,pulley", "--shard-size", "20", "--workers", str(workers)]
-    code = "from sim2reason.cli import main; main()"
+    # a job in the background ignores interrupts, and so would its children
+    heeds = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    code = f"{heeds}; from sim2reason.cli import main; main()"
     return subprocess.Popen(
         [sys.executable, "-c", code, "generate", str(out), *options, "--maker", f"fake_makers:{maker}"],
         env=os.environ | {"PYTHONPATH": str(SUPPORT), "MARK": mark},

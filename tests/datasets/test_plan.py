@@ -5,7 +5,8 @@ from pydantic import ValidationError
 
 from sim2reason.datasets.card import text
 from sim2reason.datasets.manifest import Manifest, merged
-from sim2reason.datasets.plan import Config, Request, file_name, versions
+from sim2reason.datasets.plan import LARGEST, Config, Request, file_name, versions
+from sim2reason.errors import DrawError
 
 NAMES = st.lists(st.sampled_from(["pulley", "incline", "hybrid", "collision"]), min_size=1, unique=True).map(tuple)
 
@@ -61,3 +62,11 @@ def test_the_card_of_an_empty_dataset_has_no_tables_of_nothing() -> None:
     assert "size_categories: [n<1K]" in card
     assert "Refused" not in card
     assert "\n\n\n" not in card
+
+
+@pytest.mark.parametrize(("seed", "index"), [(-1, 0), (0, -1), (LARGEST + 1, 0)])
+def test_coordinates_are_what_a_shard_can_hold(seed: int, index: int) -> None:
+    with pytest.raises(DrawError, match="out of range"):
+        Request("pulley", "easy", "numeric", seed, index)
+    with pytest.raises(ValidationError):
+        Config(items=1, recipes=("pulley",), seed=seed or LARGEST + 1)

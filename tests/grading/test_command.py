@@ -7,6 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 from fake_makers import steady
+from sim2reason.cli import main
 from sim2reason.cli.grade import command
 from sim2reason.datasets import store
 from sim2reason.datasets.build import build
@@ -98,3 +99,12 @@ def test_an_unknown_id_is_an_error(data: Path, said: Path) -> None:
     result = CliRunner().invoke(command, [str(data), "--responses", str(said)])
     assert isinstance(result.exception, DatasetError)
     assert "'nobody' is no item of" in str(result.exception)
+
+
+@pytest.mark.parametrize("content", [b"\xff\xfe\x00binary", b"", b"\n\n", b"[1]"])
+def test_a_file_without_responses_is_one_line(data: Path, tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "said.jsonl").write_bytes(content)
+    result = CliRunner().invoke(main, ["grade", str(data), "--responses", str(tmp_path / "said.jsonl")])
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert "said.jsonl" in result.stderr

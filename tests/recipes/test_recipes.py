@@ -77,7 +77,7 @@ def test_names_say_what_entities_are() -> None:
 def test_unknown_names_are_refused_with_what_there_is() -> None:
     with pytest.raises(UnknownNameError, match="pulley"):
         draw("puley")
-    with pytest.raises(SceneError, match="easy, medium, hard"):
+    with pytest.raises(UnknownNameError, match="easy, medium, hard"):
         draw("pulley", "harder")
     assert set(DIFFICULTIES) == {"easy", "medium", "hard"}
     assert set(GROWN) < set(RECIPES)

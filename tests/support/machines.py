@@ -5,8 +5,9 @@ from math import cos, radians, sin
 
 import numpy as np
 
-from sim2reason.dsl.builder import Builder, Frame, Pulley, scale
+from sim2reason.dsl.builder import Builder, Frame, Pulley
 from sim2reason.dsl.mechanism import Mechanism, Vector, X, Y, Z
+from sim2reason.dsl.vectors import scale
 
 
 def face(angle: float, side: float = 1.0) -> tuple[Vector, Vector]:

@@ -26,7 +26,7 @@ WIDTH = 100
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Another seed, other questions.")
 @click.option("--json", "to_json", is_flag=True, help="For a program to read: whole prompts.")
 def command(path: Path, mode: str, count: int, seed: int, *, to_json: bool) -> int:
-    """Ask questions about the scene in the file SCENE; only those that pass every filter."""
+    """Ask questions about the scene in the file SCENE (- is standard input); only those that pass every filter."""
     asked, interview = MODES[mode], Interview(source.scene(path), seed)
     refused: Counter[str] = Counter()
     found: dict[str, Asking] = {}

@@ -5,11 +5,27 @@ import os
 import sys
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
-from typing import Protocol
+from math import isfinite
+from pathlib import Path
+from typing import Any, Protocol
 
 import click
 
 from sim2reason.errors import Sim2ReasonError
+
+RESULT = click.Path(path_type=Path, dir_okay=False)
+"""The file that a command writes; it may be there already, but not as a folder."""
+
+
+class Seconds(click.FloatRange):
+    """A stretch of time within bounds; click's own range lets NaN through."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:  # noqa: ANN401 - click's own signature
+        """The number that was given; click.BadParameter if it is none, or out of bounds."""
+        number = float(super().convert(value, param, ctx))
+        if not isfinite(number):
+            self.fail(f"{number} is not a finite number of seconds.", param, ctx)
+        return number
 
 
 class Advance(Protocol):

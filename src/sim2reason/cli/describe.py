@@ -23,7 +23,7 @@ Example:
 @click.option("--hide", multiple=True, metavar="ADDRESS", help="Say a symbol for this number; may be repeated.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Another seed, other words.")
 def command(path: Path, voice: str, hide: tuple[str, ...], seed: int) -> None:
-    """Tell the scene in the file SCENE, or on standard input if it is ``-``."""
+    """Tell the scene in the file SCENE, or on standard input if it is -."""
     scene = source.scene(path)
     _check(scene, hide)
     click.echo(tell(scene, seed, dialect(voice, hide)).text)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from sim2reason.cli import console
 from sim2reason.datasets.draws import draw
 from sim2reason.dsl.files import dump
 
@@ -18,7 +19,7 @@ Example:
 @click.option("--difficulty", default="medium", show_default=True, help="easy, medium or hard.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Which series of scenes.")
 @click.option("--index", type=click.IntRange(0), default=0, show_default=True, help="Which scene of the series.")
-@click.option("-o", "out", type=click.Path(path_type=Path), help="Where to write it; standard output if left out.")
+@click.option("-o", "out", type=console.RESULT, help="Where to write it; standard output if left out.")
 def command(recipe: str, difficulty: str, seed: int, index: int, out: Path | None) -> None:
     """Draw a random scene: the same one for the same recipe, difficulty, seed and index."""
     text = dump(draw(recipe, difficulty, seed=seed, index=index))

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from sim2reason.cli import source
+from sim2reason.cli import console, source
 
 EXAMPLE = """\b
 Example:
@@ -17,7 +17,7 @@ A schematic: angles are right, lengths are not. Needs: pip install 'sim2reason[f
 
 @click.command("figure", epilog=EXAMPLE)
 @click.argument("scene", type=click.Path(path_type=Path))
-@click.option("-o", "out", type=click.Path(path_type=Path), required=True, help="Where to: a .svg, .png or .pdf file.")
+@click.option("-o", "out", type=console.RESULT, required=True, help="Where to: a .svg, .png or .pdf file.")
 @click.option("--numbers", is_flag=True, help="Write masses too.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the wording, as in describe.")
 def command(scene: Path, out: Path, numbers: bool, seed: int) -> None:

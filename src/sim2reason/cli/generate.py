@@ -8,8 +8,8 @@ from sim2reason.cli import console
 from sim2reason.cli.kinds import chosen
 from sim2reason.datasets.build import PATIENCE, build
 from sim2reason.datasets.manifest import Manifest
-from sim2reason.datasets.plan import DIFFICULTIES, MAKER, SHARD, Config
-from sim2reason.errors import UnknownNameError
+from sim2reason.datasets.plan import LARGEST, MAKER, SHARD, Config
+from sim2reason.recipes import DIFFICULTIES, known
 
 EXAMPLE = """\b
 Example:
@@ -25,7 +25,9 @@ An interrupted run goes on when the same command is given again, and ends in the
 @click.option("--recipe", default="all", show_default=True, help="Recipes, separated by commas.")
 @click.option("--difficulty", default="all", show_default=True, help="easy, medium, hard, or several by commas.")
 @click.option("--modes", default="numeric", show_default=True, help="Question modes, separated by commas, or all.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Another seed, other problems.")
+@click.option(
+    "--seed", type=click.IntRange(0, LARGEST), default=0, show_default=True, help="Another seed, other problems."
+)
 @click.option(
     "--workers", type=click.IntRange(1), help="Processes; they never change the result. [default: one per core]"
 )
@@ -71,12 +73,7 @@ def _names(kind: str, option: str, maker: str) -> tuple[str, ...]:
 
 
 def _difficulties(option: str) -> tuple[str, ...]:
-    names = DIFFICULTIES if option == "all" else console.words(option)
-    if unknown := [name for name in names if name not in DIFFICULTIES]:
-        raise UnknownNameError(
-            f"--difficulty: no such difficulty: {unknown[0]!r}; there are: {', '.join(DIFFICULTIES)}"
-        )
-    return names
+    return DIFFICULTIES if option == "all" else tuple(known(name) for name in console.words(option))
 
 
 def _tell(out: Path, manifest: Manifest) -> None:

@@ -20,7 +20,7 @@ last complete box after the thinking. Exit code 0: graded; 2: no finished datase
 @click.option(
     "--responses", "source", type=click.Path(path_type=Path), required=True, help="JSON lines {id, response}."
 )
-@click.option("-o", "scores", type=click.Path(path_type=Path), help="Write {id, reward, outcome, parsed, why} here.")
+@click.option("-o", "scores", type=console.RESULT, help="Write {id, reward, outcome, parsed, why} here.")
 @click.option("--lenient", is_flag=True, help="Without a box, take the last number. For evaluation only.")
 @click.option("--json", "to_json", is_flag=True, help="For a program to read: a list of groups with their outcomes.")
 def command(out: Path, source: Path, scores: Path | None, lenient: bool, to_json: bool) -> int:
@@ -30,6 +30,8 @@ def command(out: Path, source: Path, scores: Path | None, lenient: bool, to_json
     from sim2reason.grading import Outcome
 
     given = list(grade.responses(source))
+    if not given:
+        raise DatasetError(f"{source}: holds no response; give a line {{id, response}} for each")
     wanted = {response.id for response in given}
     items = {item.id: item for item in store.read(out) if item.id in wanted}
     if wanted - items.keys():

@@ -18,7 +18,7 @@ def guarded(patience: float, function: Callable[P, R], *args: P.args, **kwargs: 
 
     Raises:
         SimulationError: it took longer, or crashed its process.
-        Sim2ReasonError: what the function raises.
+        Sim2ReasonError, OSError: what the function raises.
     """
     ours, theirs = get_context("spawn").Pipe(duplex=False)
     process = get_context("spawn").Process(target=_serve, args=(theirs, function, args, kwargs), daemon=True)
@@ -49,9 +49,10 @@ def _serve(
 ) -> None:
     Thread(target=_die_with_parent, daemon=True).start()
     try:
-        pipe.send((True, function(*args, **kwargs)))
-    except Sim2ReasonError as error:
-        pipe.send((False, error))
+        answer = True, function(*args, **kwargs)
+    except (Sim2ReasonError, OSError) as error:
+        answer = False, error
+    pipe.send(answer)
 
 
 def _die_with_parent() -> None:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from sim2reason.cli import source
+from sim2reason.cli import console, source
 
 EXAMPLE = """\b
 Example:
@@ -17,9 +17,9 @@ Events are marked, and what is cut off is shaded. Needs: pip install 'sim2reason
 
 @click.command("plot", epilog=EXAMPLE)
 @click.argument("scene", type=click.Path(path_type=Path))
-@click.option("-o", "out", type=click.Path(path_type=Path), required=True, help="Where to: a .svg, .png or .pdf file.")
+@click.option("-o", "out", type=console.RESULT, required=True, help="Where to: a .svg, .png or .pdf file.")
 @click.option(
-    "--duration", type=click.FloatRange(0.0, 60.0, min_open=True), default=2.0, show_default=True, help="In seconds."
+    "--duration", type=console.Seconds(0.0, 60.0, min_open=True), default=2.0, show_default=True, help="In seconds."
 )
 @click.option("--engine", default="both", show_default=True, help="exact, mujoco, or both: exact, cut where they part.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the wording, as in describe.")

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import click
 
+from sim2reason.cli import console
 from sim2reason.dsl.files.page import format_page
 from sim2reason.dsl.files.schema import schema
 
@@ -20,7 +21,7 @@ Put this line on top of a scene file, and editors that know YAML check and compl
 
 @click.command("schema", epilog=EXAMPLE)
 @click.option("--page", is_flag=True, help="The same for people, as Markdown.")
-@click.option("-o", "out", type=click.Path(path_type=Path), help="Where to write it; standard output if left out.")
+@click.option("-o", "out", type=console.RESULT, help="Where to write it; standard output if left out.")
 def command(page: bool, out: Path | None) -> None:
     """Write the JSON schema of scene files: entities, parameters, ranges of validity and units."""
     text = format_page() if page else json.dumps(schema(), indent=2, ensure_ascii=False) + "\n"

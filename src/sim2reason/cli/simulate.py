@@ -37,10 +37,10 @@ Summary = dict[str, Any]
 @click.command("simulate", epilog=EXAMPLE)
 @click.argument("path", metavar="SCENE", type=click.Path(path_type=Path, allow_dash=True))
 @click.option("--engine", default="exact", show_default=True, help="One of: sim2reason list engines; or both.")
-@click.option("--duration", type=click.FloatRange(1e-6, 1e3), default=2.0, show_default=True, help="Seconds.")
+@click.option("--duration", type=console.Seconds(1e-6, 1e3), default=2.0, show_default=True, help="Seconds.")
 @click.option("--samples", type=click.IntRange(2, 100_001), default=101, show_default=True, help="Rows of a trace.")
 @click.option("--truncate", "by_rule", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
-@click.option("-o", "out", type=click.Path(path_type=Path), help="Write the trace to this Parquet file.")
+@click.option("-o", "out", type=console.RESULT, help="Write the trace to this Parquet file.")
 @click.option("--json", "to_json", is_flag=True, help="For a program to read.")
 @click.option("--patience", type=click.FloatRange(0.01), default=PATIENCE, hidden=True)
 def command(
@@ -53,13 +53,13 @@ def command(
     to_json: bool,
     patience: float,
 ) -> int:
-    """Simulate the scene in the file SCENE, or on standard input if it is ``-``."""
-    if not isfinite(duration):  # click lets NaN through
-        raise click.BadParameter("give a finite number of seconds.", param_hint="--duration")
+    """Simulate the scene in the file SCENE, or on standard input if it is -."""
     content = source.text(path)
     source.scene(path, content)  # what is wrong with the file is said here, with its name
     part = out.with_name(f"{out.name}.part") if out is not None else None
     try:
+        if part is not None:
+            part.touch()  # what can't be written is said before the work
         found = guarded(patience, run, content, engine, duration, samples, part, by_rule)
         if out is not None and part is not None:
             part.replace(out)
@@ -135,7 +135,8 @@ def _tell(found: Summary) -> None:
     for event in found["events"]:
         click.echo(f"{event['time']:.6g} s: {event['kind']} of {', '.join(event['subjects'])}")
     if found["cut"]:
-        click.echo(f"The motion is followed until {until:.6g} s, not {found['duration']:g} s: {found['cut']}")
+        why = STUCK[found["cut"]][0] if found["cut"] in STUCK else found["cut"]
+        click.echo(f"The motion is followed until {until:.6g} s, not {found['duration']:g} s: {why}")
     if found["certificate"] is not None:
         _tell_certificate(found["certificate"])
 

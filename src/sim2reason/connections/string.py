@@ -9,12 +9,13 @@ from annotated_types import Le
 
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.dsl.body import Body
-from sim2reason.dsl.builder import Builder, add, scale
+from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection, Link, Told, connection
 from sim2reason.dsl.layout import opposite
 from sim2reason.dsl.measures import LEAST, Hidden, Measure, Range
 from sim2reason.dsl.mechanism import ZERO
 from sim2reason.dsl.ports import End, Port, Stop, StringPort
+from sim2reason.dsl.vectors import add, scale
 from sim2reason.errors import SceneError
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
+from sim2reason.recipes import RECIPES, known
 
 TRIES = 50
 
@@ -18,20 +18,11 @@ def generator(*key: object) -> np.random.Generator:
     return np.random.default_rng(int.from_bytes(digest, "big"))
 
 
-def known(difficulty: str) -> Difficulty:
-    """A difficulty by its name; SceneError with the names there are."""
-    for name in DIFFICULTIES:
-        if name == difficulty:
-            return name
-    raise SceneError("difficulty", f"{difficulty!r} is unknown", f"choose from {', '.join(DIFFICULTIES)}")
-
-
 def draw(recipe: str, difficulty: str = "medium", *, seed: int = 0, index: int = 0) -> Scene:
     """The `index`-th scene of a recipe, difficulty and seed; what does not fit together is drawn again.
 
     Raises:
-        UnknownNameError: no such recipe.
-        SceneError: no such difficulty.
+        UnknownNameError: no such recipe or difficulty.
         DrawError: nothing fitted together within the budget.
     """
     found = RECIPES[recipe]

@@ -33,7 +33,7 @@ def grade(item: Item, response: str, *, lenient: bool = False) -> Score:
 
 def responses(path: Path) -> Iterator[Response]:
     """The responses in a file of JSON lines ``{id, response}``; DatasetError names a line that is none."""
-    with path.open(encoding="utf-8") as file:
+    with path.open("rb") as file:
         for count, text in enumerate(file, start=1):
             if not text.strip():
                 continue

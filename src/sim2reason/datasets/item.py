@@ -42,7 +42,7 @@ class Provenance(Record):
     index: int
     versions: dict[str, str]
     config: str
-    """A hash of the maker's settings, for example of the thresholds of its filters."""
+    """A hash of the maker's settings: how many draws it tries, how long it simulates."""
 
 
 class Item(Record):

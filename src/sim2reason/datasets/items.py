@@ -15,8 +15,8 @@ def item(
     """The `index`-th problem of a recipe, difficulty, mode and seed: the same one wherever and whenever it is made.
 
     Raises:
-        UnknownNameError: no such recipe or mode.
-        DrawError: no draw passed the filters within the budget; take another index.
+        UnknownNameError: no such recipe, difficulty or mode.
+        DrawError: a negative seed or index, or no draw passed the filters within the budget; take another index.
     """
     request = Request(recipe, difficulty, mode, seed, index)
     made = make(request)

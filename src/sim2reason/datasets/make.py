@@ -6,7 +6,7 @@ from collections import Counter
 
 from pydantic import JsonValue
 
-from sim2reason.datasets.draws import generator, known
+from sim2reason.datasets.draws import generator
 from sim2reason.datasets.interview import DURATION, QUESTIONS, SAMPLES, SHORTEST, Asking, Interview
 from sim2reason.datasets.item import Answer, Asked, Item, Provenance
 from sim2reason.datasets.plan import Made, Request, versions
@@ -14,7 +14,7 @@ from sim2reason.dsl.files import dump
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES
-from sim2reason.recipes import RECIPES
+from sim2reason.recipes import RECIPES, known
 from sim2reason.simulation.certify import Certificate
 
 SCENES = 60  # scenes drawn for one item, at most

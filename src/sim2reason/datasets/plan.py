@@ -12,14 +12,16 @@ from importlib.metadata import version
 from itertools import product
 from typing import Annotated, cast
 
-from annotated_types import Ge, MinLen
+from annotated_types import Ge, Le, MinLen
 
 from sim2reason.datasets.item import Item, Record
-from sim2reason.errors import DatasetError
+from sim2reason.errors import DatasetError, DrawError
+from sim2reason.recipes import DIFFICULTIES
 
 MAKER = "sim2reason.datasets.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
-DIFFICULTIES = ("easy", "medium", "hard")
+LARGEST = 2**63 - 1
+"""The largest seed and index: columns of a shard hold no more."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
 SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic"
 """The packages whose versions may change the bytes of a dataset."""
@@ -34,6 +36,12 @@ class Request:
     mode: str
     seed: int
     index: int
+
+    def __post_init__(self) -> None:
+        """DrawError for coordinates that no item has."""
+        for name, value in (("seed", self.seed), ("index", self.index)):
+            if not 0 <= value <= LARGEST:
+                raise DrawError(f"{name}: {value} is out of range; give a whole number from 0 to {LARGEST}")
 
     @property
     def id(self) -> str:
@@ -63,7 +71,7 @@ class Config(Record):
     recipes: Annotated[tuple[str, ...], MinLen(1)]
     difficulties: Annotated[tuple[str, ...], MinLen(1)] = DIFFICULTIES
     modes: Annotated[tuple[str, ...], MinLen(1)] = ("numeric",)
-    seed: Annotated[int, Ge(0)] = 0
+    seed: Annotated[int, Ge(0), Le(LARGEST)] = 0
     shard: Annotated[int, Ge(1)] = SHARD
     maker: str = MAKER
 

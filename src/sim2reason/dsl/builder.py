@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from math import hypot, inf
+from math import inf
 
 from sim2reason.dsl.mechanism import (
     GRAVITY,
@@ -19,30 +19,10 @@ from sim2reason.dsl.mechanism import (
     Wheel,
     Y,
 )
+from sim2reason.dsl.vectors import add, scale, unit
 from sim2reason.errors import SceneError
 
 WHEEL_RADIUS = 0.05  # m; of a pulley that nobody gave one, so only for looks
-
-
-def unit(vector: Vector) -> Vector:
-    """`vector` scaled to length 1; ValueError for the zero vector."""
-    length = hypot(*vector)
-    if length == 0.0:
-        raise ValueError("a direction can not be the zero vector")
-    return (vector[0] / length, vector[1] / length, vector[2] / length)
-
-
-def add(*vectors: Vector) -> Vector:
-    """The sum of vectors."""
-    x = y = z = 0.0
-    for vector in vectors:
-        x, y, z = x + vector[0], y + vector[1], z + vector[2]
-    return (x, y, z)
-
-
-def scale(factor: float, vector: Vector) -> Vector:
-    """`factor` times `vector`."""
-    return (factor * vector[0], factor * vector[1], factor * vector[2])
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,6 +165,11 @@ class Builder:
     def room(self, name: str = "", at: Vector = ZERO) -> Frame:
         """The room, for one entity: `name` goes before all its names, `at` is where it stands."""
         return Frame(self, name, None, at)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """The names of all bodies that were made."""
+        return tuple(self._bodies)
 
     def position(self, site: str) -> Vector:
         """Where a site stands in the room at the start."""

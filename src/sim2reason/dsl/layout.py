@@ -5,9 +5,10 @@ from itertools import pairwise
 from math import hypot
 from typing import TYPE_CHECKING
 
-from sim2reason.dsl.builder import Builder, add, scale
+from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import ZERO, Vector
 from sim2reason.dsl.ports import End, Stop
+from sim2reason.dsl.vectors import add, scale
 
 if TYPE_CHECKING:
     from sim2reason.dsl.connection import Connection

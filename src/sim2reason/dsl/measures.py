@@ -6,11 +6,14 @@ One line declares a number; validation, sampling, prose, symbols and the schema 
 """
 
 from dataclasses import dataclass
+from functools import cache
 from math import floor, isfinite, log10
 from typing import Annotated
 
 import numpy as np
 from annotated_types import Ge, Le, Lt
+
+from sim2reason.dsl.units import parse
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +55,10 @@ class Measure:
     symbol: str
     decimals: int | None = None
 
+    def __post_init__(self) -> None:
+        """Refuse a unit outside the table (UnitError)."""
+        show_unit(self.unit)
+
     def places(self, value: float) -> int:
         """How many decimal places `value` is spoken with; negative would be tens, so at least 0."""
         if value == 0.0:
@@ -77,12 +84,10 @@ class Measure:
         return min(max(self.round(float(rng.uniform(low, high))), low), high)
 
 
-SHOWN = {"deg": "°", "": "", "m/s^2": "m/s²", "kg m/s": "kg·m/s", "N m": "N·m", "kg m^2": "kg·m²"}
-
-
+@cache
 def show_unit(unit: str) -> str:
-    """A canonical unit as prose prints it: ``m/s^2`` becomes ``m/s²``."""
-    return SHOWN.get(unit, unit)
+    """A canonical unit as prose prints it: ``m/s^2`` becomes ``m/s²``; UnitError outside the table of units."""
+    return parse(unit).display
 
 
 def join_unit(number: str, unit: str) -> str:

@@ -57,8 +57,11 @@ class Scene(Model):
         self._check_links()
         self._check_forest()
         for address in self.glued:
-            if address not in self.bodies:
-                raise SceneError("glued", f"no body is at {address!r}", "name one that the scene has")
+            known = self.builder.bodies
+            if address not in known:
+                raise SceneError(
+                    "glued", f"nothing that could move is at {address!r}", f"there are: {', '.join(known)}"
+                )
         return self
 
     def _check_links(self) -> None:

@@ -1,10 +1,11 @@
 """A movable pulley that hangs by its axle and carries a mass system on either side of its string."""
 
 from sim2reason.bodies.pulley import MovablePulley
-from sim2reason.dsl.builder import WHEEL_RADIUS, Frame, scale
+from sim2reason.dsl.builder import WHEEL_RADIUS, Frame
 from sim2reason.dsl.entity import Entity, entity
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.ports import End, Pass, Rope
+from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.mass_systems import Hanging, OnPlane, OnWedge
 
 ASIDE = 1.0  # m; how far from the pulley a plane or wedge stands, for looks

@@ -1,4 +1,4 @@
-"""Drops a problem that is longer than a reader would take, for its difficulty."""
+"""Drops a problem that is longer than a reader would take."""
 
 from sim2reason.filters import FILTERS, Candidate
 

@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 
+from sim2reason.questions import Ask, Words
 from sim2reason.questions.targets import GAIN, Target
 
 FAST = "the speed of "
@@ -36,6 +37,13 @@ def asking(target: Target, noun: str, when: str) -> tuple[str, ...]:
         f"find {noun} {when}, counting {positive} as positive.",
         *((f"{when}, what is {noun}, if {positive} counts as positive?",) if when[0].isalpha() else ()),
     )
+
+
+def asking_then(ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+    """All ways to ask for a quantity, in every phrase for its moment."""
+    assert ask.target is not None
+    phrases = ask.moment.phrases(words.mentions, released=words.released)
+    return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))
 
 
 def _plain(noun: str, when: str) -> tuple[str, ...]:

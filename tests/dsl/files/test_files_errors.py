@@ -185,7 +185,13 @@ VALUES = [
     ("entity: hand, ", "", "scene.connections[0].tendon[1].entity (line 19)", "it is missing", "entity"),
     ("- tendon:", "- tender:", "scene.connections[0] (line 17)", "does not say which kind", "tendon"),
     ("    - {entity: hand, direction: end}\n", "", "scene.connections[0].tendon (line 18)", "two ends", "list two"),
-    ("  world: {gravity: 9.8}", "  glued: [moon]", "scene.glued (line 21)", "no body is at 'moon'", "name one"),
+    (
+        "  world: {gravity: 9.8}",
+        "  glued: [moon]",
+        "scene.glued (line 21)",
+        "nothing that could move is at 'moon'",
+        "name one",
+    ),
     ("  world: {gravity: 9.8}", "  glued: [1]", "scene.glued[0] (line 21)", "it is 1", "ramp.blocks.0"),
     ("  world: {gravity: 9.8}", "  worlds: {}", "scene.worlds (line 21)", "there is no such key", "world"),
 ]

@@ -9,12 +9,13 @@ from annotated_types import Le, Len
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.wedge import Wedge
-from sim2reason.dsl.builder import Frame, scale
+from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import LEAST, Count, Hidden, Measure, Range
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.ports import End
 from sim2reason.dsl.template import either
+from sim2reason.dsl.vectors import scale
 
 MAX_BLOCKS = 5
 SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters

@@ -5,7 +5,7 @@ import numpy as np
 from sim2reason.questions import KINDS, Ask, Target, Words
 from sim2reason.questions.choices import happenings, pick
 from sim2reason.questions.moments import Moved
-from sim2reason.questions.phrasing import asking
+from sim2reason.questions.phrasing import asking_then
 from sim2reason.simulation.trace import Trace
 
 
@@ -30,9 +30,7 @@ class EventKind:
 
     def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
         """As in: what is the speed of B when A is first 0.50 m from its starting point?"""
-        assert ask.target is not None
-        phrases = ask.moment.phrases(words.mentions, released=words.released)
-        return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))
+        return asking_then(ask, words, noun)
 
 
 KINDS.add("event", EventKind())

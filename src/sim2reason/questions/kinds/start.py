@@ -5,7 +5,7 @@ import numpy as np
 from sim2reason.questions import KINDS, Ask, Target, Words
 from sim2reason.questions.choices import immediate, pick
 from sim2reason.questions.moments import AtStart
-from sim2reason.questions.phrasing import asking
+from sim2reason.questions.phrasing import asking_then
 from sim2reason.simulation.trace import Trace
 
 
@@ -23,9 +23,7 @@ class StartKind:
 
     def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
         """As in: find the tension in the string just after release."""
-        assert ask.target is not None
-        phrases = ask.moment.phrases(words.mentions, released=words.released)
-        return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))
+        return asking_then(ask, words, noun)
 
 
 KINDS.add("start", StartKind())

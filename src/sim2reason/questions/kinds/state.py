@@ -5,7 +5,7 @@ import numpy as np
 from sim2reason.questions import KINDS, Ask, Target, Words
 from sim2reason.questions.choices import apart, pick
 from sim2reason.questions.moments import AtTime, spoken
-from sim2reason.questions.phrasing import asking
+from sim2reason.questions.phrasing import asking_then
 from sim2reason.simulation.trace import Trace
 
 EARLIEST, LATEST = 0.15, 0.95  # of the stretch that can be asked about
@@ -25,9 +25,7 @@ class StateKind:
 
     def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
         """As in: what is the speed of A 0.80 s after release?"""
-        assert ask.target is not None
-        phrases = ask.moment.phrases(words.mentions, released=words.released)
-        return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))
+        return asking_then(ask, words, noun)
 
 
 KINDS.add("state", StateKind())

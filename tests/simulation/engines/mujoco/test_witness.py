@@ -10,8 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import machines
-from sim2reason.dsl.builder import Builder, scale
+from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import Mechanism, X, Z
+from sim2reason.dsl.vectors import scale
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 from sim2reason.simulation.certify import compare
