@@ -70,9 +70,9 @@ class _Worker:
         return why
 
     def stop(self) -> None:
-        self.pipe.close()
         self.process.kill()
         self.process.join()
+        self.pipe.close()  # not before: a worker that finds nobody at the other end would complain
 
 
 def run(

@@ -3,6 +3,7 @@
 import os
 import signal
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing import parent_process
 from multiprocessing.connection import Connection
@@ -41,13 +42,10 @@ def serve(pipe: "Connection[Message, Batch]", maker: str) -> None:
     except DatasetError as error:
         pipe.send(error)
         return
-    pipe.send(None)
-    while True:
-        try:
-            batch = pipe.recv()
-        except EOFError:
-            return
-        pipe.send([outcome(make, position, request) for position, request in batch])
+    with suppress(EOFError, OSError):  # the parent is gone
+        pipe.send(None)
+        while True:
+            pipe.send([outcome(make, position, request) for position, request in pipe.recv()])
 
 
 def outcome(make: Maker, position: int, request: Request) -> Outcome:
