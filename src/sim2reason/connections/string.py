@@ -31,6 +31,12 @@ OPENINGS = (
 )
 LIGHT_STRING = "light string"
 OVER, ROUND = "passes over ", "passes round "
+ONWARD = {
+    (OVER, OVER): "then over ",
+    (ROUND, OVER): "goes straight up, over ",
+    (OVER, ROUND): "goes straight down, round ",
+}
+"""How it goes on from one pulley to the next: above the one that turns it hangs another, on which it pulls straight."""
 FREE = 2.5  # m of string between a site that moves and the pulley that the string brings
 
 
@@ -154,7 +160,10 @@ def joined(verbs: list[str]) -> str:
 
 def after(before: str, verb: str) -> str:
     """A verb phrase as it is said after another one."""
-    return "then over " + verb.removeprefix(OVER) if verb.startswith(OVER) and before.startswith(OVER) else verb
+    for (one, other), onward in ONWARD.items():
+        if before.startswith(one) and verb.startswith(other):
+            return onward + verb.removeprefix(other)
+    return verb
 
 
 class Ear:

@@ -53,14 +53,14 @@ class MassPrismPlane(Entity):
     left = End(
         sites=("left_lowest", "left_foot"),
         tied="{left_blocks.first}",
-        leaves="runs down the left face, round a light pulley at its foot and on to the left",
-        arrives="comes in from the left, round a light pulley at the foot of the face, to {left_blocks.first}",
+        leaves="runs down the left face, round a light pulley at its foot and on horizontally to the left",
+        arrives="comes in horizontally from the left, round a light pulley at the foot of the face, to {left_blocks.first}",
     )
     right = End(
         sites=("right_lowest", "right_foot"),
         tied="{right_blocks.first}",
-        leaves="runs down the right face, round a light pulley at its foot and on to the right",
-        arrives="comes in from the right, round a light pulley at the foot of the face, to {right_blocks.first}",
+        leaves="runs down the right face, round a light pulley at its foot and on horizontally to the right",
+        arrives="comes in horizontally from the right, round a light pulley at the foot of the face, to {right_blocks.first}",
     )
 
     def build(self, room: Frame) -> None:
