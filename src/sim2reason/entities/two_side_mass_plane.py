@@ -7,7 +7,7 @@ from sim2reason.dsl.measures import Speed
 from sim2reason.dsl.ports import End
 from sim2reason.dsl.template import either
 from sim2reason.dsl.vectors import scale
-from sim2reason.entities.parts.mass_systems import SPACING, Blocks
+from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE, Blocks, row
 
 
 @entity
@@ -24,11 +24,7 @@ class TwoSideMassPlane(Entity):
             "on {plane} {blocks:lies/lie} {blocks}{blocks:/, {blocks.first} {plane.lower}, joined by a light string/, in this order from {plane.order} and joined by light strings}.",
             "{plane} carries {blocks}{blocks:/, {blocks.first} {plane.lower}, with a light string between them/, in a row from {plane.order} and joined by light strings}.",
         ),
-        either(
-            "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
-            "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
-            "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
-        ),
+        FRICTION_ON_PLANE,
         either(
             "at t = 0 {blocks:it moves/they move} {plane.uphill} at {speed}.",
             "{blocks:its/their} velocity at t = 0 is {speed}, directed {plane.uphill}.",
@@ -42,7 +38,7 @@ class TwoSideMassPlane(Entity):
         arrives="reaches {blocks.first} {plane.below}",
     )
     right = End(
-        sites=("highest",),
+        sites=("hook",),
         tied="{blocks.last}",
         leaves="runs {plane.uphill}",
         arrives="reaches {blocks.last} {plane.above}",
@@ -50,12 +46,6 @@ class TwoSideMassPlane(Entity):
 
     def build(self, room: Frame) -> None:
         """Blocks that rest on the room's face, the first one lowest."""
-        uphill, normal = self.plane.directions()
-        for index, block in enumerate(self.blocks):
-            frame = room.body(f"blocks.{index}", block.mass, at=scale(index * SPACING, uphill))
-            frame.rest(uphill, normal, self.plane.friction, self.speed or 0.0).site(f"hook{index}")
-            if index == 0:
-                frame.site("lowest", faces=scale(-1.0, uphill))
-            else:
-                room.string(f"link{index - 1}", room.address(f"hook{index - 1}"), room.address(f"hook{index}"))
-        frame.site("highest", faces=uphill)  # type: ignore[reportPossiblyUnboundVariable]  # there is at least one block
+        plane, (uphill, _) = self.plane, self.plane.directions()
+        frames = row(room, self.blocks, plane.angle, plane.friction, length=0.0, speed=self.speed or 0.0)
+        frames[0].site("lowest", faces=scale(-1.0, uphill))

@@ -21,6 +21,11 @@ MAX_BLOCKS = 5
 SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters
 Blocks = Annotated[tuple[Block, ...], Len(1, MAX_BLOCKS), Count(1, 2)]
 FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
+FRICTION_ON_PLANE = either(
+    "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
+    "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
+    "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
+)
 
 
 class MassSystem(Part):
@@ -74,11 +79,7 @@ class OnPlane(MassSystem):
             "on {plane} {blocks:lies/lie} {blocks}{blocks:/, {blocks.first} {plane.lower}, joined by a light string/, in this order from {plane.order} and joined by light strings}.",
             "{blocks} {blocks:rests/rest} on {plane}{blocks:/, {blocks.first} {plane.lower}, with a light string between them/, in a row from {plane.order} and joined by light strings}.",
         ),
-        either(
-            "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
-            "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
-            "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
-        ),
+        FRICTION_ON_PLANE,
     )
     tail = End(
         sites=("hook",),
@@ -130,17 +131,27 @@ class OnWedge(MassSystem):
         row(wedge, self.blocks, self.wedge.angle, self.wedge.friction, self.length, side)
 
 
-def row(carrier: Frame, blocks: tuple[Block, ...], angle: float, friction: float, length: float, side: float) -> None:
+def row(
+    carrier: Frame,
+    blocks: tuple[Block, ...],
+    angle: float,
+    friction: float,
+    length: float,
+    side: float = 1.0,
+    speed: float = 0.0,
+) -> list[Frame]:
     """Blocks on a face that rises to the `side`, the last one `length` below the origin of `carrier`."""
     uphill = (side * cos(radians(angle)), 0.0, sin(radians(angle)))
     normal = (-side * sin(radians(angle)), 0.0, cos(radians(angle)))
     last = len(blocks) - 1
+    frames: list[Frame] = []
     for index, block in enumerate(blocks):
         away = -(length + (last - index) * SPACING)
         frame = carrier.body(f"blocks.{index}", block.mass, at=scale(away, uphill))
-        frame.rest(along=uphill, normal=normal, friction=friction)
+        frames.append(frame.rest(along=uphill, normal=normal, friction=friction, speed=speed))
         frame.site("hook" if index == last else f"hook{index}", faces=uphill)
     link(carrier, len(blocks), last="hook")
+    return frames
 
 
 def link(room: Frame, count: int, first: str = "hook0", last: str = "") -> None:
