@@ -12,7 +12,7 @@ import sim2reason
 from plain_scenes import atwood, ramp, table
 from sim2reason.datasets.draws import draw
 from sim2reason.datasets.interview import Interview
-from sim2reason.dsl.body import Body
+from sim2reason.dsl.body import BODIES, Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import CONNECTIONS, Connection
 from sim2reason.dsl.entity import ENTITIES, Entity, declared_numbers, outer_ports
@@ -41,12 +41,8 @@ SOURCE = Path(sim2reason.__file__).parent
 
 
 def all_bodies() -> list[type[Body]]:
-    """Every body class of the package; connections and entities load them."""
-    assert ENTITIES
-    assert CONNECTIONS
-    return sorted(
-        (c for c in Body.__subclasses__() if c.__module__.startswith("sim2reason.")), key=lambda c: c.__name__
-    )
+    """Every registered body class."""
+    return list(BODIES.values())
 
 
 def scenes() -> list[Scene]:

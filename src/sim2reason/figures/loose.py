@@ -163,19 +163,23 @@ def plate(way: complex, start: complex = 0j, far: float = BRACKET, wide: float =
     return [Line((start, end), "edge"), *hatched(end - half, end + half)]
 
 
-class HookPiece(Piece):
-    """A hook fixed in the room."""
+class EndPiece(Piece):
+    """What stands at the end of a string, in line with it."""
 
     @property
     def way(self) -> complex:
-        """The direction from the string to what holds the hook."""
+        """The direction from the string outwards."""
         ends = self.plan.ends.get(self.name, ())
         return -ends[0] if ends else UP
 
     def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
-        """The hook itself."""
+        """The point where the string ends."""
         del knot, way, second
         return 0j
+
+
+class HookPiece(EndPiece):
+    """A hook fixed in the room."""
 
     def hulls(self) -> list[Polygon]:
         """The hook with its plate."""
@@ -191,19 +195,8 @@ class HookPiece(Piece):
         return Sketch([*plate(self.way, self.way * 0.1, 0.25, 1.0), Arc(0j, 0.1)])
 
 
-class HandPiece(Piece):
+class HandPiece(EndPiece):
     """A hand that pulls: an arrow with its force."""
-
-    @property
-    def way(self) -> complex:
-        """The direction of the pull."""
-        ends = self.plan.ends.get(self.name, ())
-        return -ends[0] if ends else UP
-
-    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
-        """The grip."""
-        del knot, way, second
-        return 0j
 
     def hulls(self) -> list[Polygon]:
         """The arrow and room for its label."""
