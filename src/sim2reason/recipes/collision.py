@@ -1,7 +1,7 @@
 """Pucks that meet on a table."""
 
 from dataclasses import dataclass
-from math import cos, hypot, pi, sin
+from math import cos, hypot, pi, sin, sqrt
 
 import numpy as np
 
@@ -39,14 +39,15 @@ TIERS = {
 
 @recipe("collision")
 def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Two to five pucks, each aimed so that it meets the one before it in the list."""
+    """Two to five pucks, each aimed so that it meets the slowest one before it."""
     tier = TIERS[difficulty]
     radius = _drawn(TwoDCollisionPlane, "radius", rng)
     count = int(rng.integers(tier.pucks.low, tier.pucks.high + 1))
     places = _places(count, CLEAR * radius, rng)
     pucks: list[Puck] = []
     for place in places:
-        velocity = _aim(pucks[-1], place, radius, tier, rng) if pucks else _any(tier.speed, rng)
+        slowest = min(pucks, key=lambda puck: hypot(puck.vx, puck.vy), default=None)
+        velocity = _aim(slowest, place, radius, tier, rng) if slowest else _any(Range(0.1, tier.speed.low), rng)
         mass = _drawn(Puck, "mass", rng, tier.mass)
         vx, vy = (_rounded(Puck, "vx", part) for part in velocity)
         pucks.append(Puck(mass=mass, x=place[0], y=place[1], vx=vx, vy=vy))
@@ -95,12 +96,18 @@ def _any(speed: Range, rng: np.random.Generator) -> tuple[float, float]:
 def _aim(
     target: Puck, place: tuple[float, float], radius: float, tier: CollisionTier, rng: np.random.Generator
 ) -> tuple[float, float]:
-    """A velocity with which a puck would meet another, were they alone: more or less off centre."""
+    """A velocity with which a puck would meet another, were they alone: more or less off centre.
+
+    It is the target's velocity and one towards it, as large as leaves the sum within the tier's speeds.
+    """
     dx, dy = target.x - place[0], target.y - place[1]
     distance = hypot(dx, dy)
     offset = rng.uniform(-1.4, 1.4) * radius
     ux, uy = (dx - offset * dy / distance) / distance, (dy + offset * dx / distance) / distance
-    speed = rng.uniform(tier.speed.low, tier.speed.high)
+    along = target.vx * ux + target.vy * uy
+    room = tier.speed.high**2 - target.vx**2 - target.vy**2
+    fastest = max(sqrt(max(along**2 + room, 0.0)) - along, 0.0)
+    speed = rng.uniform(min(tier.speed.low, 0.5 * fastest), fastest)
     return (target.vx + speed * ux, target.vy + speed * uy)
 
 
