@@ -3,16 +3,14 @@
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
-
-from annotated_types import Le
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection, Link, Told, connection
-from sim2reason.dsl.layout import opposite
-from sim2reason.dsl.measures import LEAST, Hidden, Measure, Range
+from sim2reason.dsl.layout import FREE, opposite
+from sim2reason.dsl.measures import FreeLength
 from sim2reason.dsl.mechanism import ZERO
 from sim2reason.dsl.ports import End, Port, Stop, StringPort
 from sim2reason.dsl.vectors import add, scale
@@ -37,7 +35,6 @@ ONWARD = {
     (OVER, ROUND): "goes straight down, round ",
 }
 """How it goes on from one pulley to the next: above the one that turns it hangs another, on which it pulls straight."""
-FREE = 2.5  # m of string between a site that moves and the pulley that the string brings
 
 
 @connection
@@ -46,7 +43,7 @@ class String(Connection):
 
     key: ClassVar[str] = "tendon"
     joins: ClassVar[type[Port]] = StringPort
-    free: Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()] = FREE
+    free: FreeLength = FREE
 
     @classmethod
     def between(cls, *stops: tuple[str, StringPort]) -> Self:

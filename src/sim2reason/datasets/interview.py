@@ -65,7 +65,7 @@ class Interview:
             if question is None:
                 refused["nothing to ask"] += 1
                 continue
-            candidate = Candidate(self.scene, self.trace, question, prompt(telling, question, rng))
+            candidate = Candidate(self.scene, self.trace, question, prompt(telling, question, rng), telling.sentences)
             verdict = sift(candidate, witnessed=False)
             if verdict.keep:
                 verdict = sift(replace(candidate, certificate=self._told[1]), witnessed=True)

@@ -32,7 +32,13 @@ def stream(
     """Problems without end, dealt in turn to the recipes and difficulties; `start` goes straight to a position.
 
     The few requests that no draw fills are passed over, as in a dataset.
+
+    Raises:
+        UnknownNameError, SceneError: no such recipe or mode, no such difficulty.
+        DrawError: a negative seed or start.
     """
+    if seed < 0 or start < 0:
+        raise DrawError(f"seed {seed}, start {start}: one is negative; count from 0")
     config = Config(
         items=0,
         recipes=tuple(RECIPES) if recipe == "all" else (recipe,),

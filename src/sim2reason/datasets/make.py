@@ -13,11 +13,13 @@ from sim2reason.datasets.plan import Made, Request, versions
 from sim2reason.dsl.files import dump
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions import MODES
+from sim2reason.questions import MODES, Moment
+from sim2reason.questions.moments import AtStart, AtTime, Collided, Moved, Stopped
 from sim2reason.recipes import RECIPES, known
 from sim2reason.simulation.certify import Certificate
 
 SCENES = 60  # scenes drawn for one item, at most
+EVENTS: dict[type[Moment], str] = {AtStart: "start", Moved: "moved", Collided: "collision", Stopped: "rest"}
 SETTINGS = hashlib.sha256(json.dumps([SCENES, QUESTIONS, DURATION, SAMPLES, SHORTEST]).encode()).hexdigest()[:16]
 
 
@@ -57,7 +59,7 @@ def item_of(request: Request, scene: Scene, found: Asking) -> Item:
             subject=target.subject if target else ask_.moment.subjects[0],
             quantity=target.quantity if target else "time",
             time=time,
-            event=type(ask_.moment).__name__.lower(),
+            event=None if isinstance(ask_.moment, AtTime) else EVENTS[type(ask_.moment)],
         ),
         scene=dump(scene),
         certificate=summary(found.certificate),

@@ -105,5 +105,6 @@ Speed = Annotated[float, LEAST, Le(1e3), Measure("speed", "m/s", "v"), Range(0.5
 Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-3.0, 3.0)]
 Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-2.0, 2.0)]
 Length = Annotated[float, LEAST, Le(1e3), Measure("length", "m", r"\ell"), Range(0.5, 2.0)]
+FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
 Restitution = Annotated[float, Ge(0), Le(1), Measure("restitution", "", "e", decimals=2), Range(0.3, 0.95)]
 Gravity = Annotated[float, Ge(0), Le(100), Measure("gravity", "m/s^2", "g")]

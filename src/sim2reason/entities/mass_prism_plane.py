@@ -9,12 +9,12 @@ from sim2reason.bodies.block import Block
 from sim2reason.bodies.wedge import Prism
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Count
+from sim2reason.dsl.measures import Count, FreeLength
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.ports import End
 from sim2reason.dsl.template import either
 from sim2reason.dsl.vectors import scale
-from sim2reason.entities.parts.mass_systems import SPACING, FreeLength
+from sim2reason.entities.parts.mass_systems import SPACING
 
 FaceBlocks = Annotated[tuple[Block, ...], Len(1, 3), Count(1, 2)]
 

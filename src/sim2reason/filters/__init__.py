@@ -18,6 +18,7 @@ class Candidate:
     trace: Trace  # by the recorded engine
     question: Question
     prompt: str
+    sentences: tuple[str, ...] = ()  # of the scene's text
     certificate: Certificate | None = None  # once the witness has been heard
 
 

@@ -3,6 +3,7 @@
 from sim2reason.filters import FILTERS, Candidate
 
 LONGEST = 270  # words
+LONGEST_STRING = 40  # words in a sentence about a string: more, and no finger can follow it
 
 
 class Length:
@@ -14,7 +15,10 @@ class Length:
     def reason(self, candidate: Candidate) -> str:
         """Count words as a word processor does."""
         words = len(candidate.prompt.split())
-        return f"{words} words" if words > LONGEST else ""
+        if words > LONGEST:
+            return f"{words} words"
+        strings = max((len(s.split()) for s in candidate.sentences if "string" in s), default=0)
+        return f"{strings} words about one string" if strings > LONGEST_STRING else ""
 
 
 FILTERS.add("length", Length())

@@ -4,14 +4,14 @@ from itertools import pairwise
 from math import cos, radians, sin
 from typing import Annotated
 
-from annotated_types import Le, Len
+from annotated_types import Len
 
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.wedge import Wedge
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Part
-from sim2reason.dsl.measures import LEAST, Count, Hidden, Measure, Range
+from sim2reason.dsl.measures import Count, FreeLength
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.ports import End
 from sim2reason.dsl.template import either
@@ -20,11 +20,11 @@ from sim2reason.dsl.vectors import scale
 MAX_BLOCKS = 5
 SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters
 Blocks = Annotated[tuple[Block, ...], Len(1, MAX_BLOCKS), Count(1, 2)]
-FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
 FRICTION_ON_PLANE = either(
     "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
     "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
     "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
+    "static and kinetic friction on this plane both have the coefficient {plane.friction}.",
 )
 
 
