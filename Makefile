@@ -30,7 +30,7 @@ help: ## say what can be made
 demo: .venv/core ## 100 problems over all recipes, one figure, three problems with their answers
 	rm -rf $(DEMO)
 	$(BIN)/sim2reason generate $(DEMO) --items 100 --recipe all --difficulty all --seed 0
-	$(BIN)/sim2reason draw --recipe pulley --difficulty medium --seed 7 --index 0 -o $(DEMO)/scene.yaml
+	$(BIN)/sim2reason sample --recipe pulley --difficulty medium --seed 7 --index 0 -o $(DEMO)/scene.yaml
 	$(BIN)/sim2reason figure $(DEMO)/scene.yaml -o $(DEMO)/scene.svg
 	$(BIN)/sim2reason figure $(DEMO)/scene.yaml -o $(DEMO)/scene.png
 	@$(BIN)/sim2reason show $(DEMO) -n 3
@@ -52,7 +52,7 @@ contracts: .venv/dev
 	$(BIN)/lint-imports --no-logo
 
 docs: .venv/dev ## write anew what the docs show: outputs, tables and pictures
-	$(BIN)/sim2reason draw --recipe hybrid --difficulty medium --seed 7 --index 12 -o docs/images/scene.yaml
+	$(BIN)/sim2reason sample --recipe hybrid --difficulty medium --seed 7 --index 12 -o docs/images/scene.yaml
 	$(BIN)/sim2reason figure docs/images/scene.yaml -o docs/images/scene.svg --numbers
 	$(BIN)/sim2reason plot docs/images/scene.yaml -o docs/images/traces.png
 	$(BIN)/sim2reason schema --page -o docs/scene-format.md

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from statistics import median
 from typing import NamedTuple
 
-from sim2reason.datasets.draws import draw
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.simulation.certify import CHANGES, RECORDED
@@ -41,7 +41,7 @@ class Witnessed:
 
 def witnessed(cell: Cell, index: int) -> Witnessed:
     """Draw one scene, simulate it by both engines and compare."""
-    scene = draw(cell.recipe, cell.difficulty, seed=SEED, index=index)
+    scene = sample(cell.recipe, cell.difficulty, seed=SEED, index=index)
     try:
         described = simulate(scene, engine=RECORDED).stable_until
         trace, certificate = certify(scene)

@@ -14,9 +14,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
 
-from sim2reason.datasets.draws import draw
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Request
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.simulation.scenes import simulate
@@ -78,7 +78,7 @@ def run(arguments: list[str]) -> None:
 
 def scenes() -> None:
     """From a mechanism, and from a declared scene, to its motion; built anew, since scenes remember their mechanism."""
-    drawn = [draw(recipe, difficulty, seed=SEED, index=i) for recipe, difficulty in CELLS for i in range(SCENES)]
+    drawn = [sample(recipe, difficulty, seed=SEED, index=i) for recipe, difficulty in CELLS for i in range(SCENES)]
     fresh = [Scene(entities=s.entities, connections=s.connections, world=s.world) for s in drawn]
     start = process_time()
     for scene in fresh:

@@ -11,7 +11,7 @@ import numpy as np
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import Sim2ReasonError
-from sim2reason.questions.understanding import understand
+from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.recipes import RECIPES
 
 TOLERANCE = 0.01
@@ -28,7 +28,7 @@ def main(items: int = 500, seed: int = 11) -> int:
         asked += 1
         begin = time.process_time()
         try:
-            answer = understand(item.prompt, np.random.default_rng(position)).answer
+            answer = parse_prompt(item.prompt, np.random.default_rng(position)).answer
         except Sim2ReasonError as error:
             print(f"{item.id}: {error}")
             continue

@@ -17,7 +17,7 @@ scene:
 """
 
 scene = sim2reason.load(SCENE)
-print(sim2reason.tell(scene).text)
+print(sim2reason.describe(scene).text)
 trace, certificate = sim2reason.certify(scene, duration=1.0)
 heavy = trace.state.a[0, 0]
 print(f"\nThe 2.0 kg block accelerates at {heavy:.6f} m/s²; (3 − 2)g/(3 + 2) is {9.8 / 5:.6f} m/s².")

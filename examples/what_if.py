@@ -2,8 +2,8 @@
 
 import sim2reason
 
-scene = sim2reason.draw("incline", "easy", seed=3, index=1)
-print(sim2reason.tell(scene).text)
+scene = sim2reason.sample("incline", "easy", seed=3, index=1)
+print(sim2reason.describe(scene).text)
 for parameter in scene.parameters:
     if not parameter.hidden and parameter.value is not None:
         print(f"  {parameter.path} = {parameter.measure.say(parameter.value)}")

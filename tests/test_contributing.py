@@ -13,7 +13,8 @@ TRY = """
 from math import cos, radians, sin
 
 import sim2reason
-from sim2reason.dsl.scene import Named, Scene
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
 
 for friction, mass in ((0.0, 0.0), (0.2, 0.6)):
@@ -24,7 +25,7 @@ for friction, mass in ((0.0, 0.0), (0.2, 0.6)):
     assert certificate.stable_until == 0.5, certificate.reason
     assert sim2reason.load(sim2reason.dump(scene)) == scene
     for seed in range(6):
-        assert sim2reason.read(sim2reason.tell(scene, seed).text).scene.entities[0].entity.load.mass == 3.0
+        assert sim2reason.parse_scene(sim2reason.describe(scene, seed).text).scene.entities[0].entity.load.mass == 3.0
     slope = radians(30.0)
     drive = 3.0 - 2.0 * (sin(slope) + friction * cos(slope))
     expected = 9.8 * drive / (2.0 + 3.0 + mass / 2.0)  # Newton for both blocks, M/2 for the turning disc

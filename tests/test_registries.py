@@ -10,26 +10,26 @@ import pytest
 
 import sim2reason
 from plain_scenes import atwood, ramp, table
-from sim2reason.datasets.draws import draw
-from sim2reason.datasets.interview import Interview
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.body import BODIES, Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import CONNECTIONS, Connection
 from sim2reason.dsl.entity import ENTITIES, Entity, declared_numbers, outer_ports
-from sim2reason.dsl.files import dump, load
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.model import draw as draw_model
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.telling.speaker import tell
 from sim2reason.dsl.template import wordings
-from sim2reason.dsl.units import parse
+from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import UnknownNameError
 from sim2reason.filters import FILTERS, Candidate
+from sim2reason.prose.writer import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES
 from sim2reason.questions.prompt import words_of
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.registry import Registry
+from sim2reason.scene_files import dump, load
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import ENGINES
 
@@ -119,9 +119,9 @@ def test_connections_are_named_by_their_key_and_say_what_they_join(name: str) ->
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 @pytest.mark.parametrize("name", list(RECIPES))
 def test_recipes_draw_scenes_that_travel_through_a_file(name: str, difficulty: str) -> None:
-    scene = draw(name, difficulty, seed=1)
+    scene = sample(name, difficulty, seed=1)
     assert load(dump(scene)) == scene
-    assert tell(scene, 3).text == tell(load(dump(scene)), 3).text
+    assert describe(scene, 3).text == describe(load(dump(scene)), 3).text
 
 
 @pytest.mark.parametrize("name", list(QUANTITIES))
@@ -162,14 +162,14 @@ def test_kinds_draw_and_say(name: str) -> None:
 def test_modes_ask_every_kind_of_some_scene(name: str) -> None:
     asked = set[str]()
     for scene in [ramp(friction=0.3, speed=2.0), *scenes()]:
-        trace, words = simulate(scene), words_of(tell(scene))
+        trace, words = simulate(scene), words_of(describe(scene))
         for kind in KINDS:
             for seed in range(6):
                 question = MODES[name](trace, words, kind, np.random.default_rng(seed))
                 if question is not None:
                     asked.add(question.ask.kind)
                     assert question.mode == name
-                    assert parse(question.unit)
+                    assert parse_unit(question.unit)
     assert asked == set(KINDS)
 
 
@@ -178,11 +178,11 @@ def test_filters_give_a_reason_or_none(name: str) -> None:
     found = FILTERS[name]
     assert isinstance(found.needs_witness, bool)
     for scene in scenes():
-        interview = Interview(scene, 1)
-        words = words_of(interview.telling)
+        interview = QuestionSearch(scene, 1)
+        words = words_of(interview.description)
         question = MODES["numeric"](interview.trace, words, "state", np.random.default_rng(2))
         if question is not None:
-            reason = found.reason(Candidate(scene, interview.trace, question, interview.telling.text))
+            reason = found.reason(Candidate(scene, interview.trace, question, interview.description.text))
             assert isinstance(reason, str)
             assert "\n" not in reason
 

@@ -7,17 +7,17 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from sim2reason.datasets.draws import draw
     from sim2reason.datasets.grade import grade
     from sim2reason.datasets.item import Item
     from sim2reason.datasets.items import item, stream
-    from sim2reason.dsl.files import dump, load
+    from sim2reason.datasets.random_scenes import sample
     from sim2reason.dsl.mechanism import Mechanism
-    from sim2reason.dsl.reading import read
     from sim2reason.dsl.scene import Scene
-    from sim2reason.dsl.telling import tell
     from sim2reason.errors import Sim2ReasonError
     from sim2reason.grading import Score
+    from sim2reason.parsing import parse_scene
+    from sim2reason.prose import describe
+    from sim2reason.scene_files import dump, load
     from sim2reason.simulation.certify import Certificate
     from sim2reason.simulation.scenes import certify, simulate
     from sim2reason.simulation.trace import Trace
@@ -31,15 +31,15 @@ _HOMES = {
     "Sim2ReasonError": "errors",
     "Trace": "simulation.trace",
     "certify": "simulation.scenes",
-    "draw": "datasets.draws",
-    "dump": "dsl.files",
+    "describe": "prose",
+    "dump": "scene_files",
     "grade": "datasets.grade",
     "item": "datasets.items",
-    "load": "dsl.files",
-    "read": "dsl.reading",
+    "load": "scene_files",
+    "parse_scene": "parsing",
+    "sample": "datasets.random_scenes",
     "simulate": "simulation.scenes",
     "stream": "datasets.items",
-    "tell": "dsl.telling",
 }
 
 __all__ = [
@@ -51,15 +51,15 @@ __all__ = [
     "Sim2ReasonError",
     "Trace",
     "certify",
-    "draw",
+    "describe",
     "dump",
     "grade",
     "item",
     "load",
-    "read",
+    "parse_scene",
+    "sample",
     "simulate",
     "stream",
-    "tell",
 ]
 
 

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from sim2reason.datasets.draws import draw
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Request
-from sim2reason.dsl.telling import tell
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import TextError
+from sim2reason.prose import describe
+from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS
-from sim2reason.questions.understanding import understand
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 
 ITEMS = 8  # of each recipe and difficulty; benchmarks/round_trip.py takes 500 in all
@@ -22,7 +22,7 @@ def test_the_answer_follows_from_the_text(recipe: str, difficulty: str) -> None:
     for index in range(ITEMS):
         item = make(Request(recipe, difficulty, "numeric", 31, index)).item
         assert item is not None
-        understood = understand(item.prompt, np.random.default_rng(index))
+        understood = parse_prompt(item.prompt, np.random.default_rng(index))
         assert understood.answer == pytest.approx(item.answer.value, rel=0.01), item.prompt
         assert understood.ask.kind == item.kind
 
@@ -36,10 +36,10 @@ def test_the_answer_follows_from_the_text(recipe: str, difficulty: str) -> None:
 )
 def test_what_is_no_prompt_is_refused(text: str, says: str) -> None:
     with pytest.raises(TextError, match=says):
-        understand(text)
+        parse_prompt(text)
 
 
 def test_a_question_that_is_not_ours_is_refused() -> None:
-    telling = tell(draw("pulley", "easy", seed=31))
+    description = describe(sample("pulley", "easy", seed=31))
     with pytest.raises(TextError, match="no question is asked"):
-        understand(f"{telling.text} Why is the sky blue? {FORMATS[0].format(unit='m')}")
+        parse_prompt(f"{description.text} Why is the sky blue? {FORMATS[0].format(unit='m')}")

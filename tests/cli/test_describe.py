@@ -9,8 +9,9 @@ from click.testing import CliRunner, Result
 
 from scene_files import drawn
 from sim2reason.cli import main
-from sim2reason.dsl.files import dump, load
-from sim2reason.dsl.telling.speaker import hiding, symbolic, tell
+from sim2reason.prose.voices import hiding, symbolic
+from sim2reason.prose.writer import describe as describe_scene
+from sim2reason.scene_files import dump, load
 
 RAMP = """\
 scene:
@@ -30,33 +31,33 @@ def ramp(tmp_path: Path) -> Path:
     return path
 
 
-def describe(*args: object, stdin: str | bytes | None = None) -> Result:
+def described(*args: object, stdin: str | bytes | None = None) -> Result:
     return CliRunner().invoke(main, ["describe", *map(str, args)], input=stdin)
 
 
 def test_it_prints_the_text(ramp: Path) -> None:
     scene = load(RAMP)
-    assert describe(ramp).stdout == f"{tell(scene).text}\n"
-    assert describe(ramp, "--seed", 3).stdout == f"{tell(scene, 3).text}\n"
-    assert describe(ramp, "--voice", "symbolic").stdout == f"{tell(scene, 0, symbolic).text}\n"
+    assert described(ramp).stdout == f"{describe_scene(scene).text}\n"
+    assert described(ramp, "--seed", 3).stdout == f"{describe_scene(scene, 3).text}\n"
+    assert described(ramp, "--voice", "symbolic").stdout == f"{describe_scene(scene, 0, symbolic).text}\n"
 
 
 def test_a_number_can_be_hidden(ramp: Path) -> None:
-    result = describe(ramp, "--hide", "ramp.blocks.0.mass")
-    assert result.stdout == f"{tell(load(RAMP), 0, hiding('ramp.blocks.0.mass')).text}\n"
+    result = described(ramp, "--hide", "ramp.blocks.0.mass")
+    assert result.stdout == f"{describe_scene(load(RAMP), 0, hiding('ramp.blocks.0.mass')).text}\n"
     assert "2.0 kg" not in result.stdout
 
 
 def test_what_can_not_be_hidden_is_said_with_what_can(ramp: Path) -> None:
-    result = describe(ramp, "--hide", "ramp.mass")
+    result = described(ramp, "--hide", "ramp.mass")
     assert result.exit_code == 2
     assert "--hide ramp.mass: no such number is told; there are: ramp.plane.angle," in result.stderr
 
 
 def test_a_dash_reads_standard_input() -> None:
     for scene in drawn(6, seed=9):
-        result = describe("-", stdin=dump(scene))
-        assert (result.exit_code, result.stdout) == (0, f"{tell(scene).text}\n")
+        result = described("-", stdin=dump(scene))
+        assert (result.exit_code, result.stdout) == (0, f"{describe_scene(scene).text}\n")
 
 
 @pytest.mark.parametrize(
@@ -69,7 +70,7 @@ def test_a_dash_reads_standard_input() -> None:
 )
 def test_a_wrong_file_is_one_line_with_its_name(ramp: Path, old: str, new: str, said: str) -> None:
     ramp.write_text(RAMP.replace(old, new))
-    result = describe(ramp)
+    result = described(ramp)
     assert result.exit_code == 2
     assert said in result.stderr
     assert result.stderr.startswith(f"sim2reason: {ramp}: ")
@@ -78,15 +79,15 @@ def test_a_wrong_file_is_one_line_with_its_name(ramp: Path, old: str, new: str, 
 
 def test_junk_on_standard_input_is_one_line() -> None:
     for junk in (b"\xff\xfe\x00", b"\x00" * 100, b"", b"[" * 70_000):
-        result = describe("-", stdin=junk)
+        result = described("-", stdin=junk)
         assert result.exit_code == 2
         assert result.stderr.startswith("sim2reason: standard input: ")
         assert result.stderr.count("\n") == 1
 
 
 def test_missing_files_and_folders_are_one_line(tmp_path: Path) -> None:
-    assert describe(tmp_path / "none.yaml").exit_code == 2
-    assert describe(tmp_path).exit_code == 2
+    assert described(tmp_path / "none.yaml").exit_code == 2
+    assert described(tmp_path).exit_code == 2
 
 
 def test_a_pipe_of_real_processes(ramp: Path) -> None:
@@ -100,8 +101,8 @@ def test_a_pipe_of_real_processes(ramp: Path) -> None:
 def test_the_schema_is_written(tmp_path: Path) -> None:
     import json
 
-    from sim2reason.dsl.files.page import format_page
-    from sim2reason.dsl.files.schema import schema
+    from sim2reason.scene_files.page import format_page
+    from sim2reason.scene_files.schema import schema
 
     printed = CliRunner().invoke(main, ["schema"]).stdout
     assert json.loads(printed) == schema()

@@ -4,15 +4,15 @@ import pytest
 from click.testing import CliRunner
 
 from sim2reason.cli import main
-from sim2reason.datasets.draws import draw
-from sim2reason.dsl.files import dump
-from sim2reason.dsl.telling.speaker import tell
+from sim2reason.datasets.random_scenes import sample
+from sim2reason.prose.writer import describe
+from sim2reason.scene_files import dump
 
 
 @pytest.fixture
 def scene(tmp_path: Path) -> Path:
     path = tmp_path / "scene.yaml"
-    path.write_text(dump(draw("pulley", "medium", seed=7)), encoding="utf-8")
+    path.write_text(dump(sample("pulley", "medium", seed=7)), encoding="utf-8")
     return path
 
 
@@ -30,13 +30,13 @@ def test_a_figure_is_drawn(scene: Path, tmp_path: Path, ending: str) -> None:
 
 def test_names_follow_the_text_and_masses_are_written_on_demand(scene: Path, tmp_path: Path) -> None:
     out = tmp_path / "scene.svg"
-    loaded = draw("pulley", "medium", seed=7)
+    loaded = sample("pulley", "medium", seed=7)
     masses = [p.measure.say(p.value) for p in loaded.parameters if p.path.endswith("mass") and p.value]
     assert run("figure", scene, "-o", out)[0] == 0
     plain = out.read_text(encoding="utf-8")
     assert run("figure", scene, "-o", out, "--numbers", "--seed", 1)[0] == 0
     numbered = out.read_text(encoding="utf-8")
-    for letter in tell(loaded).names.letters.values():
+    for letter in describe(loaded).names.letters.values():
         assert f">{letter}</text>" in plain
     for mass in masses:
         assert mass not in plain

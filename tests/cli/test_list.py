@@ -4,7 +4,7 @@ from dataclasses import dataclass
 import pytest
 from click.testing import CliRunner
 
-from sim2reason.cli import kinds, main
+from sim2reason.cli import main, registries
 from sim2reason.errors import UnknownNameError
 from sim2reason.registry import Registry
 
@@ -29,7 +29,7 @@ def fakes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(things, "_filled", True)
     things.add("work", work)
     things.add("mass", Fact("mass", "kg", 1.0))
-    monkeypatch.setattr(kinds, "registries", lambda: {"things": things})
+    monkeypatch.setattr(registries, "registries", lambda: {"things": things})
 
 
 @pytest.mark.usefixtures("fakes")
@@ -48,10 +48,10 @@ def test_list_speaks_to_programs() -> None:
 
 @pytest.mark.usefixtures("fakes")
 def test_names_are_chosen_by_commas_or_all() -> None:
-    assert kinds.chosen("things", "all") == ("mass", "work")
-    assert kinds.chosen("things", " work,mass,work") == ("work", "mass")
+    assert registries.chosen("things", "all") == ("mass", "work")
+    assert registries.chosen("things", " work,mass,work") == ("work", "mass")
     with pytest.raises(UnknownNameError, match="did you mean: mass"):
-        kinds.chosen("things", "mas")
+        registries.chosen("things", "mas")
 
 
 def test_an_unknown_kind_is_said_with_the_known() -> None:

@@ -9,10 +9,10 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim2reason.cli import main
-from sim2reason.cli.guard import guarded
-from sim2reason.dsl.files import load
+from sim2reason.cli.sandbox import sandboxed
 from sim2reason.errors import SceneError, SimulationError
-from sim2reason.simulation import files
+from sim2reason.scene_files import load
+from sim2reason.simulation import trace_files
 from sim2reason.simulation.scenes import simulate
 
 ATWOOD = """\
@@ -100,7 +100,7 @@ def test_both_engines_give_a_certificate(atwood: Path) -> None:
 def test_the_trace_is_written_whole_or_not_at_all(atwood: Path, tmp_path: Path) -> None:
     out = tmp_path / "trace.parquet"
     assert run(atwood, "--duration", 0.5, "--samples", 11, "-o", out).exit_code == 0
-    assert len(files.read(out).times) == 11
+    assert len(trace_files.read_trace(out).times) == 11
     out.unlink()
     assert run(atwood, "--patience", 0.01, "-o", out).exit_code == 2
     assert [path.name for path in tmp_path.iterdir()] == ["atwood.yaml"]
@@ -155,14 +155,14 @@ def test_wrong_options_are_one_line(atwood: Path, options: tuple[str, str], said
 
 
 def test_results_and_errors_come_back_from_the_worker() -> None:
-    assert guarded(20.0, json.loads, "[1]") == [1]
+    assert sandboxed(20.0, json.loads, "[1]") == [1]
     with pytest.raises(SceneError, match="the file: it is empty"):
-        guarded(20.0, load, "")
+        sandboxed(20.0, load, "")
 
 
 def test_a_crash_is_an_error() -> None:
     with pytest.raises(SimulationError, match=r"crashed its process \(exit code -6\)"):
-        guarded(20.0, os.abort)
+        sandboxed(20.0, os.abort)
 
 
 def test_the_library_gives_what_the_command_gives(atwood: Path) -> None:
@@ -180,4 +180,4 @@ def test_what_can_not_be_written_is_one_line(atwood: Path, tmp_path: Path, out: 
 
 def test_a_worker_hands_on_what_the_system_refuses(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
-        guarded(20.0, os.listdir, tmp_path / "missing")
+        sandboxed(20.0, os.listdir, tmp_path / "missing")

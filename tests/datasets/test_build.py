@@ -3,12 +3,12 @@ from pathlib import Path
 
 import pytest
 
+from sim2reason.datasets.atomic_files import locked
 from sim2reason.datasets.build import build, cores
-from sim2reason.datasets.files import locked
 from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, Manifest, load
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.store import read
+from sim2reason.datasets.store import read_items
 from sim2reason.errors import DatasetError
 
 Make = Callable[..., Manifest]
@@ -28,7 +28,7 @@ def test_a_dataset_is_its_shards_a_card_and_a_manifest(make: Make, tmp_path: Pat
 def test_items_come_in_the_order_of_their_positions(data: Path, config: Config) -> None:
     wanted = [config.request(k).id for k in range(95)]
     wanted.remove("incline-easy-numeric-0-3")
-    assert [item.id for item in read(data)] == wanted
+    assert [item.id for item in read_items(data)] == wanted
 
 
 @pytest.mark.parametrize("workers", [2, 4])
@@ -108,7 +108,7 @@ def test_duplicates_are_left_out_and_told(make: Make, tmp_path: Path) -> None:
     found = manifest.problems("duplicates")
     assert found[0].reason == "same as incline-easy-numeric-0-0"
     assert manifest.rejected["pulley"]["distinct"] == sum(p.recipe == "pulley" for p in found) == 23
-    prompts = [item.prompt for item in read(tmp_path / "data")]
+    prompts = [item.prompt for item in read_items(tmp_path / "data")]
     assert len(prompts) == len(set(prompts)) == manifest.rows
 
 
@@ -195,7 +195,7 @@ def test_two_runs_do_not_share_a_folder(data: Path, make: Make) -> None:
 
 def test_an_empty_dataset_is_one_too(make: Make, tmp_path: Path) -> None:
     assert make(items=0).rows == 0
-    assert list(read(tmp_path / "data")) == []
+    assert list(read_items(tmp_path / "data")) == []
 
 
 def test_there_is_at_least_one_core() -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from sim2reason.datasets import store
-from sim2reason.datasets.files import canonical
+from sim2reason.datasets.atomic_files import canonical
 from sim2reason.datasets.manifest import MANIFEST, Manifest, load
 from sim2reason.datasets.verify import examine
 from sim2reason.errors import DatasetError
@@ -17,7 +17,7 @@ FIRST = "items-00000-00019.parquet"
 
 def test_a_whole_dataset_has_no_problems(data: Path) -> None:
     found = examine(data)
-    assert (found.rows, found.shards, found.problems) == (94, 5, ())
+    assert (found.rows, found.shards, found.faults) == (94, 5, ())
 
 
 def test_any_flipped_byte_is_found(data: Path, contents: Callable[[Path], dict[str, bytes]]) -> None:
@@ -26,25 +26,25 @@ def test_any_flipped_byte_is_found(data: Path, contents: Callable[[Path], dict[s
         for _ in range(12):
             place, bit = rng.randrange(len(whole)), 1 << rng.randrange(8)
             (data / name).write_bytes(whole[:place] + bytes([whole[place] ^ bit]) + whole[place + 1 :])
-            assert any(name in line for line in examine(data).problems), (name, place, bit)
+            assert any(name in line for line in examine(data).faults), (name, place, bit)
         (data / name).write_bytes(whole)
-    assert not examine(data).problems
+    assert not examine(data).faults
 
 
 def test_a_missing_shard_is_found(data: Path) -> None:
     (data / FIRST).unlink()
-    assert examine(data).problems == (f"{FIRST}: missing",)
+    assert examine(data).faults == (f"{FIRST}: missing",)
 
 
 def test_an_extra_shard_is_found(data: Path) -> None:
     shutil.copy(data / FIRST, data / "items-00095-00099.parquet")
-    assert examine(data).problems == ("items-00095-00099.parquet: an extra shard that the manifest does not know",)
+    assert examine(data).faults == ("items-00095-00099.parquet: an extra shard that the manifest does not know",)
 
 
 def test_a_truncated_shard_is_found(data: Path) -> None:
     whole = (data / FIRST).read_bytes()
     (data / FIRST).write_bytes(whole[: len(whole) // 2])
-    damaged, unreadable = examine(data).problems
+    damaged, unreadable = examine(data).faults
     assert damaged.startswith(f"{FIRST}: damaged")
     assert unreadable.startswith(f"{FIRST}: not readable as Parquet")
 
@@ -54,7 +54,7 @@ def test_a_wrong_count_of_rows_is_found_even_under_a_right_checksum(data: Path) 
     value["shards"][0]["rows"] += 1
     value["rows"] += 1
     (data / MANIFEST).write_text(Manifest.model_validate(value).sealed().text())
-    assert examine(data).problems == (f"{FIRST}: 19 rows instead of 20",)
+    assert examine(data).faults == (f"{FIRST}: 19 rows instead of 20",)
 
 
 @pytest.mark.parametrize(
@@ -74,7 +74,7 @@ def test_a_manifest_that_was_edited_is_found(
     value = json.loads((data / MANIFEST).read_text())
     change(value)
     (data / MANIFEST).write_text(canonical(value))
-    assert any(finding in line for line in examine(data).problems)
+    assert any(finding in line for line in examine(data).faults)
 
 
 def test_what_is_no_finished_dataset_is_refused(tmp_path: Path, data: Path) -> None:

@@ -7,11 +7,11 @@ from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.pulley import FixedPulley, MovablePulley
 from sim2reason.connections.string import String
 from sim2reason.dsl.connection import Connection, Link
-from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.layout import opposite
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.ports import Port
-from sim2reason.dsl.scene import Named, Scene, World
+from sim2reason.dsl.scene import Scene, World
 from sim2reason.entities.constant_force_puller import ConstantForcePuller
 from sim2reason.entities.fixed_support import FixedSupport
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley

@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.dsl import unit_text, units
-from sim2reason.dsl.units import UnitError, parse
+from sim2reason.dsl.units import UnitError, parse_unit
 
 
 @pytest.mark.parametrize(
@@ -37,10 +37,10 @@ from sim2reason.dsl.units import UnitError, parse
     ],
 )
 def test_spellings(text: str, name: str, display: str) -> None:
-    unit = parse(text)
+    unit = parse_unit(text)
     assert (unit.name, unit.display) == (name, display)
-    assert parse(unit.name) == unit, "a canonical name names itself"
-    assert parse(unit.display).factor == unit.factor, "what is shown can be read"
+    assert parse_unit(unit.name) == unit, "a canonical name names itself"
+    assert parse_unit(unit.display).factor == unit.factor, "what is shown can be read"
 
 
 @pytest.mark.parametrize(
@@ -75,7 +75,7 @@ def test_spellings(text: str, name: str, display: str) -> None:
 )
 def test_what_is_no_unit(text: str) -> None:
     with pytest.raises(UnitError):
-        parse(text)
+        parse_unit(text)
 
 
 @pytest.mark.parametrize(
@@ -101,14 +101,14 @@ def test_what_is_no_unit(text: str) -> None:
     ],
 )
 def test_conversions(stated: str, asked: str, factor: float | None) -> None:
-    found = parse(stated).factor_to(parse(asked))
+    found = parse_unit(stated).factor_to(parse_unit(asked))
     assert found == (None if factor is None else pytest.approx(factor, rel=1e-12))
 
 
 def test_quantities_as_printed() -> None:
-    assert parse("m/s^2").quantity("9.8") == "9.8 m/s²"
-    assert parse("deg").quantity("30") == "30°"
-    assert parse("").quantity("0.4") == "0.4"
+    assert parse_unit("m/s^2").quantity("9.8") == "9.8 m/s²"
+    assert parse_unit("deg").quantity("30") == "30°"
+    assert parse_unit("").quantity("0.4") == "0.4"
 
 
 def test_no_two_units_share_a_symbol() -> None:

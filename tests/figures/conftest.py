@@ -3,11 +3,11 @@ from itertools import product
 import numpy as np
 import pytest
 
-from sim2reason.datasets.draws import draw as draw_scene
+from sim2reason.datasets.random_scenes import sample as sample_scene
 from sim2reason.dsl.connection import CONNECTIONS, Link
-from sim2reason.dsl.entity import ENTITIES
+from sim2reason.dsl.entity import ENTITIES, Named
 from sim2reason.dsl.model import draw
-from sim2reason.dsl.scene import Named, Scene
+from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 
 Ends = list[tuple[str, str]]
@@ -66,5 +66,5 @@ def joined(name: str, seed: int) -> Scene:
 @pytest.fixture(scope="session")
 def scenes() -> list[Scene]:
     """Sixty random scenes of every recipe and difficulty, and every entity joined in ways that no recipe draws."""
-    random = [draw_scene(r, d, seed=5, index=n) for r, d, n in product(RECIPES, DIFFICULTIES, range(5))]
+    random = [sample_scene(r, d, seed=5, index=n) for r, d, n in product(RECIPES, DIFFICULTIES, range(5))]
     return [*random, *(joined(name, seed) for name in JOINED for seed in range(2))]

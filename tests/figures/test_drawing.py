@@ -10,18 +10,18 @@ from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.wedge import Prism, Wedge
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.scene import Named, Scene
-from sim2reason.dsl.telling.speaker import tell
+from sim2reason.dsl.scene import Scene
 from sim2reason.errors import MissingExtraError, UnsupportedError
 from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.canvas import draw
-from sim2reason.figures.cost import Layout
 from sim2reason.figures.drawing import drawing
-from sim2reason.figures.loose import PulleyPiece
+from sim2reason.figures.hanging import PulleyPiece
+from sim2reason.figures.layout_cost import Layout
 from sim2reason.figures.shapes import Drawing
 from sim2reason.figures.vectors import common, depth, dot, unit
+from sim2reason.prose.writer import describe
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -55,7 +55,7 @@ def layouts(drawings: list[Drawn]) -> list[Layout]:
 
 
 def named(scene: Scene) -> dict[str, str]:
-    names = tell(scene).names
+    names = describe(scene).names
     return {a: names.letters.get(a, "") or names.noun(b) for a, b in scene.bodies.items() if b.letters}
 
 
@@ -63,7 +63,7 @@ def test_every_body_of_the_text_is_labelled_as_the_text_names_it(drawings: list[
     for scene, drawn, _ in drawings:
         assert {label.subject: label.text for label in drawn.labels if label.name} == named(scene)
         for address, text in named(scene).items():
-            assert text in tell(scene).mention(address)
+            assert text in describe(scene).mention(address)
 
 
 def test_angles_and_forces_stand_in_the_drawing(drawings: list[Drawn]) -> None:
@@ -166,10 +166,10 @@ def test_numbers_are_masses_as_the_text_has_them(scenes: list[Scene]) -> None:
 def test_glue_does_not_show(scenes: list[Scene]) -> None:
     scene = next(s for s in scenes if any(isinstance(b, Wedge) for b in s.bodies.values()))
     wedge = next(a for a, b in scene.bodies.items() if isinstance(b, Wedge))
-    assert drawing(scene.gluing(wedge), tell(scene)).shapes == drawing(scene).shapes
+    assert drawing(scene.gluing(wedge), describe(scene)).shapes == drawing(scene).shapes
 
 
-class Pair(Entity):
+class PairRestitution(Entity):
     block: Block
     wedge: Wedge
 
@@ -184,7 +184,7 @@ class Pair(Entity):
 
 
 def test_an_entity_of_known_bodies_needs_no_code_here() -> None:
-    pair = Pair(block=Block(mass=1.0), wedge=Wedge(mass=2.0, angle=37.0, friction=0.1))
+    pair = PairRestitution(block=Block(mass=1.0), wedge=Wedge(mass=2.0, angle=37.0, friction=0.1))
     drawn = drawing(Scene(entities=(Named(name="pair", entity=pair),)))
     assert {"block", "wedge"} <= {label.text for label in drawn.labels}
 

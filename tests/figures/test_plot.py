@@ -7,14 +7,14 @@ import pytest
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.puck import Puck, Table
-from sim2reason.datasets.draws import draw
-from sim2reason.dsl.entity import Entity
-from sim2reason.dsl.scene import Named, Scene
-from sim2reason.dsl.telling.speaker import tell
+from sim2reason.datasets.random_scenes import sample
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.scene import Scene
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
-from sim2reason.figures.curves import VERBS, motion, told
+from sim2reason.figures.curves import VERBS, motion_curves, told
 from sim2reason.figures.plot import REASONS, plot
+from sim2reason.prose.writer import describe
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Event, Trace
 
@@ -40,19 +40,19 @@ def exact(scene: Scene, duration: float = 2.0) -> Trace:
 
 def test_curves_are_named_as_in_the_text(scenes: list[Scene]) -> None:
     for scene in scenes[::4]:
-        telling = tell(scene)
-        shown = motion(exact(scene), telling)
+        description = describe(scene)
+        shown = motion_curves(exact(scene), description)
         for panel in shown.panels[:3]:
             for curve in panel.curves:
                 name = curve.name.partition(",")[0]
-                assert any(name in telling.mention(address) for address in scene.bodies)
+                assert any(name in description.mention(address) for address in scene.bodies)
                 assert len(curve.values) == len(shown.times)
                 assert np.isfinite(curve.values).all()
 
 
 def test_a_sliding_block_is_shown_as_it_slides() -> None:
     scene = SLIDING
-    shown = motion(exact(scene), tell(scene))
+    shown = motion_curves(exact(scene), describe(scene))
     assert [panel.title for panel in shown.panels][:3] == ["displacement (m)", "velocity (m/s)", "acceleration (m/s²)"]
     speed, acceleration = shown.panels[1].curves[0].values, shown.panels[2].curves[0].values
     assert shown.panels[1].curves[0].name.endswith("up the slope")
@@ -63,35 +63,35 @@ def test_a_sliding_block_is_shown_as_it_slides() -> None:
 def test_both_sides_of_an_event_are_drawn() -> None:
     scene = MEETING
     trace = exact(scene)
-    shown = motion(trace, tell(scene))
+    shown = motion_curves(trace, describe(scene))
     hit = next(event.time for event in trace.events if event.kind == "collision")
     assert {hit, np.nextafter(hit, 0.0)} <= set(shown.times)
     assert "collide" in shown.marks[0].text
 
 
 def test_the_part_cut_off_is_not_drawn_but_shaded(tmp_path: Path) -> None:
-    scene = draw("pulley", "easy", seed=1)
+    scene = sample("pulley", "easy", seed=1)
     trace = replace(exact(scene), stable_until=0.8, cut="certificate")
-    shown = motion(trace, tell(scene))
+    shown = motion_curves(trace, describe(scene))
     assert shown.times[-1] == pytest.approx(0.8)
     path = tmp_path / "traces.svg"
-    plot(trace, tell(scene), path)
+    plot(trace, describe(scene), path)
     text = path.read_text(encoding="utf-8")
     assert "cut off:" in text
     assert REASONS["certificate"] in text
 
 
 def test_the_same_bytes_twice(tmp_path: Path) -> None:
-    scene = draw("hybrid", "medium", seed=2)
+    scene = sample("hybrid", "medium", seed=2)
     paths = [tmp_path / f"{n}.svg" for n in range(2)]
     for path in paths:
-        plot(exact(scene), tell(scene), path)
+        plot(exact(scene), describe(scene), path)
     assert paths[0].read_bytes() == paths[1].read_bytes()
 
 
 def test_every_kind_of_event_has_words() -> None:
     scene = SLIDING
-    mentions = {address: tell(scene).mention(address) for address in scene.bodies}
+    mentions = {address: describe(scene).mention(address) for address in scene.bodies}
     body = next(name for name in scene.mechanism.body)
     for kind in VERBS:
         said = told(Event(0.1, kind, (body, body)), scene.mechanism, mentions)

@@ -9,7 +9,7 @@ from plain_scenes import G, atwood, ramp, table
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.precision import shiftable
-from sim2reason.questions import Ask, Moment, Question, Target
+from sim2reason.questions import Moment, Query, Question, Target
 from sim2reason.questions.moments import AtStart, AtTime, Collided, Moved, Stopped
 from sim2reason.simulation.certify import RECORDED, witnessed
 from sim2reason.simulation.channels import Channel
@@ -22,7 +22,7 @@ LEFT, RIGHT = "table.pucks.0", "table.pucks.1"
 def candidate(scene: Scene, moment: Moment, target: Target | None, answer: float | None = None) -> Candidate:
     """A question about a scene with its true answer, or another one."""
     trace = ENGINES[RECORDED](scene.mechanism, np.linspace(0.0, 2.0, 41))
-    ask = Ask("state", target, moment)
+    ask = Query("state", target, moment)
     found = ask.answer(trace) if answer is None else answer
     assert found is not None
     return Candidate(scene, trace, Question("numeric", ask, "?", found, target.unit if target else "s"), "a b c")

@@ -37,7 +37,7 @@ def said(tmp_path: Path, data: Path) -> Path:
     answers = [r"\boxed{%r}", r"\boxed{%r \text{ kg m/s}^2}", r"\boxed{%r \text{ m}}", "%r"]
     lines = [
         json.dumps({"id": item.id, "response": answers[i % 4] % item.answer.value, "sample": 0})
-        for i, item in enumerate(store.read(data))
+        for i, item in enumerate(store.read_items(data))
     ]
     (tmp_path / "said.jsonl").write_text("\n".join(lines) + "\n\n", encoding="utf-8")
     return tmp_path / "said.jsonl"

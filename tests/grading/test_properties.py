@@ -10,7 +10,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from formula_trees import NAMES, Tree, leaf, mutant, values
-from sim2reason.dsl.units import parse
+from sim2reason.dsl.units import parse_unit
 from sim2reason.grading import Outcome, formula, number
 
 steady = settings(deadline=None, derandomize=True, max_examples=400)
@@ -222,7 +222,7 @@ def test_every_compound_unit_passes(powers: dict[str, int], joint: str, raised: 
         text = rf"\frac{{\mathrm{{{spell(above)}}}}}{{\mathrm{{{spell(below)}}}}}"
     asked = "*".join(f"{word}^{n}" for word, n in powers.items())
     assert number(rf"\boxed{{7.5\,{text}}}", 7.5, asked, tolerance=EXACT).reward, text
-    assert number(rf"\boxed{{7.5\,{text}}}", 7.5, parse(asked).name, tolerance=EXACT).reward
+    assert number(rf"\boxed{{7.5\,{text}}}", 7.5, parse_unit(asked).name, tolerance=EXACT).reward
     assert number(rf"\boxed{{7.5\,{text}}}", 7.5, f"{asked}*mol").outcome == Outcome.WRONG_UNIT
 
 

@@ -8,8 +8,8 @@ import pytest
 
 from plain_scenes import G, atwood, ramp, table
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.telling.speaker import tell
-from sim2reason.questions import KINDS, MODES, Ask, Words
+from sim2reason.prose.writer import describe
+from sim2reason.questions import KINDS, MODES, Query, Words
 from sim2reason.questions.moments import AtStart, AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen
 from sim2reason.questions.prompt import words_of
@@ -20,22 +20,22 @@ MAGNITUDES = ("speed", "magnitude", "distance", "kinetic", "tension", "normal")
 
 
 def offered(scene: Scene) -> dict[str, Target]:
-    return targets(scene.mechanism, words_of(tell(scene)).mentions)
+    return targets(scene.mechanism, words_of(describe(scene)).mentions)
 
 
 def answer(scene: Scene, phrase: str, time: float) -> float:
-    found = Ask("state", offered(scene)[phrase], AtTime(time)).answer(simulate(scene))
+    found = Query("state", offered(scene)[phrase], AtTime(time)).answer(simulate(scene))
     assert found is not None
     return found
 
 
 def noun(scene: Scene) -> str:
-    return words_of(tell(scene)).mentions[next(iter(scene.bodies))]
+    return words_of(describe(scene)).mentions[next(iter(scene.bodies))]
 
 
 def test_a_block_on_a_ramp() -> None:
     scene = ramp(mass=2.0, angle=30.0, friction=0.2)
-    block = next(said for address, said in words_of(tell(scene)).mentions.items() if "blocks" in address)
+    block = next(said for address, said in words_of(describe(scene)).mentions.items() if "blocks" in address)
     a = G * (sin(radians(30)) - 0.2 * cos(radians(30)))
     press = 2.0 * G * cos(radians(30))
     assert answer(scene, f"the speed of {block}", 0.5) == pytest.approx(a * 0.5)
@@ -77,7 +77,7 @@ def test_signed_targets_have_a_sense_and_magnitudes_have_none() -> None:
 def test_every_kind_asks_in_three_shapes_that_end_as_they_begin(kind: str) -> None:
     asked = 0
     for scene in (ramp(speed=2.0), ramp(friction=0.2), atwood(), table()):
-        words, trace = words_of(tell(scene)), simulate(scene)
+        words, trace = words_of(describe(scene)), simulate(scene)
         for seed in range(8):
             ask = KINDS[kind].draw(trace, words, offered(scene), np.random.default_rng(seed))
             if ask is None:
@@ -108,7 +108,7 @@ def test_verbs_are_drawn_by_quota() -> None:
 
 
 def test_a_mode_asks_what_it_answers() -> None:
-    words, trace = words_of(tell(ramp(speed=2.0))), simulate(ramp(speed=2.0))
+    words, trace = words_of(describe(ramp(speed=2.0))), simulate(ramp(speed=2.0))
     for seed in range(30):
         question = MODES["numeric"](trace, words, "", np.random.default_rng(seed))
         if question is not None:
@@ -118,6 +118,6 @@ def test_a_mode_asks_what_it_answers() -> None:
 
 
 def test_an_unknown_time_has_no_answer() -> None:
-    assert Ask("state", None, AtTime(99.0)).answer(simulate(ramp())) is None
-    assert Ask("start", None, AtStart()).answer(simulate(ramp())) == 0.0
-    assert isinstance(words_of(tell(ramp())), Words)
+    assert Query("state", None, AtTime(99.0)).answer(simulate(ramp())) is None
+    assert Query("start", None, AtStart()).answer(simulate(ramp())) == 0.0
+    assert isinstance(words_of(describe(ramp())), Words)

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from cells import CELLS, drawn
-from sim2reason.datasets.draws import draw
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import outer_ports
-from sim2reason.dsl.files import dump, load
 from sim2reason.dsl.measures import Count, Range
-from sim2reason.dsl.telling.speaker import tell
 from sim2reason.errors import SceneError, UnknownNameError
+from sim2reason.prose.writer import describe
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, hybrid, incline, pulley
 from sim2reason.recipes.parts.grow import LONGEST_SENTENCE, PREFIX, Tier, grow
+from sim2reason.scene_files import dump, load
 
 SCENES = 12
 GROWN = {"pulley": pulley.TIERS, "incline": incline.TIERS, "hybrid": hybrid.TIERS}
@@ -19,16 +19,16 @@ GROWN = {"pulley": pulley.TIERS, "incline": incline.TIERS, "hybrid": hybrid.TIER
 
 @pytest.mark.parametrize(("recipe", "difficulty"), CELLS)
 def test_a_draw_is_a_function_of_its_coordinates(recipe: str, difficulty: Difficulty) -> None:
-    assert draw(recipe, difficulty, seed=3, index=1) == draw(recipe, difficulty, seed=3, index=1)
-    assert draw(recipe, difficulty, seed=3, index=1) != draw(recipe, difficulty, seed=4, index=1)
-    assert draw(recipe, difficulty, seed=3, index=1) != draw(recipe, difficulty, seed=3, index=2)
+    assert sample(recipe, difficulty, seed=3, index=1) == sample(recipe, difficulty, seed=3, index=1)
+    assert sample(recipe, difficulty, seed=3, index=1) != sample(recipe, difficulty, seed=4, index=1)
+    assert sample(recipe, difficulty, seed=3, index=1) != sample(recipe, difficulty, seed=3, index=2)
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), CELLS)
 def test_scenes_can_be_built_told_and_written(recipe: str, difficulty: Difficulty) -> None:
     for scene in drawn(recipe, difficulty, SCENES):
         assert scene.mechanism.coordinates
-        assert tell(scene).text
+        assert describe(scene).text
         assert load(dump(scene)) == scene
 
 
@@ -38,7 +38,7 @@ def test_grown_scenes_keep_to_their_tier(recipe: str, difficulty: Difficulty) ->
     for scene in drawn(recipe, difficulty, SCENES):
         grown = [type(n.entity).__name__ for n in scene.entities if type(n.entity).__name__ in tier.pool]
         assert 1 <= len(grown) <= tier.size.high
-        sentences = [len(sentence.split()) for sentence in tell(scene).sentences]
+        sentences = [len(sentence.split()) for sentence in describe(scene).sentences]
         assert sum(sentences) <= tier.words
         assert max(sentences) <= LONGEST_SENTENCE
         used = {(link.entity, link.port) for connection in scene.connections for link in connection.links}
@@ -76,8 +76,8 @@ def test_names_say_what_entities_are() -> None:
 
 def test_unknown_names_are_refused_with_what_there_is() -> None:
     with pytest.raises(UnknownNameError, match="pulley"):
-        draw("puley")
+        sample("puley")
     with pytest.raises(UnknownNameError, match="easy, medium, hard"):
-        draw("pulley", "harder")
+        sample("pulley", "harder")
     assert set(DIFFICULTIES) == {"easy", "medium", "hard"}
     assert set(GROWN) < set(RECIPES)

@@ -4,8 +4,8 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import count
 
-from sim2reason.datasets.draws import draw, generator
-from sim2reason.datasets.interview import Asking, Interview
+from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.random_scenes import generator, sample
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES
@@ -16,16 +16,16 @@ CELLS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTI
 
 def drawn(recipe: str, difficulty: Difficulty, number: int, seed: int = 11) -> Iterator[Scene]:
     """The first scenes of a cell, as drawn."""
-    return (draw(recipe, difficulty, seed=seed, index=index) for index in range(number))
+    return (sample(recipe, difficulty, seed=seed, index=index) for index in range(number))
 
 
-def asked(recipe: str, difficulty: Difficulty, seed: int = 11) -> Iterator[tuple[Scene, Asking]]:
+def asked(recipe: str, difficulty: Difficulty, seed: int = 11) -> Iterator[tuple[Scene, CertifiedQuestion]]:
     """Questions of a cell that passed every filter, each with its scene, for ever."""
     for attempt in count():
         rng = generator("acceptance", recipe, difficulty, seed, attempt)
         try:
             scene = RECIPES[recipe](difficulty, rng)
-            found = Interview(scene, attempt).ask(MODES["numeric"], rng, Counter())
+            found = QuestionSearch(scene, attempt).ask(MODES["numeric"], rng, Counter())
         except (SceneError, SimulationError, UnsupportedError):
             continue
         if found is not None:

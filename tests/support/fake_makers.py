@@ -4,7 +4,7 @@ import hashlib
 import os
 import time
 
-from sim2reason.datasets.item import Answer, Asked, Item, Provenance
+from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
 from sim2reason.datasets.plan import Made, Request
 
 BAD = 7  # the index of the item that goes wrong
@@ -18,14 +18,14 @@ def steady(request: Request) -> Made:
     mass = 0.5 + number % 950 / 100
     item = Item(
         id=request.id,
-        prompt=f"Problem {request.id}: a block of mass {mass:.2f} kg rests. Find its weight.\nAnswer in \\boxed{{}}.",
+        prompt=f"RefusedPosition {request.id}: a block of mass {mass:.2f} kg rests. Find its weight.\nAnswer in \\boxed{{}}.",
         answer=Answer(value=9.81 * mass, unit="N"),
         mode=request.mode,
         kind="state",
         recipe=request.recipe,
         difficulty=request.difficulty,
         entities=("block",),
-        asked=Asked(subject="a.block", quantity="weight", time=number % 100 / 10),
+        asked=QueryRecord(subject="a.block", quantity="weight", time=number % 100 / 10),
         scene=f"scene:\n  name: {request.id}\n",
         certificate={"agreement": 1e-9, "channels": ["a.block"]},
         provenance=Provenance(

@@ -42,7 +42,7 @@ def seconds(kind: str, text: str) -> float:
     return time.thread_time() - start
 
 
-class Watch:
+class EventDetector:
     """Notes, while it is on, what touches the world; an audit hook can't be taken away again."""
 
     def __init__(self) -> None:
@@ -66,7 +66,7 @@ def main(count: int, seed: int) -> dict[str, object]:
     jobs = [(kind, text) for text in giants for kind in GRADES]
     jobs += zip(itertools.cycle(GRADES), hostile.strings(count, seed))
     slow, accepted, outcomes = [], [], Counter()
-    watch = Watch()
+    watch = EventDetector()
     for kind, text in jobs:
         start = time.thread_time()
         score = GRADES[kind](text)

@@ -5,7 +5,8 @@ from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.dsl.connection import CONNECTIONS, Link
-from sim2reason.dsl.scene import Named, Scene
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane

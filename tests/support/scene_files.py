@@ -8,13 +8,13 @@ import numpy as np
 import yaml
 
 from sim2reason.dsl.entity import ENTITIES
-from sim2reason.dsl.files import dump, told
-from sim2reason.dsl.files.tendons import directions
-from sim2reason.dsl.files.yaml_text import write
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
 from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.scene_files import dump, told
+from sim2reason.scene_files.tendons import directions
+from sim2reason.scene_files.yaml_text import write
 
 Rng = np.random.Generator
 REQUIRED = ("tail", "top")

@@ -1,4 +1,4 @@
-"""Ask questions about a scene, with their answers."""
+"""Query questions about a scene, with their answers."""
 
 from collections import Counter
 from pathlib import Path
@@ -7,8 +7,8 @@ from textwrap import fill
 import click
 
 from sim2reason.cli import console, source
-from sim2reason.datasets.draws import generator
-from sim2reason.datasets.interview import Asking, Interview
+from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.random_scenes import generator
 from sim2reason.questions import MODES
 
 EXAMPLE = """\b
@@ -26,10 +26,10 @@ WIDTH = 100
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Another seed, other questions.")
 @click.option("--json", "to_json", is_flag=True, help="For a program to read: whole prompts.")
 def command(path: Path, mode: str, count: int, seed: int, *, to_json: bool) -> int:
-    """Ask questions about the scene in the file SCENE (- is standard input); only those that pass every filter."""
-    asked, interview = MODES[mode], Interview(source.scene(path), seed)
+    """Query questions about the scene in the file SCENE (- is standard input); only those that pass every filter."""
+    asked, interview = MODES[mode], QuestionSearch(source.scene(path), seed)
     refused: Counter[str] = Counter()
-    found: dict[str, Asking] = {}
+    found: dict[str, CertifiedQuestion] = {}
     for attempt in range(TRIES * count):
         asking = interview.ask(asked, generator("ask", mode, seed, attempt), refused)
         if asking is not None:
@@ -39,14 +39,14 @@ def command(path: Path, mode: str, count: int, seed: int, *, to_json: bool) -> i
     if to_json:
         console.as_json([_document(asking) for asking in found.values()])
     else:
-        _tell(interview.telling.text, list(found.values()))
+        _tell(interview.description.text, list(found.values()))
     if len(found) < count:
         said = ", ".join(f"{number} {name}" for name, number in sorted(refused.items()))
         console.explain(f"sim2reason: {len(found)} of {count} questions; refused: {said or 'none'}")
     return 0 if found else 1
 
 
-def _tell(text: str, found: list[Asking]) -> None:
+def _tell(text: str, found: list[CertifiedQuestion]) -> None:
     """The text of the scene, once, and its questions with their answers."""
     for line in text.splitlines():
         click.echo(line if line.startswith("|") else fill(line, WIDTH, break_on_hyphens=False))
@@ -55,7 +55,7 @@ def _tell(text: str, found: list[Asking]) -> None:
         click.echo(f"\n{number}. {question.text}\n   Answer: {question.answer:.4g} {question.unit}".rstrip())
 
 
-def _document(asking: Asking) -> dict[str, object]:
+def _document(asking: CertifiedQuestion) -> dict[str, object]:
     question = asking.question
     return {
         "prompt": asking.prompt,

@@ -6,14 +6,15 @@ import click
 
 from sim2reason.cli import source
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.telling.speaker import dialect, tell
 from sim2reason.errors import SceneError
+from sim2reason.prose.voices import voice_named
+from sim2reason.prose.writer import describe
 
 EXAMPLE = """\b
 Example:
     sim2reason describe scene.yaml
     sim2reason describe scene.yaml --hide ramp.blocks.0.mass
-    sim2reason draw --recipe pulley | sim2reason describe - --voice symbolic
+    sim2reason sample --recipe pulley | sim2reason describe - --voice symbolic
 """
 
 
@@ -26,7 +27,7 @@ def command(path: Path, voice: str, hide: tuple[str, ...], seed: int) -> None:
     """Tell the scene in the file SCENE, or on standard input if it is -."""
     scene = source.scene(path)
     _check(scene, hide)
-    click.echo(tell(scene, seed, dialect(voice, hide)).text)
+    click.echo(describe(scene, seed, voice_named(voice, hide)).text)
 
 
 def _check(scene: Scene, hide: tuple[str, ...]) -> None:

@@ -22,10 +22,10 @@ A schematic: angles are right, lengths are not. Needs: pip install 'sim2reason[f
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the wording, as in describe.")
 def command(scene: Path, out: Path, numbers: bool, seed: int) -> None:
     """Draw the initial state of the scene in the file SCENE (- is standard input) as a line drawing."""
-    from sim2reason.dsl.telling.speaker import tell
     from sim2reason.figures import canvas
     from sim2reason.figures.drawing import drawing
+    from sim2reason.prose.writer import describe
 
     canvas.check(out)
     loaded = source.scene(scene)
-    canvas.draw(drawing(loaded, tell(loaded, seed), numbers=numbers), out)
+    canvas.draw(drawing(loaded, describe(loaded, seed), numbers=numbers), out)

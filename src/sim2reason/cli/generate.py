@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from sim2reason.cli import console
-from sim2reason.cli.kinds import chosen
+from sim2reason.cli.registries import chosen
 from sim2reason.datasets.build import PATIENCE, build
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.plan import LARGEST, MAKER, SHARD, Config

@@ -33,7 +33,7 @@ def command(out: Path, source: Path, scores: Path | None, lenient: bool, to_json
     if not given:
         raise DatasetError(f"{source}: holds no response; give a line {{id, response}} for each")
     wanted = {response.id for response in given}
-    items = {item.id: item for item in store.read(out) if item.id in wanted}
+    items = {item.id: item for item in store.read_items(out) if item.id in wanted}
     if wanted - items.keys():
         raise DatasetError(f"{source}: {min(wanted - items.keys())!r} is no item of {out}; give the dataset it is from")
     graded = [(response, grade.grade(items[response.id], response.response, lenient=lenient)) for response in given]

@@ -5,7 +5,7 @@ from dataclasses import fields, is_dataclass
 
 import click
 
-from sim2reason.cli import console, kinds
+from sim2reason.cli import console, registries
 from sim2reason.registry import Registry
 
 EXAMPLE = """\b
@@ -21,7 +21,7 @@ Example:
 @click.option("--json", "to_json", is_flag=True, help="For a program to read: {kind: [{name, summary}]}.")
 def command(kind: str | None, to_json: bool) -> None:
     """List the members of KIND, or of every kind: entities, bodies, recipes, quantities, engines, modes and so on."""
-    chosen = kinds.registries() if kind is None else {kind: kinds.registry(kind)}
+    chosen = registries.registries() if kind is None else {kind: registries.registry(kind)}
     rows = {name: _rows(members) for name, members in chosen.items()}
     if to_json:
         console.as_json({name: [{"name": n, "summary": s} for n, s in found] for name, found in rows.items()})

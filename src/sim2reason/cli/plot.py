@@ -25,13 +25,13 @@ Events are marked, and what is cut off is shaded. Needs: pip install 'sim2reason
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the wording, as in describe.")
 def command(scene: Path, out: Path, duration: float, engine: str, seed: int) -> None:
     """Plot the motion of the scene in the file SCENE (- is standard input)."""
-    from sim2reason.dsl.telling.speaker import tell
     from sim2reason.figures.canvas import check, matplotlib
     from sim2reason.figures.plot import plot
+    from sim2reason.prose.writer import describe
     from sim2reason.simulation.scenes import certify, simulate
 
     check(out)
     matplotlib()
     loaded = source.scene(scene)
     trace = certify(loaded, duration)[0] if engine == "both" else simulate(loaded, duration, engine)
-    plot(trace, tell(loaded, seed), out)
+    plot(trace, describe(loaded, seed), out)

@@ -6,8 +6,8 @@ from pathlib import Path
 import click
 
 from sim2reason.cli import console
-from sim2reason.dsl.files.page import format_page
-from sim2reason.dsl.files.schema import schema
+from sim2reason.scene_files.page import format_page
+from sim2reason.scene_files.schema import schema
 
 EXAMPLE = """\b
 Example:

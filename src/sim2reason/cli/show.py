@@ -10,7 +10,7 @@ import click
 from sim2reason.cli import console
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import load
-from sim2reason.datasets.store import read
+from sim2reason.datasets.store import read_items
 
 EXAMPLE = """\b
 Example:
@@ -40,14 +40,14 @@ def command(out: Path, count: int, name: str | None, with_scene: bool, to_json: 
 
 
 def _named(out: Path, name: str) -> Iterator[Item]:
-    return islice((item for item in read(out) if item.id == name), 1)
+    return islice((item for item in read_items(out) if item.id == name), 1)
 
 
 def _spread(out: Path, count: int) -> Iterator[Item]:
     """Problems from all over the dataset; never in step with the round robin of its plan."""
     rows = load(out).rows
     places = {i * rows // count + i for i in range(count)} if rows > 2 * count else set(range(count))
-    return (item for place, item in enumerate(read(out)) if place in places)
+    return (item for place, item in enumerate(read_items(out)) if place in places)
 
 
 def _tell(item: Item, *, with_scene: bool) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sim2reason.cli import console, source
-from sim2reason.cli.guard import guarded
+from sim2reason.cli.sandbox import sandboxed
 from sim2reason.errors import SimulationError
 
 if TYPE_CHECKING:  # numpy is loaded where it is needed: in the worker
@@ -60,7 +60,7 @@ def command(
     try:
         if part is not None:
             part.touch()  # what can't be written is said before the work
-        found = guarded(patience, run, content, engine, duration, samples, part, by_rule)
+        found = sandboxed(patience, run, content, engine, duration, samples, part, by_rule)
         if out is not None and part is not None:
             part.replace(out)
     finally:
@@ -75,8 +75,8 @@ def command(
 
 def run(content: str, engine: str, duration: float, samples: int, out: Path | None, by_rule: bool = False) -> Summary:
     """Simulate the scene of a text, in a worker process; write the trace to `out`."""
-    from sim2reason.dsl.files import load
-    from sim2reason.simulation import files, scenes
+    from sim2reason.scene_files import load
+    from sim2reason.simulation import scenes, trace_files
     from sim2reason.simulation.truncate import truncate
 
     scene, certificate = load(content), None
@@ -89,7 +89,7 @@ def run(content: str, engine: str, duration: float, samples: int, out: Path | No
     if by_rule:
         trace = truncate(trace)
     if out is not None:
-        files.write(trace, out)
+        trace_files.write_trace(trace, out)
     return {
         "engine": engine,
         "duration": duration,

@@ -1,12 +1,12 @@
-"""Reading the scene that a command is about: from a file, or from standard input."""
+"""ParsedScene the scene that a command is about: from a file, or from standard input."""
 
 import sys
 from pathlib import Path
 
-from sim2reason.dsl.files import decoded, load
-from sim2reason.dsl.files.yaml_text import MAX_BYTES
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
+from sim2reason.scene_files import decoded, load
+from sim2reason.scene_files.yaml_text import MAX_BYTES
 
 STDIN = Path("-")
 

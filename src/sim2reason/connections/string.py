@@ -1,26 +1,31 @@
 """A light inextensible string: one path, one constraint, one sentence, however many pulleys it passes."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import ClassVar, Generic, Self
 
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.connection import Connection, Link, Told, connection
+from sim2reason.dsl.connection import (
+    Connection,
+    Joint,
+    Leg,
+    Link,
+    ParsedSentence,
+    Routes,
+    S,
+    SentenceMatcher,
+    SentenceWriter,
+    connection,
+)
 from sim2reason.dsl.layout import FREE, opposite
 from sim2reason.dsl.measures import FreeLength
 from sim2reason.dsl.mechanism import ZERO
 from sim2reason.dsl.ports import End, Port, Stop, StringPort
 from sim2reason.dsl.vectors import add, scale
 from sim2reason.errors import SceneError
-
-if TYPE_CHECKING:
-    from sim2reason.dsl.reading.heard import Heard
-    from sim2reason.dsl.reading.hearer import Hearer
-    from sim2reason.dsl.reading.trails import Leg, Trail
-    from sim2reason.dsl.telling.speaker import Speaker
 
 OPENINGS = (
     "{string} tied to {tied} {verbs}.",
@@ -50,15 +55,14 @@ class String(Connection):
         """A string through ports of named entities: ``between(("a", Ramp.right), ("b", Hook.end))``."""
         return cls(links=tuple(Link(entity=name, port=port.name) for name, port in stops))
 
-    @classmethod
-    def owned(cls, name: str, stops: list[Stop], builder: Builder) -> dict[str, Body]:
+    def brings(self, joint: Joint, builder: Builder) -> dict[str, Body]:
         """The light fixed pulleys that it brings, in the order of travel."""
-        count = sum(turn is not None for turn in turns(stops, builder))
-        return {f"{name}.pulley{number}": FixedPulley() for number in range(1, count + 1)}
+        count = sum(turn is not None for turn in turns(joint.stops, builder))
+        return {f"{joint.name}.pulley{number}": FixedPulley() for number in range(1, count + 1)}
 
-    @classmethod
-    def stretch(cls, name: str, stops: list[Stop], builder: Builder, values: dict[str, Any]) -> None:
+    def build(self, joint: Joint, builder: Builder) -> None:
         """Lead it through the sites of its stops and over its own pulleys; a hand at its end pulls it."""
+        name, stops = joint.name, joint.stops
         frame = builder.room(name)
         path: list[str] = []
         number = 0
@@ -67,7 +71,7 @@ class String(Connection):
             if turn is not None:
                 number += 1
                 for site, mark in zip(turn, ("in", "out"), strict=True):
-                    away = scale(values.get("free", FREE), builder.faces[site] or ZERO)
+                    away = scale(self.free, builder.faces[site] or ZERO)
                     frame.site(f"pulley{number}.{mark}", at=add(builder.position(site), away))
                     path.append(f"{name}.pulley{number}.{mark}")
         if all(builder.carrier(site) is None for site in path):
@@ -83,30 +87,32 @@ class String(Connection):
             builder.add_pull(name, path, force)
 
     @classmethod
-    def hear(cls, name: str, place: int, heard: "Heard", hearer: "Hearer", trail: "Trail") -> Iterator[Told]:
+    def parse(
+        cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
+    ) -> Iterator[ParsedSentence[S]]:
         """Read its sentence back: the opening, what it is tied to, then verb by verb."""
-        return Ear(name, hearer, trail).sentence(place, heard)
+        return SentenceParser(name, matcher, routes).sentence(place, state)
 
-    @classmethod
-    def tell(cls, name: str, stops: list[Stop], speaker: "Speaker") -> str:
+    def describe(self, joint: Joint, writer: SentenceWriter) -> str:
         """Its one sentence: what it is tied to, what it passes, where it ends."""
-        stops = max(stops, reversed_path(stops), key=lambda path: _worth(path[0]))
+        name = joint.name
+        stops = max(joint.stops, reversed_path(joint.stops), key=lambda path: _worth(path[0]))
         first = stops[0]
         if not isinstance(first.port, End) or not _worth(first):
             raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
-        opening = speaker.choose(OPENINGS)
-        tied = speaker.render(first.port.tied, first.owner)
-        verbs = [speaker.render(first.port.leaves, first.owner)] if first.port.leaves else []
-        gaps = turns(stops, speaker.scene.builder)
+        opening = writer.choose(OPENINGS)
+        tied = writer.render(first.port.tied, first.owner)
+        verbs = [writer.render(first.port.leaves, first.owner)] if first.port.leaves else []
+        gaps = turns(stops, writer.builder)
         order = [f"{name}.pulley{n}" for n in range(1, 1 + sum(turn is not None for turn in gaps))]
-        if stops[0] != speaker.scene.strings[name][1][0]:
+        if stops[0] != joint.stops[0]:
             order.reverse()
         for stop, turn in zip(stops[1:], gaps, strict=True):
             if turn is not None:
-                verbs.append(winding(turn, speaker.scene.builder) + speaker.at(order.pop(0)))
+                verbs.append(winding(turn, writer.builder) + writer.at(order.pop(0)))
             port = stop.port
-            verbs.append(speaker.render(port.arrives if isinstance(port, End) else port.passes, stop.owner))
-        string = called(again=speaker.heard(LIGHT_STRING))
+            verbs.append(writer.render(port.arrives if isinstance(port, End) else port.passes, stop.owner))
+        string = called(again=writer.has_said(LIGHT_STRING))
         return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
 
 
@@ -126,12 +132,14 @@ def travelled_sites(stop: Stop, *, first: bool) -> tuple[str, ...]:
     return stop.sites if first or not isinstance(stop.port, End) else stop.sites[::-1]
 
 
-def reversed_path(stops: list[Stop]) -> list[Stop]:
+def reversed_path(stops: Sequence[Stop]) -> tuple[Stop, ...]:
     """The same path from its other end."""
-    return [Stop(s.owner, s.port, s.flipped if isinstance(s.port, End) else not s.flipped) for s in reversed(stops)]
+    return tuple(
+        Stop(s.owner, s.port, s.flipped if isinstance(s.port, End) else not s.flipped) for s in reversed(stops)
+    )
 
 
-def turns(stops: list[Stop], builder: Builder) -> list[tuple[str, str] | None]:
+def turns(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str] | None]:
     """For each gap between stops the two sites on its sides if a fixed pulley must turn the string there."""
     found: list[tuple[str, str] | None] = []
     for index, (one, other) in enumerate(pairwise(stops)):
@@ -163,77 +171,77 @@ def after(before: str, verb: str) -> str:
     return verb
 
 
-class Ear:
+class SentenceParser(Generic[S]):
     """Follows one sentence of a string through all that it can mean."""
 
-    def __init__(self, name: str, hearer: "Hearer", trail: "Trail") -> None:
-        """`trail` knows where the string may begin and go on."""
-        self._name, self._hearer, self._trail = name, hearer, trail
+    def __init__(self, name: str, matcher: SentenceMatcher[S], routes: Routes[S]) -> None:
+        """`routes` knows where the string may begin and go on."""
+        self._name, self._matcher, self._routes = name, matcher, routes
         self._text = self._end = ""
 
-    def sentence(self, place: int, heard: "Heard") -> Iterator[Told]:
+    def sentence(self, place: int, state: S) -> Iterator[ParsedSentence[S]]:
         """All readings of the piece at `place`."""
-        if place >= len(self._hearer.pieces):
+        if place >= len(self._matcher.pieces):
             return
-        self._text = self._hearer.pieces[place]
-        again = any(LIGHT_STRING in piece for piece in self._hearer.pieces[:place])
+        self._text = self._matcher.pieces[place]
+        again = any(LIGHT_STRING in piece for piece in self._matcher.pieces[:place])
         for number, opening in enumerate(OPENINGS):
             start, rest = opening.replace("{string}", called(again=again)).split("{tied}")
             between, self._end = rest.split("{verbs}")
-            at = self._hearer.literal(self._text, 0, start)
-            for told in self._tied(at, between, heard.chose(number)) if at is not None else ():
-                self._hearer.reach = max(self._hearer.reach, place + 1)
+            at = self._matcher.literal(self._text, 0, start)
+            for told in self._tied(at, between, state.with_choice(number)) if at is not None else ():
+                self._matcher.reach = max(self._matcher.reach, place + 1)
                 yield told
 
-    def _tied(self, at: int, between: str, heard: "Heard") -> Iterator[Told]:
+    def _tied(self, at: int, between: str, state: S) -> Iterator[ParsedSentence[S]]:
         """What it is tied to, and how it leaves there."""
-        for leg in self._trail.legs(heard, ()):
+        for leg in self._routes.legs(state, ()):
             stop = leg.stops[0]
             if not isinstance(stop.port, End) or not stop.port.tied:
                 continue
-            for end, then in self._hearer.template(self._text, at, stop.port.tied, stop.owner, leg.heard):
-                begin = self._hearer.literal(self._text, end, between)
+            for end, then in self._matcher.template(self._text, at, stop.port.tied, stop.owner, leg.state):
+                begin = self._matcher.literal(self._text, end, between)
                 rest = replace(leg, stops=leg.stops[1:])
                 if begin is not None and stop.port.leaves:
-                    for here, left in self._hearer.template(self._text, begin, stop.port.leaves, stop.owner, then):
-                        yield from self._on(here, replace(rest, heard=left), (leg.link,), (), stop.port.leaves)
+                    for here, left in self._matcher.template(self._text, begin, stop.port.leaves, stop.owner, then):
+                        yield from self._on(here, replace(rest, state=left), (leg.link,), (), stop.port.leaves)
                 if begin is not None:  # how it leaves may be left to the verb after it
-                    yield from self._on(begin, replace(rest, heard=then), (leg.link,), (), "")
+                    yield from self._on(begin, replace(rest, state=then), (leg.link,), (), "")
 
-    def _on(self, at: int, leg: "Leg", links: tuple[Link, ...], owned: tuple[str, ...], before: str) -> Iterator[Told]:
+    def _on(
+        self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
+    ) -> Iterator[ParsedSentence[S]]:
         """The verbs from `at` on: the other stops of this leg, then of the legs to come."""
         if leg.stops:
             yield from self._next(at, leg, links, owned, before)
         elif not leg.last:
-            for new in self._trail.legs(leg.heard, links):
+            for new in self._routes.legs(leg.state, links):
                 yield from self._on(at, new, (*links, new.link), owned, before)
         elif self._text[at:] == self._end:
-            yield Told(leg.heard, links, owned)
+            yield ParsedSentence(leg.state, links, owned)
 
     def _next(
-        self, at: int, leg: "Leg", links: tuple[Link, ...], owned: tuple[str, ...], before: str
-    ) -> Iterator[Told]:
+        self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
+    ) -> Iterator[ParsedSentence[S]]:
         """The next stop, perhaps behind a pulley that the string brings."""
         stop, rest = leg.stops[0], leg.stops[1:]
         verb = stop.port.arrives if isinstance(stop.port, End) else stop.port.passes
         final = leg.last and not rest
-        for end, then in self._verb(at, verb, before, leg.heard, stop.owner, final=final):
-            yield from self._on(end, replace(leg, stops=rest, heard=then), links, owned, verb)
+        for end, then in self._verb(at, verb, before, leg.state, stop.owner, final=final):
+            yield from self._on(end, replace(leg, stops=rest, state=then), links, owned, verb)
         if owned and before.endswith(f"{{{owned[-1]}}}"):
             return  # there is one pulley in a gap at most
         address = f"{self._name}.pulley{len(owned) + 1}"
-        own = replace(leg.heard.knowing(address, FixedPulley), values={**leg.heard.values, f"{address}.mass": 0.0})
+        own = leg.state.with_kind(address, FixedPulley).with_value(f"{address}.mass", 0.0) or leg.state
         for word in (OVER, ROUND):  # which of them is right, telling it again will show
             passed = f"{word}{{{address}}}"
             for end, then in self._verb(at, passed, before, own, "", final=False):
-                yield from self._next(end, replace(leg, heard=then), links, (*owned, address), passed)
+                yield from self._next(end, replace(leg, state=then), links, (*owned, address), passed)
 
-    def _verb(
-        self, at: int, verb: str, before: str, heard: "Heard", owner: str, *, final: bool
-    ) -> Iterator[tuple[int, "Heard"]]:
+    def _verb(self, at: int, verb: str, before: str, state: S, owner: str, *, final: bool) -> Iterator[tuple[int, S]]:
         """One verb phrase with what joins it to the one before."""
         said, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
-        begin = self._hearer.literal(self._text, at, comma)
+        begin = self._matcher.literal(self._text, at, comma)
         if begin is None:
             return
-        yield from self._hearer.template(self._text, begin, said, owner, heard)
+        yield from self._matcher.template(self._text, begin, said, owner, state)

@@ -7,15 +7,15 @@ from contextlib import closing
 from pathlib import Path
 
 from sim2reason.datasets import card, store
-from sim2reason.datasets.board import Board
+from sim2reason.datasets.atomic_files import checksum, locked, put_text
 from sim2reason.datasets.distinct import duplicates
-from sim2reason.datasets.files import checksum, locked, put_text
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.journal import Journal
-from sim2reason.datasets.manifest import MANIFEST, Counts, Manifest, Problem, Shard, merged, save
+from sim2reason.datasets.manifest import MANIFEST, Counts, Manifest, RefusedPosition, Shard, merged, save
 from sim2reason.datasets.plan import Config, file_name
 from sim2reason.datasets.pool import run
-from sim2reason.datasets.worker import Outcome
+from sim2reason.datasets.work_queue import WorkQueue
+from sim2reason.datasets.worker import Attempt
 
 PATIENCE = 120.0
 """Seconds after which a batch counts as hung: a safety net, far above what any item needs."""
@@ -43,7 +43,7 @@ def build(
         shards = journal.finished()
         missing = [positions for positions in config.shards() if file_name(positions) not in shards]
         advance(config.items - sum(map(len, missing)))
-        board = Board(config, missing)
+        board = WorkQueue(config, missing)
         crew = min(workers or cores(), max(1, sum(map(len, missing))))
         with closing(run(board.next, config.maker, crew, patience)) as replies:
             for batch, reply in replies:
@@ -63,21 +63,21 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _shard(out: Path, config: Config, positions: range, outcomes: Sequence[Outcome]) -> Shard:
+def _shard(out: Path, config: Config, positions: range, outcomes: Sequence[Attempt]) -> Shard:
     """Write the file of a complete range, and give its record."""
     path = out / file_name(positions)
     items = [outcome.item for outcome in outcomes if outcome.item is not None]
     store.write(path, items)
     rejected: list[dict[str, Counts]] = []
-    quarantined: list[Problem] = []
-    unfilled: list[Problem] = []
+    quarantined: list[RefusedPosition] = []
+    unfilled: list[RefusedPosition] = []
     for outcome in outcomes:
         request = config.request(outcome.position)
         rejected.append({request.recipe: outcome.rejected})
         if outcome.failure:
-            quarantined.append(Problem.of(outcome.position, request, outcome.failure))
+            quarantined.append(RefusedPosition.of(outcome.position, request, outcome.failure))
         elif outcome.item is None:
-            unfilled.append(Problem.of(outcome.position, request, _why(outcome.rejected)))
+            unfilled.append(RefusedPosition.of(outcome.position, request, _why(outcome.rejected)))
     return Shard(
         name=path.name,
         rows=len(items),
@@ -128,7 +128,7 @@ def _without(
     """Write a shard again without its duplicates."""
     store.write(out / shard.name, kept)
     requests = [(k, journal.plan.config.request(k)) for k in positions]
-    found = [Problem.of(k, request, f"same as {double[request.id]}") for k, request in requests if request.id in double]
+    found = [RefusedPosition.of(k, request, f"same as {double[request.id]}") for k, request in requests if request.id in double]
     everything = tuple(sorted([*shard.duplicates, *found], key=lambda problem: problem.position))
     shard = shard.model_copy(update={"rows": len(kept), "sha256": checksum(out / shard.name), "duplicates": everything})
     journal.note(shard)

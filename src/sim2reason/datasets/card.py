@@ -27,7 +27,7 @@ def _body(manifest: Manifest) -> Iterator[str]:
     config = manifest.config
     yield from ("# Physics problems by sim2reason", "")
     yield f"{manifest.rows} problems, each with an answer that two independent simulations of its scene agree on."
-    yield f"Asked for: {config.items}; seed {config.seed}; configuration `{manifest.config_hash[:16]}`."
+    yield f"QueryRecord for: {config.items}; seed {config.seed}; configuration `{manifest.config_hash[:16]}`."
     for by, counts in manifest.counts.items():
         yield from _table(f"By {by}", (by, "problems"), [(key, str(n)) for key, n in counts.items()])
     rows = [(r, name, str(n)) for r, counts in manifest.rejected.items() for name, n in counts.items()]

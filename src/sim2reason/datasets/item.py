@@ -22,7 +22,7 @@ class Answer(Record):
     tolerance: float = 0.05
 
 
-class Asked(Record):
+class QueryRecord(Record):
     """What the question asks for: a quantity of a subject, at a time (s) or an event."""
 
     subject: str
@@ -57,7 +57,7 @@ class Item(Record):
     difficulty: str
     entities: tuple[str, ...]
     """The types of the scene's entities, in the scene's order."""
-    asked: Asked
+    asked: QueryRecord
     scene: str
     """The scene as YAML."""
     certificate: dict[str, JsonValue]

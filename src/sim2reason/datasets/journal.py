@@ -13,7 +13,7 @@ from typing import TypeVar
 
 from pydantic import ValidationError
 
-from sim2reason.datasets.files import checksum, sweep
+from sim2reason.datasets.atomic_files import checksum, sweep
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import MANIFEST, Manifest, Shard, load, save
 from sim2reason.datasets.plan import Config, file_name, versions
@@ -23,13 +23,13 @@ FOLDER, PLAN = ".journal", "plan.json"
 R = TypeVar("R", bound=Record)
 
 
-class Plan(Record):
+class RunPlan(Record):
     """What decides every byte of a dataset."""
 
     config: Config
     versions: dict[str, str]
 
-    def differences(self, other: "Plan") -> list[str]:
+    def differences(self, other: "RunPlan") -> list[str]:
         """In words: where `other` differs from this."""
         mine, theirs = _flat(self), _flat(other)
         names = sorted(mine.keys() | theirs.keys())
@@ -41,7 +41,7 @@ class Journal:
 
     def __init__(self, out: Path, config: Config) -> None:
         """Open the journal of `out`; DatasetError, and nothing touched, if the folder is not ours to fill."""
-        self.out, self.folder, self.plan = out, out / FOLDER, Plan(config=config, versions=versions())
+        self.out, self.folder, self.plan = out, out / FOLDER, RunPlan(config=config, versions=versions())
         manifest = self._claim()
         self.folder.mkdir(exist_ok=True)
         sweep(out)
@@ -51,8 +51,8 @@ class Journal:
 
     def _claim(self) -> Manifest | None:
         manifest = load(self.out) if (self.out / MANIFEST).is_file() else None
-        begun = _read(self.folder / PLAN, Plan)
-        found = Plan(config=manifest.config, versions=manifest.versions) if manifest else begun
+        begun = _read(self.folder / PLAN, RunPlan)
+        found = RunPlan(config=manifest.config, versions=manifest.versions) if manifest else begun
         if found is None:
             if strangers := sorted(p.name for p in self.out.iterdir() if p.name != FOLDER):
                 raise DatasetError(f"{self.out}: holds {strangers[0]} and is no dataset; choose a new folder")
@@ -81,7 +81,7 @@ class Journal:
         return self.folder / f"{Path(name).stem}.json"
 
 
-def _flat(plan: Plan) -> Mapping[str, object]:
+def _flat(plan: RunPlan) -> Mapping[str, object]:
     return plan.config.model_dump(mode="json") | plan.versions
 
 

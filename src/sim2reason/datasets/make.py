@@ -6,16 +6,23 @@ from collections import Counter
 
 from pydantic import JsonValue
 
-from sim2reason.datasets.draws import generator
-from sim2reason.datasets.interview import DURATION, QUESTIONS, SAMPLES, SHORTEST, Asking, Interview
-from sim2reason.datasets.item import Answer, Asked, Item, Provenance
+from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
 from sim2reason.datasets.plan import Made, Request, versions
-from sim2reason.dsl.files import dump
+from sim2reason.datasets.question_search import (
+    DURATION,
+    QUESTIONS,
+    SAMPLES,
+    SHORTEST,
+    CertifiedQuestion,
+    QuestionSearch,
+)
+from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES, Moment
 from sim2reason.questions.moments import AtStart, AtTime, Collided, Moved, Stopped
 from sim2reason.recipes import RECIPES, known
+from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
 
 SCENES = 60  # scenes drawn for one item, at most
@@ -32,7 +39,7 @@ def make(request: Request) -> Made:
         rng = generator(request.recipe, request.difficulty, request.mode, request.seed, request.index, attempt)
         try:
             scene = recipe(difficulty, rng)
-            found = Interview(scene, int(rng.random() * 2**31)).ask(mode, rng, rejected)
+            found = QuestionSearch(scene, int(rng.random() * 2**31)).ask(mode, rng, rejected)
         except (SceneError, SimulationError, UnsupportedError) as error:
             rejected[type(error).__name__.removesuffix("Error").lower()] += 1
             continue
@@ -41,7 +48,7 @@ def make(request: Request) -> Made:
     return Made(None, dict(rejected))
 
 
-def item_of(request: Request, scene: Scene, found: Asking) -> Item:
+def item_of(request: Request, scene: Scene, found: CertifiedQuestion) -> Item:
     """The record of a question that passed."""
     question, ask_ = found.question, found.question.ask
     target = ask_.target
@@ -55,7 +62,7 @@ def item_of(request: Request, scene: Scene, found: Asking) -> Item:
         recipe=request.recipe,
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
-        asked=Asked(
+        asked=QueryRecord(
             subject=target.subject if target else ask_.moment.subjects[0],
             quantity=target.quantity if target else "time",
             time=time,

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from sim2reason.datasets.files import canonical, put_text
+from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.plan import Config, Request
 from sim2reason.errors import DatasetError
@@ -16,7 +16,7 @@ MANIFEST = "manifest.json"
 Counts = dict[str, int]
 
 
-class Problem(Record):
+class RefusedPosition(Record):
     """A position that holds no item: the request that makes it again, and why."""
 
     position: int
@@ -28,7 +28,7 @@ class Problem(Record):
     reason: str
 
     @classmethod
-    def of(cls, position: int, request: Request, reason: str) -> "Problem":
+    def of(cls, position: int, request: Request, reason: str) -> "RefusedPosition":
         """Say why `request` at `position` gave no item."""
         return cls(
             position=position,
@@ -49,11 +49,11 @@ class Shard(Record):
     sha256: str
     rejected: dict[str, Counts]
     """By recipe, then by filter: the draws that were refused while these items were made."""
-    quarantined: tuple[Problem, ...] = ()
+    quarantined: tuple[RefusedPosition, ...] = ()
     """Requests that crashed or hung their worker twice, or raised an error that they should not."""
-    unfilled: tuple[Problem, ...] = ()
+    unfilled: tuple[RefusedPosition, ...] = ()
     """Requests for which no draw passed within the maker's budget."""
-    duplicates: tuple[Problem, ...] = ()
+    duplicates: tuple[RefusedPosition, ...] = ()
     """Items that were left out because one at a lower position says or asks the same."""
 
 
@@ -83,7 +83,7 @@ class Manifest(Record):
         """The bytes of ``manifest.json``, as text."""
         return canonical(self.model_dump(mode="json"))
 
-    def problems(self, kind: str) -> list[Problem]:
+    def problems(self, kind: str) -> list[RefusedPosition]:
         """All that are `quarantined`, `unfilled` or `duplicates`, in the order of positions."""
         return [problem for shard in self.shards for problem in getattr(shard, kind)]
 

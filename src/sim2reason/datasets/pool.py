@@ -12,10 +12,10 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
-from sim2reason.datasets.worker import Batch, Message, Outcome, serve
+from sim2reason.datasets.worker import Attempt, Batch, Message, serve
 from sim2reason.errors import DatasetError
 
-Reply = list[Outcome] | str
+Reply = list[Attempt] | str
 """The outcomes of a batch, or why there are none: ``crashed …`` or ``hung …``."""
 _SPAWN = get_context("forkserver")  # a fork of a process with threads may deadlock
 

@@ -12,7 +12,7 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from sim2reason.datasets.files import put
+from sim2reason.datasets.atomic_files import put
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import load
 
@@ -63,7 +63,7 @@ def count(path: Path) -> int:
     return pq.ParquetFile(path).metadata.num_rows
 
 
-def read(out: Path | str) -> Iterator[Item]:
+def read_items(out: Path | str) -> Iterator[Item]:
     """All items of a finished dataset in the order of their positions; DatasetError if it is none."""
     out = Path(out)
     for shard in load(out).shards:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sim2reason.datasets import store
-from sim2reason.datasets.files import checksum
+from sim2reason.datasets.atomic_files import checksum
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, Manifest, Shard, load
@@ -17,7 +17,7 @@ class Findings(Record):
 
     rows: int
     shards: int
-    problems: tuple[str, ...]
+    faults: tuple[str, ...]
 
 
 def examine(out: Path | str) -> Findings:
@@ -36,9 +36,9 @@ def examine(out: Path | str) -> Findings:
     try:
         manifest = load(out)
     except DatasetError as error:
-        return Findings(rows=0, shards=0, problems=(str(error),))
-    problems = *_manifest(out, manifest), *_files(out, manifest), *_strangers(out, manifest)
-    return Findings(rows=manifest.rows, shards=len(manifest.shards), problems=problems)
+        return Findings(rows=0, shards=0, faults=(str(error),))
+    faults = *_manifest(out, manifest), *_files(out, manifest), *_strangers(out, manifest)
+    return Findings(rows=manifest.rows, shards=len(manifest.shards), faults=faults)
 
 
 def _manifest(out: Path, manifest: Manifest) -> Iterator[str]:

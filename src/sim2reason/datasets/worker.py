@@ -18,7 +18,7 @@ Batch = Sequence[tuple[int, Request]]
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
+class Attempt:
     """What became of one position: an item, or none; `failure` says what was raised."""
 
     position: int
@@ -27,7 +27,7 @@ class Outcome:
     failure: str = ""
 
 
-Message = list[Outcome] | DatasetError | None
+Message = list[Attempt] | DatasetError | None
 """What a worker sends: first None, for "I begin", or an error that no other worker would escape; then outcomes."""
 
 
@@ -48,16 +48,16 @@ def serve(pipe: "Connection[Message, Batch]", maker: str) -> None:
             pipe.send([outcome(make, position, request) for position, request in pipe.recv()])
 
 
-def outcome(make: Maker, position: int, request: Request) -> Outcome:
+def outcome(make: Maker, position: int, request: Request) -> Attempt:
     """Make one item; an error that is raised becomes a failure, so that one defect does not end a long run."""
     try:
         made: Made = make(request)
     except Exception as error:  # noqa: BLE001 - whatever it is, the manifest tells it with the seed that repeats it
         text = " ".join(str(error).split())
-        return Outcome(position, None, {}, f"raised {type(error).__name__}: {text}")
+        return Attempt(position, None, {}, f"raised {type(error).__name__}: {text}")
     if made.item is not None and made.item.id != request.id:
-        return Outcome(position, None, {}, f"made an item of another id: {made.item.id}")
-    return Outcome(position, made.item, dict(made.rejected))
+        return Attempt(position, None, {}, f"made an item of another id: {made.item.id}")
+    return Attempt(position, made.item, dict(made.rejected))
 
 
 def _die_with_parent() -> None:

@@ -1,8 +1,12 @@
-"""Connections: what joins the ports of entities."""
+"""Connections: what joins the ports of entities. Each knows how it is built, described, parsed and drawn.
 
-from collections.abc import Iterator
+How a sentence is written or matched is the business of `prose` and `parsing`; what a connection needs of them is
+said here as protocols, so that the language does not depend on its readers.
+"""
+
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import ClassVar, Generic, Literal, Protocol, Self, TypeVar
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
@@ -10,11 +14,8 @@ from sim2reason.dsl.model import Model
 from sim2reason.dsl.ports import Port, Stop
 from sim2reason.registry import Registry
 
-if TYPE_CHECKING:
-    from sim2reason.dsl.reading.heard import Heard
-    from sim2reason.dsl.reading.hearer import Hearer
-    from sim2reason.dsl.reading.trails import Trail
-    from sim2reason.dsl.telling.speaker import Speaker
+Look = Literal["string", "spring", "rod"]
+"""How a connection is drawn: a thin line, a coil, a bar."""
 
 
 class Link(Model):
@@ -29,11 +30,93 @@ class Link(Model):
         return f"{self.entity}.{self.port}"
 
 
+class SentenceWriter(Protocol):
+    """What a connection needs of whoever writes a scene's text."""
+
+    @property
+    def builder(self) -> Builder:
+        """Where sites are, and which way strings must leave them."""
+        ...
+
+    def choose(self, options: tuple[str, ...]) -> str:
+        """One of several wordings."""
+        ...
+
+    def render(self, template: str, address: str) -> str:
+        """A template of the entity or part at an address."""
+        ...
+
+    def at(self, address: str) -> str:
+        """What the text has for an address: a number, a body, a list of bodies."""
+        ...
+
+    def has_said(self, words: str) -> bool:
+        """Whether some words stand in an earlier sentence."""
+        ...
+
+
+class SentenceState(Protocol):
+    """What a text has told so far; frozen, so that many readings can be followed at once."""
+
+    @property
+    def values(self) -> Mapping[str, float | None]:
+        """Numbers by address."""
+        ...
+
+    def with_choice(self, number: int) -> Self:
+        """With one more wording that was met."""
+        ...
+
+    def with_kind(self, address: str, kind: type[Model]) -> Self:
+        """With the class of what stands at an address."""
+        ...
+
+    def with_value(self, address: str, value: float | None) -> Self | None:
+        """With a number; None if another one was told before."""
+        ...
+
+
+S = TypeVar("S", bound=SentenceState)
+
+
 @dataclass(frozen=True, slots=True)
-class Told:
+class Leg(Generic[S]):
+    """A port that a connection takes, as its stops in the order of travel; `last` ends the connection."""
+
+    link: Link
+    stops: tuple[Stop, ...]
+    last: bool
+    state: S
+
+
+class Routes(Protocol[S]):
+    """What a connection's sentence may name next."""
+
+    def legs(self, state: S, links: tuple[Link, ...]) -> Iterator[Leg[S]]:
+        """All ways to go on after `links`; without any, all ways to begin."""
+        ...
+
+
+class SentenceMatcher(Protocol[S]):
+    """What a connection needs of whoever matches the sentences of a text."""
+
+    pieces: tuple[str, ...]
+    reach: int
+
+    def literal(self, text: str, at: int, wanted: str) -> int | None:
+        """Where `wanted` ends if it stands at `at`."""
+        ...
+
+    def template(self, text: str, at: int, template: str, owner: str, state: S) -> Iterator[tuple[int, S]]:
+        """All ways in which a template of the part at `owner` can stand at `at`."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class ParsedSentence(Generic[S]):
     """A connection's sentence as it was read: its links and own bodies in the order in which they are told."""
 
-    heard: "Heard"
+    state: S
     links: tuple[Link, ...]
     owned: tuple[str, ...]
 
@@ -43,27 +126,60 @@ class Connection(Model):
 
     key: ClassVar[str] = ""  # its name in scene files
     joins: ClassVar[type[Port]] = Port  # the type of ports between which it can run
+    look: ClassVar[Look] = "string"
     links: tuple[Link, ...]
 
-    @classmethod
-    def owned(cls, name: str, stops: list[Stop], builder: Builder) -> dict[str, Body]:
+    def brings(self, joint: "Joint", builder: Builder) -> dict[str, Body]:
         """The bodies that the connection itself brings, by address."""
         raise NotImplementedError
 
-    @classmethod
-    def stretch(cls, name: str, stops: list[Stop], builder: Builder, values: dict[str, Any]) -> None:
-        """Build the connection, once all entities are built; `values` are its own parameters."""
+    def build(self, joint: "Joint", builder: Builder) -> None:
+        """Build the connection, once all entities are built."""
         raise NotImplementedError
 
-    @classmethod
-    def tell(cls, name: str, stops: list[Stop], speaker: "Speaker") -> str:
+    def describe(self, joint: "Joint", writer: SentenceWriter) -> str:
         """Its sentence."""
         raise NotImplementedError
 
     @classmethod
-    def hear(cls, name: str, place: int, heard: "Heard", hearer: "Hearer", trail: "Trail") -> Iterator[Told]:
-        """Its sentence read back: all that the piece at `place` can mean as what `tell` says."""
+    def parse(
+        cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
+    ) -> Iterator[ParsedSentence[S]]:
+        """Its sentence read back: all that the piece at `place` can mean as what `describe` says."""
         raise NotImplementedError
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A connection at its place in a scene: its address, and its stops in the order of travel."""
+
+    name: str
+    connection: Connection
+    stops: tuple[Stop, ...]
+
+    def brings(self, builder: Builder) -> dict[str, Body]:
+        """The bodies that the connection itself brings, by address."""
+        return self.connection.brings(self, builder)
+
+    def build(self, builder: Builder) -> None:
+        """Build the connection, once all entities are built."""
+        self.connection.build(self, builder)
+
+    def describe(self, writer: SentenceWriter) -> str:
+        """Its sentence."""
+        return self.connection.describe(self, writer)
+
+
+@dataclass(frozen=True, slots=True)
+class Inside:
+    """A connection inside an entity, through its own ports from end to end."""
+
+    kind: type[Connection]
+    stops: tuple[str, ...]
+
+    def made(self) -> Connection:
+        """The connection, with the default of each of its numbers."""
+        return self.kind(links=())
 
 
 C = TypeVar("C", bound=Connection)

@@ -2,16 +2,19 @@
 
 from collections.abc import Mapping
 from functools import cache
-from typing import Any, ClassVar, TypeVar
+from typing import Annotated, Any, ClassVar, TypeVar
 
-from pydantic import ConfigDict
+from pydantic import ConfigDict, Field, SerializeAsAny
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.connection import Inside
 from sim2reason.dsl.model import Model, field_types
-from sim2reason.dsl.ports import PORT_TYPES, Chain, End, Pass, Port, Rope, Stop
+from sim2reason.dsl.ports import Chain, End, Pass, Port, Stop
 from sim2reason.dsl.template import Each, Saying, Slot, Word, paths, slots, wordings
 from sim2reason.registry import Registry
+
+PORT_TYPES = (Port, Inside)
 
 
 class Part(Model):
@@ -36,6 +39,17 @@ class Entity(Part):
     """A mechanism that a scene file can name."""
 
 
+NAME = r"^[a-z][a-z0-9_]{0,39}$"
+Name = Annotated[str, Field(pattern=NAME)]
+
+
+class Named(Model):
+    """An entity and its name in a scene."""
+
+    name: Name
+    entity: SerializeAsAny[Entity]
+
+
 E = TypeVar("E", bound=Entity)
 ENTITIES: Registry[type[Entity]] = Registry("entities")
 
@@ -53,16 +67,16 @@ def ports_of(cls: type[Part]) -> Mapping[str, Port]:
 
 
 @cache
-def ropes_of(cls: type[Part]) -> Mapping[str, Rope]:
-    """The strings inside an entity, by name."""
-    return {name: member for name, member in vars(cls).items() if isinstance(member, Rope)}
+def inside(cls: type[Part]) -> Mapping[str, Inside]:
+    """The connections inside an entity, by name."""
+    return {name: member for name, member in vars(cls).items() if isinstance(member, Inside)}
 
 
 @cache
 def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
-    """The ports that a connection can use: those that no rope and no chain of the class uses up."""
+    """The ports that a connection can use: those that nothing inside and no chain of the class uses up."""
     declared = ports_of(cls)
-    used = {stop for rope in ropes_of(cls).values() for stop in rope.stops}
+    used = {stop for inner in inside(cls).values() for stop in inner.stops}
     used |= {stop for port in declared.values() if isinstance(port, Chain) for stop in port.stops}
     return {name: port for name, port in declared.items() if name not in used}
 
@@ -83,7 +97,7 @@ def check_lines(cls: type[Part]) -> None:
     """Compare what a class declares with what its lines tell; TypeError names the difference."""
     required = {name for name, port in ports_of(cls).items() if port.required}
     chained = {inner for name in required for inner in getattr(ports_of(cls)[name], "stops", ())}
-    roped = {stop for rope in ropes_of(cls).values() for stop in rope.stops}
+    roped = {stop for inner in inside(cls).values() for stop in inner.stops}
     told: set[str] = set()
     for saying in cls.says:
         told |= _common(cls, wordings(saying))

@@ -3,16 +3,13 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from math import hypot
-from typing import TYPE_CHECKING
 
 from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.connection import Connection
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.mechanism import ZERO, Vector
 from sim2reason.dsl.ports import End, Stop
 from sim2reason.dsl.vectors import add, scale
-
-if TYPE_CHECKING:
-    from sim2reason.dsl.connection import Connection
-    from sim2reason.dsl.scene import Named
 
 GAP = 1.0  # m between entities that no straight string aligns; only for looks
 FREE = 2.5  # m of free string between neighbours, so that motions of a second or two have room
@@ -24,11 +21,11 @@ def opposite(one: Vector | None, other: Vector | None) -> bool:
 
 
 def placed(
-    entities: "Sequence[Named]",
-    connections: "Sequence[Connection]",
+    entities: Sequence[Named],
+    connections: Sequence[Connection],
     gravity: float,
     glued: Iterable[str],
-    stops: "Callable[[Connection], list[Stop]]",
+    stops: Callable[[Connection], list[Stop]],
 ) -> Builder:
     """A builder in which all entities are built, each where its strings want it."""
     neighbours = [pair for connection in connections for pair in _pairs(stops(connection))]

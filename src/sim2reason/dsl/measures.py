@@ -13,7 +13,7 @@ from typing import Annotated
 import numpy as np
 from annotated_types import Ge, Le, Lt
 
-from sim2reason.dsl.units import parse
+from sim2reason.dsl.units import parse_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +87,7 @@ class Measure:
 @cache
 def show_unit(unit: str) -> str:
     """A canonical unit as prose prints it: ``m/s^2`` becomes ``m/s²``; UnitError outside the table of units."""
-    return parse(unit).display
+    return parse_unit(unit).display
 
 
 def join_unit(number: str, unit: str) -> str:

@@ -60,16 +60,6 @@ class Chain(StringPort):
 
 
 @dataclass(frozen=True, slots=True)
-class Rope:
-    """A string inside an entity, through its own ports from end to end."""
-
-    stops: tuple[str, ...]
-
-
-PORT_TYPES = (Port, Rope)
-
-
-@dataclass(frozen=True, slots=True)
 class Stop:
     """A port at its place in a scene: `owner` is the address of the entity or part that declares it."""
 

@@ -1,14 +1,14 @@
 """Scenes: entities, connections and a world, as one frozen value."""
 
 from functools import cached_property
-from typing import Annotated, Any, Self, cast
+from typing import Any, Self, cast
 
-from pydantic import Field, SerializeAsAny, model_validator
+from pydantic import SerializeAsAny, model_validator
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
-from sim2reason.dsl.entity import Entity, Part, outer_ports, ropes_of, stops_of
+from sim2reason.dsl.connection import Connection, Joint, Link
+from sim2reason.dsl.entity import Entity, Name, Named, Part, inside, outer_ports, stops_of
 from sim2reason.dsl.layout import placed
 from sim2reason.dsl.measures import Gravity
 from sim2reason.dsl.mechanism import GRAVITY, Mechanism
@@ -17,21 +17,12 @@ from sim2reason.dsl.ports import Chain, End, Pass, Stop
 from sim2reason.errors import SceneError
 
 MAX_ENTITIES = 8
-NAME = r"^[a-z][a-z0-9_]{0,39}$"
-Name = Annotated[str, Field(pattern=NAME)]
 
 
 class World(Model):
     """What acts on everything."""
 
     gravity: Gravity = GRAVITY
-
-
-class Named(Model):
-    """An entity and its name in the scene."""
-
-    name: Name
-    entity: SerializeAsAny[Entity]
 
 
 class Scene(Model):
@@ -129,24 +120,23 @@ class Scene(Model):
         return path_stops(self, connection.links)
 
     @cached_property
-    def strings(self) -> dict[str, tuple[type[Connection], list[Stop], dict[str, Any]]]:
-        """All connections by address, those inside entities included, with their stops and own parameters."""
-        found: dict[str, tuple[type[Connection], list[Stop], dict[str, Any]]] = {}
+    def joints(self) -> dict[str, Joint]:
+        """All connections by address, those inside entities included, at their places."""
+        found: list[Joint] = []
         for named in self.entities:
-            for name, rope in ropes_of(type(named.entity)).items():
-                stops = [stop for inner in rope.stops for stop in stops_of(named.entity, inner, named.name)]
-                found[f"{named.name}.{name}"] = (CONNECTIONS["tendon"], travelled(stops), {})
+            for name, inner in inside(type(named.entity)).items():
+                stops = [stop for port in inner.stops for stop in stops_of(named.entity, port, named.name)]
+                found.append(Joint(f"{named.name}.{name}", inner.made(), tuple(travelled(stops))))
         for number, connection in enumerate(self.connections, start=1):
-            values = {p.path: p.value for p in parameters(connection)}
-            found[f"{connection.key}_{number}"] = (type(connection), self.stops(connection), values)
-        return found
+            found.append(Joint(f"{connection.key}_{number}", connection, tuple(self.stops(connection))))
+        return {joint.name: joint for joint in found}
 
     @cached_property
     def builder(self) -> Builder:
         """The builder with everything in it: where sites are and which way strings must leave them."""
         builder = placed(self.entities, self.connections, self.world.gravity, self.glued, self.stops)
-        for name, (kind, stops, values) in self.strings.items():
-            kind.stretch(name, stops, builder, values)
+        for joint in self.joints.values():
+            joint.build(builder)
         return builder
 
     @cached_property
@@ -173,8 +163,8 @@ class Scene(Model):
         found: dict[str, Body] = {}
         for named in self.entities:
             found.update(_bodies(named.entity, named.name))
-        for name, (kind, stops, _) in self.strings.items():
-            found.update(kind.owned(name, stops, self.builder))
+        for joint in self.joints.values():
+            found.update(joint.brings(self.builder))
         return found
 
     @property

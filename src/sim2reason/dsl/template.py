@@ -58,7 +58,7 @@ class Word:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class Wordings:
     """One sentence in its wordings, of which a seed chooses one."""
 
     wordings: tuple[str, ...]
@@ -72,12 +72,12 @@ class Each:
     wordings: tuple[str, ...]
 
 
-Saying = str | Line | Each
+Saying = str | Wordings | Each
 
 
-def either(*wordings: str) -> Line:
+def either(*wordings: str) -> Wordings:
     """One sentence that can be said in several ways."""
-    return Line(wordings)
+    return Wordings(wordings)
 
 
 def each(field: str, *wordings: str) -> Each:

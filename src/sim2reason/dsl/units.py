@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 
 from sim2reason.dsl.unit_text import UnitError, factors
 
-__all__ = ["Dimension", "Unit", "UnitError", "parse"]
+__all__ = ["Dimension", "Unit", "UnitError", "parse_unit"]
 
 
 class Dimension(NamedTuple):
@@ -157,7 +157,7 @@ def _name(powers: dict[str, int]) -> str:
 
 
 @lru_cache(maxsize=1024)
-def parse(text: str) -> Unit:
+def parse_unit(text: str) -> Unit:
     """Read a unit in LaTeX or plain spelling; the empty text is the pure number.
 
     Raises `UnitError` for anything outside the table, and for ``a/b c``, which people read in two ways.

@@ -1,10 +1,12 @@
 """A movable pulley that hangs by its axle and carries a mass system on either side of its string."""
 
 from sim2reason.bodies.pulley import MovablePulley
+from sim2reason.connections.string import String
 from sim2reason.dsl.builder import WHEEL_RADIUS, Frame
+from sim2reason.dsl.connection import Inside
 from sim2reason.dsl.entity import Entity, entity
 from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import End, Pass, Rope
+from sim2reason.dsl.ports import End, Pass
 from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.mass_systems import Hanging, OnPlane, OnWedge
 
@@ -20,7 +22,7 @@ class MassWithMovablePulley(Entity):
     pulley: MovablePulley
 
     over = Pass(sites=("pulley.left", "pulley.right"), passes="passes over {pulley}")
-    rope = Rope(("left.tail", "over", "right.tail"))
+    rope = Inside(String, ("left.tail", "over", "right.tail"))
     top = End(
         sites=("axle",),
         tied="the axle of {pulley}",

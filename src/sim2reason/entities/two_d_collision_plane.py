@@ -19,7 +19,7 @@ Radius = Annotated[float, LEAST, Le(10), Measure("radius", "m", "R", decimals=2)
 Index = Annotated[int, Ge(0), Le(5)]
 
 
-class Pair(Part):
+class PairRestitution(Part):
     """A restitution of two pucks, by their indices, other than that of all the others."""
 
     first: Index
@@ -35,7 +35,7 @@ class TwoDCollisionPlane(Entity):
     radius: Radius
     pucks: Pucks
     restitution: Annotated[Restitution, Range(0.3, 1.0)]
-    pairs: Annotated[tuple[Pair, ...], Len(0, 3), Count(0, 0)] = ()
+    pairs: Annotated[tuple[PairRestitution, ...], Len(0, 3), Count(0, 0)] = ()
 
     words = {
         "bounce": Word(

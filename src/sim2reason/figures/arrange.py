@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from random import Random
 
-from sim2reason.figures.cost import Layout, Pose, cost
+from sim2reason.figures.layout_cost import Layout, Pose, cost
 from sim2reason.figures.paths import FACES, Strand
-from sim2reason.figures.pieces import Bend, Piece, Plan
+from sim2reason.figures.pieces import Bend, DrawingPlan, Piece
 from sim2reason.figures.vectors import RIGHT, UP, mirrored
 
 LINK = (0.55, 0.8, 1.2, 2.0)  # between neighbouring blocks
@@ -29,7 +29,11 @@ class Arranger:
     """The search for one connected part of a scene."""
 
     def __init__(
-        self, plan: Plan, names: Sequence[str], strands: Sequence[Strand], make: Callable[[str, Plan], Piece]
+        self,
+        plan: DrawingPlan,
+        names: Sequence[str],
+        strands: Sequence[Strand],
+        make: Callable[[str, DrawingPlan], Piece],
     ) -> None:
         """`names` are pieces, `strands` those between or inside them."""
         self.plan, self.names, self.strands, self.make = plan, names, strands, make
@@ -114,11 +118,11 @@ class Arranger:
 
     def _bent(
         self,
-        plan: Plan,
+        plan: DrawingPlan,
         ways: Sequence[complex],
         turned: frozenset[str] = frozenset(),
         swapped: frozenset[str] = frozenset(),
-    ) -> Plan:
+    ) -> DrawingPlan:
         """The plan with every bend and end that follows from the directions."""
         bends: dict[str, Bend] = {}
         ends: dict[str, tuple[complex, ...]] = {}

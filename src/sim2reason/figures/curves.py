@@ -7,7 +7,7 @@ import numpy as np
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.telling.speaker import Telling
+from sim2reason.prose.writer import Description
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.targets import axes, senses, strings
 from sim2reason.simulation.trace import Event, Trace
@@ -43,7 +43,7 @@ class Mark:
 
 
 @dataclass(frozen=True)
-class Motion:
+class MotionCurves:
     """All that a plot shows."""
 
     times: Array  # s
@@ -54,18 +54,18 @@ class Motion:
     duration: float  # s, as it was asked for
 
 
-def motion(trace: Trace, telling: Telling) -> Motion:
+def motion_curves(trace: Trace, description: Description) -> MotionCurves:
     """The curves of a trace, by the names of a text; those that never differ from zero are left out."""
-    mentions = {address: telling.mention(address) for address in telling.scene.bodies}
+    mentions = {address: description.mention(address) for address in description.scene.bodies}
     duration = float(trace.state.times[-1])
     times = instants(trace, duration)
     state = trace.sample(times)
-    panels = [_moved(quantity, state, mentions, telling) for quantity in MOTION]
+    panels = [_moved(quantity, state, mentions, description) for quantity in MOTION]
     panels.append(_tensions(state, mentions))
     kept = tuple(panel for panel in panels if panel.curves)
     marks = [Mark(event.time, told(event, trace.mechanism, mentions)) for event in _worth(trace, duration)]
     marks = [m for n, m in enumerate(marks) if not any(m.text == b.text and m.time - b.time < STILL for b in marks[:n])]
-    return Motion(times, kept, tuple(marks), min(trace.stable_until, duration), trace.cut, duration)
+    return MotionCurves(times, kept, tuple(marks), min(trace.stable_until, duration), trace.cut, duration)
 
 
 def instants(trace: Trace, duration: float) -> Array:
@@ -76,12 +76,12 @@ def instants(trace: Trace, duration: float) -> Array:
     return np.unique(np.concatenate([grid, events, np.nextafter(events, 0.0)]))
 
 
-def _moved(quantity: str, state: State, mentions: dict[str, str], telling: Telling) -> Panel:
+def _moved(quantity: str, state: State, mentions: dict[str, str], description: Description) -> Panel:
     found = QUANTITIES[quantity]
     curves: list[Curve] = []
     for body in state.mechanism.bodies:
         if body.name in mentions and axes(state.mechanism, body.name) and not body.inertia:
-            name = telling.names.letters.get(body.name, "") or mentions[body.name].removeprefix("the ")
+            name = description.names.letters.get(body.name, "") or mentions[body.name].removeprefix("the ")
             values = found.evaluate(state, body.name)
             curves += [Curve(f"{name}{how}", part) for how, part in _parts(values, state, body.name)]
     return Panel(f"{quantity} ({show_unit(found.unit)})", tuple(curves))

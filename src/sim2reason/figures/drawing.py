@@ -7,18 +7,18 @@ from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.pulley import FixedPulley, MovablePulley
 from sim2reason.dsl.measures import Speed
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.telling.speaker import Telling, tell
 from sim2reason.errors import UnsupportedError
 from sim2reason.figures import faces
 from sim2reason.figures.arrange import Arranger
-from sim2reason.figures.cost import Layout
+from sim2reason.figures.hanging import HandPiece, HookPiece, PulleyPiece, plate, said
 from sim2reason.figures.labels import placed
-from sim2reason.figures.loose import HandPiece, HookPiece, PulleyPiece, plate, said
+from sim2reason.figures.layout_cost import Layout
 from sim2reason.figures.paths import FACES, Paths, Strand, flat, whole
-from sim2reason.figures.pieces import PIECES, Piece, Plan, Sizes
+from sim2reason.figures.pieces import PIECES, DrawingPlan, Piece, Sizes
 from sim2reason.figures.shapes import SMALL, Drawing, Line, Shape, Sketch, Wanted, outline, width
 from sim2reason.figures.table import table
 from sim2reason.figures.vectors import box, mirrored
+from sim2reason.prose.writer import Description, describe
 
 BETWEEN = 1.2  # parts of a scene that no string joins
 MOUNT = 1.9  # the longest bracket from a corner to a pulley
@@ -26,29 +26,29 @@ FLAT_BODIES = (Puck, Table)
 assert faces  # its import enters what it draws
 
 
-def drawing(scene: Scene, telling: Telling | None = None, *, numbers: bool = False) -> Drawing:
+def drawing(scene: Scene, description: Description | None = None, *, numbers: bool = False) -> Drawing:
     """Draw the initial state: angles are right, lengths are not.
 
-    `telling` gives the names, by default the text with seed 0; `numbers` adds masses.
+    `description` gives the names, by default the text with seed 0; `numbers` adds masses.
 
     Raises:
         UnsupportedError: a body of the scene has no known look.
     """
-    telling = telling or tell(scene)
+    description = description or describe(scene)
     strangers = [
         type(b).__name__ for b in scene.bodies.values() if type(b) not in PIECES and not isinstance(b, FLAT_BODIES)
     ]
     if strangers:
         raise UnsupportedError(f"no figure shows a body of the type {strangers[0]}; give it a piece in figures")
     sizes = Sizes(width=1.6, height=1.4) if numbers else Sizes()
-    plan = Plan(whole(scene), Paths(whole(scene)), telling, sizes, numbers)
+    plan = DrawingPlan(whole(scene), Paths(whole(scene)), description, sizes, numbers)
     parts = [_finished(Arranger(plan, *part, make).best(), plan) for part in _components(plan)]
     parts += [table(plan, address) for address, body in scene.bodies.items() if isinstance(body, Table)]
     sketch = _beside(parts)
     return Drawing(tuple(sketch.shapes), placed(sketch.labels, sketch.shapes))
 
 
-def make(name: str, plan: Plan) -> Piece:
+def make(name: str, plan: DrawingPlan) -> Piece:
     """The piece at an address, by the class of its body."""
     if name in plan.scene.bodies:
         return PIECES[type(plan.scene.bodies[name])](name, plan)
@@ -57,7 +57,7 @@ def make(name: str, plan: Plan) -> Piece:
     return (HandPiece if name in plan.scene.builder.hands else HookPiece)(name, plan)
 
 
-def _components(plan: Plan) -> Iterable[tuple[list[str], list[Strand]]]:
+def _components(plan: DrawingPlan) -> Iterable[tuple[list[str], list[Strand]]]:
     """Pieces that strings hold together, with their strands."""
     strands = plan.paths.strands
     names = list(dict.fromkeys([*_standing(plan), *(k.piece for s in strands for k in (s.a, s.b))]))
@@ -70,7 +70,7 @@ def _components(plan: Plan) -> Iterable[tuple[list[str], list[Strand]]]:
         yield members, [strand for strand in strands if strand.a.piece in members]
 
 
-def _standing(plan: Plan) -> list[str]:
+def _standing(plan: DrawingPlan) -> list[str]:
     """Pieces that need no string: what has faces, blocks without one, and pulleys that no string passes."""
     carried = plan.paths.carriers
     rims = {knot.item for knots in plan.paths.knots.values() for knot in knots if knot.rim}
@@ -83,7 +83,7 @@ def _standing(plan: Plan) -> list[str]:
     ]
 
 
-def _finished(layout: Layout, plan: Plan) -> Sketch:
+def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
     """Everything at its place: the pieces, the strings, and the brackets that hold pulleys at corners."""
     found = Sketch()
     for name, piece in layout.pieces.items():
@@ -113,7 +113,7 @@ def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
     return plate(piece.support, here)
 
 
-def _speeds(layout: Layout, plan: Plan, found: Sketch) -> None:
+def _speeds(layout: Layout, plan: DrawingPlan, found: Sketch) -> None:
     """An arrow beside every block that moves at the start."""
     for block, carrier in plan.paths.carriers.items():
         body, piece = plan.paths.mechanism.body[block], layout.pieces.get(carrier)

@@ -9,9 +9,9 @@ from math import degrees as to_degrees
 
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.wedge import Prism, Wedge
-from sim2reason.figures.loose import block_labels, wrapped
+from sim2reason.figures.hanging import block_labels, wrapped
 from sim2reason.figures.paths import Knot, flat
-from sim2reason.figures.pieces import Bend, Piece, Plan, draws
+from sim2reason.figures.pieces import Bend, DrawingPlan, Piece, draws
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Line, Shape, Sketch, Wanted, dot_at, hatched, width
 from sim2reason.figures.vectors import (
     RIGHT,
@@ -53,7 +53,7 @@ class Face:
 class FacePiece(Piece):
     """A body with one face or two that meet at its top, which is the origin."""
 
-    def __init__(self, name: str, plan: Plan) -> None:
+    def __init__(self, name: str, plan: DrawingPlan) -> None:
         """Lay everything on its faces in the order in which the mechanism has it."""
         super().__init__(name, plan)
         body = plan.scene.bodies[name]

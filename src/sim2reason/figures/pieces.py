@@ -10,10 +10,10 @@ from typing import TypeVar
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.telling.speaker import Telling
 from sim2reason.figures.paths import Knot, Paths
 from sim2reason.figures.shapes import Sketch
 from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
+from sim2reason.prose.writer import Description
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +59,12 @@ class Bend:
 
 
 @dataclass(frozen=True)
-class Plan:
+class DrawingPlan:
     """What pieces need to know of the scene and of each other while one layout is tried."""
 
     scene: Scene
     paths: Paths
-    telling: Telling
+    description: Description
     sizes: Sizes
     numbers: bool
     bends: Mapping[str, Bend] = field(default_factory=dict[str, Bend])  # by what the string goes round
@@ -77,7 +77,7 @@ class Plan:
     def name(self, address: str) -> str:
         """What stands beside a body: its letter or, for a lone one, its noun."""
         body = self.scene.bodies[address]
-        return self.telling.names.letters.get(address, "") or self.telling.names.noun(body)
+        return self.description.names.letters.get(address, "") or self.description.names.noun(body)
 
     def mass(self, address: str) -> str:
         """The mass of a body as the text has it, if numbers are wanted and it has one."""
@@ -97,7 +97,7 @@ class Piece(ABC):
 
     mirrors = False  # whether it may be drawn mirrored, since no text says which way it faces
 
-    def __init__(self, name: str, plan: Plan) -> None:
+    def __init__(self, name: str, plan: DrawingPlan) -> None:
         """`name` is its address, see `Paths.piece`."""
         self.name, self.plan = name, plan
 
@@ -140,7 +140,7 @@ def around(center: complex, near: float, text_width: float, *, start: complex = 
     )
 
 
-Factory = Callable[[str, Plan], Piece]
+Factory = Callable[[str, DrawingPlan], Piece]
 PIECES: dict[type[Body], Factory] = {}
 M = TypeVar("M")
 

@@ -6,9 +6,9 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sim2reason.dsl.telling.speaker import Telling
 from sim2reason.figures.canvas import SETTINGS, check, matplotlib, save
-from sim2reason.figures.curves import Motion, Panel, motion
+from sim2reason.figures.curves import MotionCurves, Panel, motion_curves
+from sim2reason.prose.writer import Description
 from sim2reason.simulation.trace import Trace
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ REASONS = {
 }
 
 
-def plot(trace: Trace, telling: Telling, path: Path, dpi: int = 120) -> None:
+def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> None:
     """Write displacement, velocity, acceleration and tension over time as SVG, PNG or PDF, by the ending of `path`.
 
     Raises:
@@ -40,7 +40,7 @@ def plot(trace: Trace, telling: Telling, path: Path, dpi: int = 120) -> None:
     """
     check(path)
     package = matplotlib()
-    shown = motion(trace, telling)
+    shown = motion_curves(trace, description)
     with package.rc_context({**SETTINGS, "font.size": 8.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 
@@ -66,7 +66,7 @@ def plot(trace: Trace, telling: Telling, path: Path, dpi: int = 120) -> None:
         save(figure, path, dpi)
 
 
-def _panel(axes: "Axes", panel: Panel, shown: Motion) -> None:
+def _panel(axes: "Axes", panel: Panel, shown: MotionCurves) -> None:
     for number, curve in enumerate(panel.curves):
         style = STYLES[(number // len(COLORS)) % len(STYLES)] if len(panel.curves) > len(COLORS) else "-"
         # Curves that coincide are drawn ever thinner, so that all can be seen.
@@ -101,7 +101,7 @@ def _panel(axes: "Axes", panel: Panel, shown: Motion) -> None:
     )
 
 
-def _numbers(axes: "Axes", shown: Motion) -> None:
+def _numbers(axes: "Axes", shown: MotionCurves) -> None:
     """The numbers of events above the first panel, and why the end is cut off."""
     raised, last = 0, -1.0
     for number, mark in enumerate(shown.marks[:MOST], start=1):

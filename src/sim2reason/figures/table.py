@@ -4,8 +4,8 @@ from math import ceil
 
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.dsl.measures import Angle
-from sim2reason.figures.loose import said
-from sim2reason.figures.pieces import Plan, around
+from sim2reason.figures.hanging import said
+from sim2reason.figures.pieces import DrawingPlan, around
 from sim2reason.figures.shapes import SIZE, SMALL, TINY, Arc, Area, Line, Sketch, Wanted, width
 from sim2reason.figures.vectors import UP, box, rectangle
 
@@ -16,7 +16,7 @@ TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
 STILL = 1e-3  # of the fastest
 
 
-def table(plan: Plan, address: str) -> Sketch:
+def table(plan: DrawingPlan, address: str) -> Sketch:
     """The table at an address with all pucks of its entity; places are to scale, as are arrows among each other."""
     owner = address.rpartition(".")[0]
     bodies = plan.scene.bodies
@@ -77,7 +77,7 @@ def _ticks(found: Sketch, low: complex, high: complex, scale: float, covered: li
             found.labels.append(Wanted(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False))
 
 
-def _puck(found: Sketch, plan: Plan, name: str, at: complex, radius: float, velocity: complex) -> None:
+def _puck(found: Sketch, plan: DrawingPlan, name: str, at: complex, radius: float, velocity: complex) -> None:
     """A disc with its letter, and its velocity as an arrow from its rim on."""
     found.shapes.append(Arc(at, radius, fill="block"))
     if abs(velocity) > STILL:

@@ -2,8 +2,7 @@
 
 import math
 
-from sim2reason.dsl.units import Dimension, Unit
-from sim2reason.dsl.units import parse as parse_unit
+from sim2reason.dsl.units import Dimension, Unit, parse_unit
 from sim2reason.grading import arithmetic
 from sim2reason.grading.extract import boxed, last_number
 from sim2reason.grading.parser import parse

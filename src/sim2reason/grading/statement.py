@@ -2,8 +2,7 @@
 
 from collections.abc import Collection, Sequence
 
-from sim2reason.dsl.units import Unit, UnitError
-from sim2reason.dsl.units import parse as parse_unit
+from sim2reason.dsl.units import Unit, UnitError, parse_unit
 from sim2reason.grading.alphabet import CLOSES
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token, tokenize

@@ -6,7 +6,7 @@ from typing import Literal
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.units import parse
+from sim2reason.dsl.units import parse_unit
 from sim2reason.registry import Registry
 
 Subject = Literal["body", "string", "contact"]
@@ -40,7 +40,7 @@ QUANTITIES: Registry[Quantity] = Registry("quantities")
 
 def quantity(name: str, *, unit: str, symbol: str, of: Subject, vector: bool = False) -> Callable[[Evaluate], Evaluate]:
     """Decorate a function of state and subject to make it a quantity."""
-    parse(unit)  # UnitError for a unit outside the table
+    parse_unit(unit)  # UnitError for a unit outside the table
 
     def declare(evaluate: Evaluate) -> Evaluate:
         QUANTITIES.add(name, Quantity(name, unit, symbol, of, vector, evaluate))

@@ -14,7 +14,7 @@ from sim2reason.simulation.trace import Trace
 
 
 @dataclass(frozen=True, slots=True)
-class Ask:
+class Query:
     """What is asked, without words: a quantity of a subject (None: the time itself) at a moment."""
 
     kind: str
@@ -52,7 +52,7 @@ class Question:
     """
 
     mode: str
-    ask: Ask
+    ask: Query
     text: str
     answer: float
     unit: str
@@ -62,11 +62,11 @@ class Question:
 class Kind(Protocol):
     """One kind of question; each has a module of its own."""
 
-    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
+    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Query | None:
         """Something to ask about this motion, or None if it offers nothing of this kind."""
         ...
 
-    def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+    def shapes(self, ask: Query, words: Words, noun: str) -> tuple[str, ...]:
         """All sentences that ask it, the most usual first; `noun` is the phrase for its target."""
         ...
 
@@ -77,4 +77,4 @@ Mode = Callable[[Trace, Words, str, np.random.Generator], Question | None]
 KINDS: Registry[Kind] = Registry("questions.kinds")
 MODES: Registry[Mode] = Registry("questions.modes")
 
-__all__ = ["KINDS", "MODES", "Ask", "Kind", "Mechanism", "Mode", "Moment", "Question", "Target", "Words"]
+__all__ = ["KINDS", "MODES", "Kind", "Mechanism", "Mode", "Moment", "Query", "Question", "Target", "Words"]

@@ -7,7 +7,7 @@ import numpy as np
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import Moment, Target, Words
 from sim2reason.questions.moments import Collided, Moved, Stopped, spoken
-from sim2reason.questions.targets import axes, carried
+from sim2reason.questions.targets import axes, rides
 from sim2reason.simulation.trace import Trace
 
 CLEAR = 1e-3  # of the duration: how far a time stays away from events
@@ -56,7 +56,7 @@ def _free(trace: Trace, words: Words) -> list[str]:
     """Bodies of the text that move along one line in the room and ride on nothing."""
     mechanism = trace.mechanism
     return [
-        n for n in mechanism.body if n in words.mentions and len(axes(mechanism, n)) == 1 and not carried(mechanism, n)
+        n for n in mechanism.body if n in words.mentions and len(axes(mechanism, n)) == 1 and not rides(mechanism, n)
     ]
 
 

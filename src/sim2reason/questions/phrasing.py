@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from sim2reason.questions import Ask, Words
+from sim2reason.questions import Query, Words
 from sim2reason.questions.targets import GAIN, Target
 
 FAST = "the speed of "
@@ -39,7 +39,7 @@ def asking(target: Target, noun: str, when: str) -> tuple[str, ...]:
     )
 
 
-def asking_then(ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+def asking_then(ask: Query, words: Words, noun: str) -> tuple[str, ...]:
     """All ways to ask for a quantity, in every phrase for its moment."""
     assert ask.target is not None
     phrases = ask.moment.phrases(words.mentions, released=words.released)

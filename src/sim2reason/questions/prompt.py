@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.dsl.measures import show_unit
-from sim2reason.dsl.telling.speaker import Telling
+from sim2reason.prose.writer import Description
 from sim2reason.questions import Question, Words
 
 FORMATS = (
@@ -13,13 +13,13 @@ FORMATS = (
 )
 
 
-def words_of(telling: Telling) -> Words:
+def words_of(description: Description) -> Words:
     """What questions need to know of a text."""
-    scene = telling.scene
-    return Words({address: telling.mention(address) for address in scene.bodies}, scene.starts_from_rest)
+    scene = description.scene
+    return Words({address: description.mention(address) for address in scene.bodies}, scene.starts_from_rest)
 
 
-def prompt(telling: Telling, question: Question, rng: np.random.Generator) -> str:
+def prompt(description: Description, question: Question, rng: np.random.Generator) -> str:
     """The text of the scene, the question, and how to give the answer."""
     form = FORMATS[int(rng.random() * len(FORMATS))].format(unit=show_unit(question.unit))
-    return f"{telling.text} {question.text} {form}"
+    return f"{description.text} {question.text} {form}"

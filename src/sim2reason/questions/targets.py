@@ -101,7 +101,7 @@ def _phrased(mechanism: Mechanism, mentions: Mapping[str, str]) -> Iterator[tupl
 
 
 def _of_body(mechanism: Mechanism, name: str, mention: str) -> Iterator[tuple[str, Target]]:
-    ground = " relative to the ground" if len(axes(mechanism, name)) > 1 and carried(mechanism, name) else ""
+    ground = " relative to the ground" if len(axes(mechanism, name)) > 1 and rides(mechanism, name) else ""
     for quantity, phrase in PLAIN.items():
         if "{body}" in phrase and QUANTITIES[quantity].of == "body":
             yield phrase.format(body=mention) + (ground if quantity in GROUND else ""), Target(quantity, name)
@@ -126,7 +126,7 @@ def axes(mechanism: Mechanism, name: str) -> list[Vector]:
     return found
 
 
-def carried(mechanism: Mechanism, name: str) -> bool:
+def rides(mechanism: Mechanism, name: str) -> bool:
     """Whether a body rides on another one that moves."""
     parent = mechanism.body[name].parent
     return parent is not None and _moves(mechanism, parent)

@@ -6,10 +6,11 @@ from math import cos, hypot, pi, sin, sqrt
 import numpy as np
 
 from sim2reason.bodies.puck import Puck, Table
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import field_types
-from sim2reason.dsl.scene import Named, Scene
-from sim2reason.entities.two_d_collision_plane import Pair, TwoDCollisionPlane
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.two_d_collision_plane import PairRestitution, TwoDCollisionPlane
 from sim2reason.recipes import Difficulty, recipe
 
 PLACES = Range(-1.5, 1.5)  # m
@@ -114,12 +115,12 @@ def _aim(
 def _restitution(tier: CollisionTier, rng: np.random.Generator) -> float:
     kind = tier.restitution[int(rng.integers(len(tier.restitution)))]
     if kind == "partial":
-        return _drawn(Pair, "restitution", rng)
+        return _drawn(PairRestitution, "restitution", rng)
     return 1.0 if kind == "elastic" else 0.0
 
 
-def _pairs(count: int, tier: CollisionTier, rng: np.random.Generator) -> tuple[Pair, ...]:
+def _pairs(count: int, tier: CollisionTier, rng: np.random.Generator) -> tuple[PairRestitution, ...]:
     if count < 3 or rng.random() >= tier.pairs:
         return ()
     first = int(rng.integers(count - 1))
-    return (Pair(first=first, second=first + 1, restitution=_drawn(Pair, "restitution", rng)),)
+    return (PairRestitution(first=first, second=first + 1, restitution=_drawn(PairRestitution, "restitution", rng)),)

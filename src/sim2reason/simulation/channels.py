@@ -22,6 +22,6 @@ def channels(mechanism: Mechanism) -> Iterator[tuple[Channel, Quantity]]:
             yield Channel(subject, name), quantity
 
 
-def read(state: State) -> dict[Channel, Array]:
+def evaluate_channels(state: State) -> dict[Channel, Array]:
     """Every channel of a motion at n instants: (n,), or (n, 3) of a vector."""
     return {channel: quantity.evaluate(state, channel.subject) for channel, quantity in channels(state.mechanism)}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Ask, Target, Words
+from sim2reason.questions import KINDS, Query, Target, Words
 from sim2reason.questions.choices import happenings, pick
 from sim2reason.questions.moments import Moved
 from sim2reason.questions.phrasing import asking_then
@@ -12,7 +12,7 @@ from sim2reason.simulation.trace import Trace
 class EventKind:
     """A collision, a body that comes to rest, or one that has moved a stated distance."""
 
-    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
+    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Query | None:
         """An event of this motion and a quantity that it bears on."""
         found = happenings(trace, words, rng)
         if not found:
@@ -26,9 +26,9 @@ class EventKind:
         else:
             offered = {p: t for p, t in offered.items() if t.subject in moment.subjects} or offered
         target = pick(offered, rng)
-        return Ask("event", target, moment) if target is not None else None
+        return Query("event", target, moment) if target is not None else None
 
-    def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+    def shapes(self, ask: Query, words: Words, noun: str) -> tuple[str, ...]:
         """As in: what is the speed of B when A is first 0.50 m from its starting point?"""
         return asking_then(ask, words, noun)
 

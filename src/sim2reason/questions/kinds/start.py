@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Ask, Target, Words
+from sim2reason.questions import KINDS, Query, Target, Words
 from sim2reason.questions.choices import immediate, pick
 from sim2reason.questions.moments import AtStart
 from sim2reason.questions.phrasing import asking_then
@@ -12,16 +12,16 @@ from sim2reason.simulation.trace import Trace
 class StartKind:
     """Accelerations and forces at t = 0⁺, which the text does not give."""
 
-    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
+    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Query | None:
         """A quantity that can differ from zero before anything has moved."""
         del words
         mechanism = trace.mechanism
         if not (mechanism.strings or mechanism.pulls or mechanism.contacts):
             return None  # what only falls has the acceleration that the text gives it
         target = pick(immediate(targets), rng)
-        return Ask("start", target, AtStart()) if target is not None else None
+        return Query("start", target, AtStart()) if target is not None else None
 
-    def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+    def shapes(self, ask: Query, words: Words, noun: str) -> tuple[str, ...]:
         """As in: find the tension in the string just after release."""
         return asking_then(ask, words, noun)
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Ask, Target, Words
+from sim2reason.questions import KINDS, Query, Target, Words
 from sim2reason.questions.choices import happenings
 from sim2reason.questions.moments import Collided, Moved, Stopped, pair, say_metres
 from sim2reason.simulation.trace import Trace
@@ -11,13 +11,13 @@ from sim2reason.simulation.trace import Trace
 class TimeToEventKind:
     """The time from the start to an event."""
 
-    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Ask | None:
+    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Query | None:
         """An event of this motion."""
         del targets
         found = [m for m in happenings(trace, words, rng) if not isinstance(m, Collided) or m.after]
-        return Ask("time_to_event", None, found[int(rng.integers(len(found)))]) if found else None
+        return Query("time_to_event", None, found[int(rng.integers(len(found)))]) if found else None
 
-    def shapes(self, ask: Ask, words: Words, noun: str) -> tuple[str, ...]:
+    def shapes(self, ask: Query, words: Words, noun: str) -> tuple[str, ...]:
         """As in: how long after release is B first 0.50 m from its starting point?"""
         del noun
         since = "release" if words.released else "t = 0"

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
-from sim2reason.dsl.entity import ENTITIES, Entity, outer_ports
+from sim2reason.dsl.entity import ENTITIES, Entity, Named, outer_ports
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import Choice, draw
 from sim2reason.dsl.ports import Pass
-from sim2reason.dsl.scene import Named, Scene
-from sim2reason.dsl.telling.speaker import tell
+from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
+from sim2reason.prose.writer import describe
 
 REVERSE = "MassWithReverseMovablePulley"
 MOVABLE = "MassWithMovablePulley"
@@ -176,5 +176,5 @@ def grow(tier: Tier, rng: np.random.Generator) -> Scene:
 
 def _is_short(scene: Scene, words: int) -> bool:
     """Whether the whole text and every sentence about a string keep within their bounds."""
-    lengths = [len(sentence.split()) for sentence in tell(scene).sentences]
+    lengths = [len(sentence.split()) for sentence in describe(scene).sentences]
     return sum(lengths) <= words and max(lengths) <= LONGEST_SENTENCE

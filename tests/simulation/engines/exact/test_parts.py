@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sim2reason.simulation.engines.exact.events import Approach, crossing, stop
 from sim2reason.simulation.engines.exact.linear import solve
-from sim2reason.simulation.engines.exact.rigid import nonnegative
+from sim2reason.simulation.engines.exact.redundant_supports import nonnegative
 
 seeds = st.integers(0, 2**32 - 1)
 

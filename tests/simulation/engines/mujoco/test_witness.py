@@ -18,8 +18,8 @@ from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 from sim2reason.simulation.certify import compare
 from sim2reason.simulation.engines.exact import simulate as exactly
 from sim2reason.simulation.engines.mujoco import simulate
-from sim2reason.simulation.engines.mujoco.plant import Plant
-from sim2reason.simulation.engines.mujoco.watch import Margins
+from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel
+from sim2reason.simulation.engines.mujoco.event_detection import Margins
 
 TIMES = np.linspace(0.0, 2.0, 101)
 DISAGREE = ("engines disagree", "no witness")
@@ -135,7 +135,7 @@ def test_what_the_library_refuses_or_warns_of_is_an_error() -> None:
     wild = replace(mechanism, bodies=(replace(mechanism.bodies[0], mass=float("inf")),))
     with pytest.raises(SimulationError, match="MuJoCo"):
         simulate(wild, TIMES)
-    plant = Plant(mechanism)
+    plant = CompiledModel(mechanism)
     plant.load(np.zeros(plant.size), np.full(plant.size, np.nan))
     with pytest.raises(SimulationError, match="lost its numbers"):
         plant.check()

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from math import nan
 
+from sim2reason.simulation.engines.exact.contact_modes import Forces, Mode, Problem, Solution, scales, search, stiffest
 from sim2reason.simulation.engines.exact.equations import Equations
-from sim2reason.simulation.engines.exact.lifts import lifted
 from sim2reason.simulation.engines.exact.linear import Row, solve
-from sim2reason.simulation.engines.exact.modes import Forces, Mode, Problem, Solution, scales, search, stiffest
+from sim2reason.simulation.engines.exact.separations import lifted
 
 FAINT = 1e-9  # an entry of a force pattern that is not there
 

@@ -6,11 +6,11 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.exact.balance import Balance, balance
+from sim2reason.simulation.engines.exact.contact_modes import Mode, NoForcesError
 from sim2reason.simulation.engines.exact.equations import TOUCHING, Equations, Pair, equations
 from sim2reason.simulation.engines.exact.events import STILL, Approach, approach, crossing, stop
 from sim2reason.simulation.engines.exact.impulses import strike
 from sim2reason.simulation.engines.exact.linear import Row
-from sim2reason.simulation.engines.exact.modes import Mode, NoForcesError
 from sim2reason.simulation.engines.exact.motion import Motion, Segment
 from sim2reason.simulation.trace import ENGINES, Event, Trace
 

@@ -7,11 +7,11 @@ rubs by Coulomb's law with impulses in place of forces).
 
 from typing import NamedTuple
 
+from sim2reason.simulation.engines.exact.contact_modes import Mode, Problem, search
 from sim2reason.simulation.engines.exact.equations import Equations, Gradient, Pair
 from sim2reason.simulation.engines.exact.events import STILL, Approach
-from sim2reason.simulation.engines.exact.lifts import lifted
 from sim2reason.simulation.engines.exact.linear import Row, dot
-from sim2reason.simulation.engines.exact.modes import Mode, Problem, search
+from sim2reason.simulation.engines.exact.separations import lifted
 
 ROUNDING = 1e-9  # of the largest impulse or momentum: a face that pulls by less does not pull
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
+from sim2reason.simulation.engines.exact.contact_modes import Mode
 from sim2reason.simulation.engines.exact.linear import Row
-from sim2reason.simulation.engines.exact.modes import Mode
 from sim2reason.simulation.trace import Event
 
 

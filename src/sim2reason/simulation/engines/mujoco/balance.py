@@ -13,7 +13,7 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.mujoco.plant import Flags, Integers, Plant
+from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags, Integers
 
 TURNS = 24
 ROUNDS = 60
@@ -47,7 +47,7 @@ class Balance:
     rows: Integers
 
 
-def balance(plant: Plant, demand: Demand) -> Balance:
+def balance(plant: CompiledModel, demand: Demand) -> Balance:
     """Solve for all forces.
 
     Raises:
@@ -83,7 +83,7 @@ def _mixed(history: list[tuple[Array, Array]]) -> Array:
     return guess + change - (guesses + changes) @ weights
 
 
-def _turns(plant: Plant, demand: Demand, normal: Array) -> Balance:
+def _turns(plant: CompiledModel, demand: Demand, normal: Array) -> Balance:
     """Iterate overlaps and creep for given normal forces behind the friction."""
     limits = np.where((demand.sliding == 0.0) & ~demand.locked, plant.friction * normal, 0.0)
     applied = demand.applied.copy()
@@ -115,7 +115,7 @@ def _same(a: Balance, b: Balance, close: float) -> bool:
     return close == EQUAL and _largest(a.a - b.a) <= EQUAL * (_largest(a.a) + 1.0)
 
 
-def _corrected(plant: Plant, demand: Demand, found: Balance, limits: Array) -> tuple[Array, Array]:
+def _corrected(plant: CompiledModel, demand: Demand, found: Balance, limits: Array) -> tuple[Array, Array]:
     """Overlaps and creep under which the forces found need no acceleration beyond the targets."""
     overlap = np.full(plant.slots, LEAST)
     if not len(found.rows):

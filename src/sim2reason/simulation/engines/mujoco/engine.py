@@ -7,10 +7,10 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.simulation.engines.mujoco.compiled_model import STEP, CompiledModel, Flags, Integers
+from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
 from sim2reason.simulation.engines.mujoco.forces import Mode, Settled, settle, strike, weightless
-from sim2reason.simulation.engines.mujoco.plant import STEP, Flags, Integers, Plant
-from sim2reason.simulation.engines.mujoco.record import Record
-from sim2reason.simulation.engines.mujoco.watch import STILL, TOUCHING, Watch
+from sim2reason.simulation.engines.mujoco.record import Recorder
 from sim2reason.simulation.trace import Event, Trace
 
 SEGMENTS = 500
@@ -42,14 +42,14 @@ class Motion:
     def __init__(self, mechanism: Mechanism, duration: float) -> None:
         """Compile the mechanism, and stand at its start."""
         self.mechanism, self.duration = mechanism, duration
-        self.plant = Plant(mechanism)
-        self.watch = Watch(self.plant)
+        self.plant = CompiledModel(mechanism)
+        self.watch = EventDetector(self.plant)
         self.now = 0.0
         self.q = np.zeros(self.plant.size)
         self.v = np.zeros(self.plant.size)
         self.v[self.plant.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
         self.mode: Mode | None = None
-        self.record = Record(mechanism)
+        self.record = Recorder(mechanism)
         self.events: list[Event] = []
         self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}
         self.jerks: dict[int, tuple[float, tuple[str, ...]]] = {}

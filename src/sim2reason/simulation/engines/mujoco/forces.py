@@ -7,8 +7,8 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.balance import Balance, Demand, balance
-from sim2reason.simulation.engines.mujoco.plant import TINY, Flags, Plant
-from sim2reason.simulation.engines.mujoco.watch import STILL, TOUCHING, Watch
+from sim2reason.simulation.engines.mujoco.compiled_model import TINY, CompiledModel, Flags
+from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
 
 SCALE = 1e-3  # an impact is solved for a thousandth of its velocities, so that no overlap is large
 FAINT = 1e-7  # of the largest load: no tension
@@ -34,7 +34,7 @@ class Settled:
     loose: bool  # a massless part that nothing holds
 
 
-def settle(plant: Plant, watch: Watch, q: Array, v: Array, taut: Flags) -> Settled:
+def settle(plant: CompiledModel, watch: EventDetector, q: Array, v: Array, taut: Flags) -> Settled:
     """Find the mode and the forces at a state between impacts.
 
     `taut` are the strings that were so, or have just become so: they remain so under no tension while nothing
@@ -58,13 +58,13 @@ def settle(plant: Plant, watch: Watch, q: Array, v: Array, taut: Flags) -> Settl
     return Settled(mode, found, open_ended, lifted, _loose(plant, pulling, last.sliding))
 
 
-def _demand(plant: Plant, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> Demand:
+def _demand(plant: CompiledModel, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> Demand:
     pairs, locked = np.zeros(len(plant.pairs), dtype=bool), np.zeros(len(plant.friction), dtype=bool)
     return Demand(q, v, strings, pairs, sliding, locked, applied, np.zeros(plant.slots))
 
 
 def _decide(
-    plant: Plant, demand: Demand, start: float, faint: float, *, impact: bool = False
+    plant: CompiledModel, demand: Demand, start: float, faint: float, *, impact: bool = False
 ) -> tuple[Demand, Balance]:
     """Let the solver say what pulls and slides, and solve again with that alone.
 
@@ -89,7 +89,7 @@ def _decide(
     return last, balance(plant, last)
 
 
-def strike(plant: Plant, watch: Watch, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
+def strike(plant: CompiledModel, watch: EventDetector, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
     """The velocities just after an impact, and the contacts that it lifts off their faces.
 
     The solver sees impulses as forces, and velocities as accelerations from M·v, with neither gravity nor pulls.
@@ -115,13 +115,13 @@ def strike(plant: Plant, watch: Watch, q: Array, v: Array) -> tuple[Array, tuple
     return after, lifted
 
 
-def weightless(plant: Plant) -> Array:
+def weightless(plant: CompiledModel) -> Array:
     """Directions in which nothing has mass, (joints, k), orthonormal."""
     sizes, vectors = np.linalg.eigh(plant.mass)
     return vectors[:, sizes < 1e3 * TINY]
 
 
-def _loose(plant: Plant, taut: Flags, rubbing: Array) -> bool:
+def _loose(plant: CompiledModel, taut: Flags, rubbing: Array) -> bool:
     """Whether some massless part is held neither by a string that pulls nor by a contact that sticks."""
     free = weightless(plant)
     if not free.shape[1]:
@@ -132,7 +132,7 @@ def _loose(plant: Plant, taut: Flags, rubbing: Array) -> bool:
     return int(np.linalg.matrix_rank(holding @ free, tol=1e-6)) < free.shape[1]
 
 
-def _undetermined(plant: Plant, strings: Flags, held: Flags, rubbing: Array) -> Flags:
+def _undetermined(plant: CompiledModel, strings: Flags, held: Flags, rubbing: Array) -> Flags:
     """The forces that could be others with all that is motionless counted as acting: a pattern has no effect."""
     unit = np.eye(plant.size)
     drag = np.where(held, 0.0, rubbing) * plant.friction

@@ -9,7 +9,7 @@ from sim2reason.dsl.state import Array, State
 
 
 @dataclass
-class Record:
+class Recorder:
     """The ends of steps; at an event there are two at one time, just before and just after."""
 
     mechanism: Mechanism

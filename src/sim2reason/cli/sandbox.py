@@ -1,0 +1,62 @@
+"""Work on foreign input in a process of its own, which can be killed."""
+
+import os
+from collections.abc import Callable
+from multiprocessing import get_context, parent_process
+from multiprocessing.connection import Connection
+from threading import Thread
+from typing import ParamSpec, TypeVar
+
+from sim2reason.errors import Sim2ReasonError, SimulationError
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def sandboxed(patience: float, function: Callable[P, R], *args: P.args, **kwargs: P.kwargs) -> R:
+    """`function(*args)`, importable and with results that can be pickled, given at most `patience` seconds.
+
+    Raises:
+        SimulationError: it took longer, or crashed its process.
+        Sim2ReasonError, OSError: what the function raises.
+    """
+    ours, theirs = get_context("spawn").Pipe(duplex=False)
+    process = get_context("spawn").Process(target=_serve, args=(theirs, function, args, kwargs), daemon=True)
+    process.start()
+    theirs.close()  # now the worker alone holds it: its death closes the pipe
+    try:
+        if not ours.poll(patience):
+            raise SimulationError(f"the simulation takes longer than {patience:g} s; simulate a shorter time")
+        good, value = ours.recv()
+    except EOFError:
+        process.join()
+        code = process.exitcode
+        raise SimulationError(f"the simulation crashed its process (exit code {code}); try another engine") from None
+    finally:
+        process.kill()
+        process.join()
+        ours.close()
+    if good:
+        return value
+    raise value
+
+
+def _serve(
+    pipe: "Connection[object, object]",
+    function: Callable[..., object],
+    args: tuple[object, ...],
+    kwargs: dict[str, object],
+) -> None:
+    Thread(target=_die_with_parent, daemon=True).start()
+    try:
+        answer = True, function(*args, **kwargs)
+    except (Sim2ReasonError, OSError) as error:
+        answer = False, error
+    pipe.send(answer)
+
+
+def _die_with_parent() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)

@@ -1,0 +1,79 @@
+"""CertifiedQuestion about one scene until a question passes every filter."""
+
+from collections import Counter
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from sim2reason.dsl.scene import Scene
+from sim2reason.filters import Candidate, sift
+from sim2reason.prose.writer import Description, describe
+from sim2reason.questions import Mode, Question
+from sim2reason.questions.prompt import prompt, words_of
+from sim2reason.simulation.certify import RECORDED, Certificate, witnessed
+from sim2reason.simulation.trace import ENGINES, Trace
+
+DURATION = 2.0  # s
+SAMPLES = 41
+SHORTEST = 0.1  # s of usable motion
+QUESTIONS = 4  # tries
+
+
+@dataclass(frozen=True)
+class CertifiedQuestion:
+    """A question that passed, with its text and what vouches for its answer."""
+
+    question: Question
+    prompt: str
+    trace: Trace
+    certificate: Certificate
+
+
+class QuestionSearch:
+    """A scene with its motion and its text, which all questions about it share.
+
+    Raises:
+        SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
+    """
+
+    def __init__(self, scene: Scene, wording: int) -> None:
+        """`wording` is the seed of the text."""
+        self.scene = scene
+        self.trace = ENGINES[RECORDED](scene.mechanism, np.linspace(0.0, DURATION, SAMPLES))
+        self._wording = wording
+
+    @cached_property
+    def description(self) -> Description:
+        """Its text."""
+        return describe(self.scene, self._wording)
+
+    @cached_property
+    def _told(self) -> tuple[Trace, Certificate]:
+        """What the second engine says; heard only if a question gets as far as that."""
+        return witnessed(self.trace)
+
+    def ask(
+        self, mode: Mode, rng: np.random.Generator, refused: Counter[str], kind: str = ""
+    ) -> CertifiedQuestion | None:
+        """A question that passes every filter, or None; what was refused is counted by filter in `refused`."""
+        if self.trace.stable_until < SHORTEST:
+            refused[f"unstable: {self.trace.cut}"] += 1
+            return None
+        description = self.description
+        words = words_of(description)
+        for _ in range(QUESTIONS):
+            question = mode(self.trace, words, kind, rng)
+            if question is None:
+                refused["nothing to ask"] += 1
+                continue
+            candidate = Candidate(
+                self.scene, self.trace, question, prompt(description, question, rng), description.sentences
+            )
+            verdict = sift(candidate, witnessed=False)
+            if verdict.keep:
+                verdict = sift(replace(candidate, certificate=self._told[1]), witnessed=True)
+            if verdict.keep:
+                return CertifiedQuestion(question, candidate.prompt, *self._told)
+            refused[verdict.filter] += 1
+        return None

@@ -1,5 +1,0 @@
-"""Scenes as files: strict YAML in the paper's shape, its JSON schema, and the page that tells the format."""
-
-from sim2reason.dsl.files.mapping import decoded, dump, load, told
-
-__all__ = ["decoded", "dump", "load", "told"]

@@ -1,0 +1,222 @@
+"""Pieces that hang, hold or pull: blocks in the air, pulleys, hooks and hands."""
+
+from collections.abc import Iterator
+from typing import get_args
+
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.pulley import FixedPulley, MovablePulley
+from sim2reason.dsl.measures import Force, Measure
+from sim2reason.figures.paths import FACES, Knot
+from sim2reason.figures.pieces import DrawingPlan, Piece, around, draws
+from sim2reason.figures.shapes import (
+    LETTER,
+    SIZE,
+    SMALL,
+    TINY,
+    Arc,
+    Area,
+    Line,
+    Shape,
+    Sketch,
+    Wanted,
+    dot_at,
+    hatched,
+    width,
+)
+from sim2reason.figures.vectors import UP, Polygon, degrees, dot, rectangle, ring, unit
+
+BRACKET, PLATE = 0.95, 1.1  # from an axle to what holds it, and how wide that is
+ARROW = 1.3
+
+
+@draws(Block)
+class BlockPiece(Piece):
+    """A block that hangs."""
+
+    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+        """The middle of the side that the strand leaves."""
+        del knot, second
+        sizes = self.plan.sizes
+        steep = abs(way.imag) * sizes.width >= abs(way.real) * sizes.height
+        return way * (0.5 * sizes.height / abs(way.imag) if steep else 0.5 * sizes.width / abs(way.real))
+
+    def hulls(self) -> list[Polygon]:
+        """Itself."""
+        return [rectangle(0j, self.plan.sizes.width, self.plan.sizes.height)]
+
+    def sketch(self) -> Sketch:
+        """A rectangle with its name inside."""
+        return Sketch([Area(self.hulls()[0], "block")], block_labels(self.plan, self.name, 0j))
+
+
+def block_labels(plan: DrawingPlan, address: str, center: complex) -> list[Wanted]:
+    """A block's name, inside if it is a letter, and its mass."""
+    name, mass, sizes = plan.name(address), plan.mass(address), plan.sizes
+    inside = len(name) <= LETTER
+    found = [Wanted(mass, (center - 0.22j if inside else center,), address, TINY, name=False)] if mass else []
+    if inside:
+        return [Wanted(name, (center + 0.22j if mass else center,), address), *found]
+    wide = width(name, SIZE)
+    across, up = 0.5 * (sizes.width + wide) + 0.15, 0.5 * sizes.height + 0.35
+    beside = [center + spot for spot in (across, -across, -1j * up, 1j * up)]
+    far = 0.5 * max(sizes.width, sizes.height) + 0.2
+    return [Wanted(name, (*beside, *around(center, far, wide)), address), *found]
+
+
+@draws(FixedPulley, MovablePulley)
+class PulleyPiece(Piece):
+    """A pulley; `address` is the body's, which for a movable one is not that of the piece."""
+
+    def __init__(self, name: str, plan: DrawingPlan) -> None:
+        """Find the pulley that a massless carrier stands for."""
+        super().__init__(name, plan)
+        own = [knot.item for knots in plan.paths.knots.values() for knot in knots if knot.piece == name and knot.rim]
+        self.address = own[0] if own else name
+        self.bend = plan.bends.get(self.address)
+        self.radius = plan.sizes.radius * plan.wider.get(name, 1.0)
+        self.fixed = isinstance(plan.scene.bodies.get(self.address), FixedPulley)
+        self.corners = list(self._corners()) if self.fixed else []
+        self.mounted = self.fixed and not self.corners
+
+    def _corners(self) -> Iterator[str]:
+        """The pieces on whose faces a string comes to it: it can be fixed to their corners."""
+        for strand in self.plan.paths.strands:
+            for here, there in ((strand.a, strand.b), (strand.b, strand.a)):
+                on_face = not there.rim and isinstance(self.plan.scene.bodies.get(there.piece), FACES)
+                if here.piece == self.name and on_face and self._clear(there):
+                    yield there.piece
+
+    def _clear(self, block: Knot) -> bool:
+        """Whether the string lies beyond the pulley as seen from the face, so that no bracket crosses it."""
+        ways = self.plan.ends.get(block.item, ())
+        if self.bend is None or not ways:
+            return False
+        way = max((-w for w in ways), key=lambda w: max(dot(w, held) for held in self.bend.ways) if self.bend else 0.0)
+        out = way * 1j if (way * 1j).imag > 0.0 else way * -1j
+        return dot(self.bend.touches(way), out) > 0.0
+
+    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+        """On the rim, or at the axle."""
+        del way
+        if not knot.rim or self.bend is None:
+            return 0j
+        return self.radius * self.bend.rim(second=second)
+
+    @property
+    def support(self) -> complex:
+        """Up, left, right or down: where a fixed one is held."""
+        if self.bend is None:
+            return UP
+        bend = self.bend
+        ways = (UP, 1.0 + 0j, -1.0 + 0j, -UP)
+        return max(ways, key=lambda way: dot(way, bend.held) - 2.0 * max(0.5, *(dot(way, w) for w in bend.ways)))
+
+    @property
+    def bracket(self) -> float:
+        """How far from the axle it is held."""
+        return BRACKET + self.radius - self.plan.sizes.radius
+
+    def hulls(self) -> list[Polygon]:
+        """The disc and, if it is fixed, its bracket."""
+        found = [ring(0j, self.radius + 0.05)]
+        if self.mounted:
+            found.append(rectangle(self.support * (self.bracket + 0.15), PLATE, 0.35, self.support * -1j))
+        return found
+
+    @property
+    def level(self) -> tuple[str, float] | None:
+        """Pulleys under the ceiling look best at one height."""
+        return ("ceiling", self.bracket - BRACKET) if self.fixed and self.support == UP else None
+
+    def sketch(self) -> Sketch:
+        """A circle with its axle, the string round it, and a bracket."""
+        radius = self.radius
+        massive = bool(getattr(self.plan.scene.bodies.get(self.address), "mass", 0.0))
+        shapes: list[Shape] = [Arc(0j, radius, fill="disc" if massive else "")]
+        if self.mounted:
+            shapes += plate(self.support, far=self.bracket)
+        shapes += [dot_at(0j), *self._string()]
+        start = -self.bend.held if self.bend is not None and not self.fixed else unit(1 + 1j)
+        text = self.plan.caption(self.address)
+        size = SIZE if text == self.plan.name(self.address) else SMALL
+        places = around(0j, radius + 0.1, width(text, size), start=start)
+        return Sketch(shapes, [Wanted(text, places, self.address, size)])
+
+    def _string(self) -> list[Shape]:
+        """The part of the string that lies on the rim."""
+        if self.bend is None:
+            return []
+        return [wrapped(self.bend.rim(), self.bend.rim(second=True), self.bend.held, 0j, self.radius)]
+
+
+def wrapped(first: complex, last: complex, middle: complex, center: complex, radius: float) -> Shape:
+    """The string along a rim from one point of touch to the other, by way of `middle`."""
+    low, high = sorted((degrees(first), degrees(last)))
+    inside = low <= degrees(middle) <= high
+    start, stop = (low, high) if inside or high - low < 1e-6 else (high, low + 360.0)
+    return Arc(center, radius, start, stop, weight="string")
+
+
+def plate(way: complex, start: complex = 0j, far: float = BRACKET, wide: float = PLATE) -> list[Shape]:
+    """A bracket from `start` along `way` to something fixed, which is solid beyond."""
+    end, half = start + way * far, 0.5 * wide * way * 1j
+    return [Line((start, end), "edge"), *hatched(end - half, end + half)]
+
+
+class EndPiece(Piece):
+    """What stands at the end of a string, in line with it."""
+
+    @property
+    def way(self) -> complex:
+        """The direction from the string outwards."""
+        ends = self.plan.ends.get(self.name, ())
+        return -ends[0] if ends else UP
+
+    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+        """The point where the string ends."""
+        del knot, way, second
+        return 0j
+
+
+class HookPiece(EndPiece):
+    """A hook fixed in the room."""
+
+    def hulls(self) -> list[Polygon]:
+        """The hook with its plate."""
+        return [rectangle(self.way * 0.25, 1.0, 0.6, self.way * -1j)]
+
+    @property
+    def level(self) -> tuple[str, float] | None:
+        """Hooks in the ceiling go with the pulleys there."""
+        return ("ceiling", 0.35 - BRACKET) if self.way.imag > 0.99 else None
+
+    def sketch(self) -> Sketch:
+        """A ring and hatching."""
+        return Sketch([*plate(self.way, self.way * 0.1, 0.25, 1.0), Arc(0j, 0.1)])
+
+
+class HandPiece(EndPiece):
+    """A hand that pulls: an arrow with its force."""
+
+    def hulls(self) -> list[Polygon]:
+        """The arrow and room for its label."""
+        return [rectangle(self.way * 0.5 * ARROW, ARROW, 0.5, self.way)]
+
+    def sketch(self) -> Sketch:
+        """A grip, an arrow, and the force as the text has it."""
+        text = said(Force, self.plan.scene.builder.hands[self.name])
+        grip = Area(rectangle(0j, 0.14, 0.4, self.way), "ink")
+        wide = width(text, SMALL)
+        places = tuple(
+            self.way * along + complex(across.real * (0.5 * wide + 0.16), across.imag * 0.38)
+            for along in (0.75, 1.1, 0.4)
+            for across in (self.way * 1j, self.way * -1j)
+        ) + around(self.way * ARROW, 0.15, wide, start=self.way)
+        label = Wanted(text, places, self.name, SMALL, name=False)
+        return Sketch([Line((0j, self.way * ARROW), "string", arrow=True), grip], [label])
+
+
+def said(alias: object, value: float) -> str:
+    """A number as prose has it, by the alias that declares such numbers."""
+    measure = next(mark for mark in get_args(alias) if isinstance(mark, Measure))
+    return measure.say(value)

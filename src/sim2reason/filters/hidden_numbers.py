@@ -1,0 +1,49 @@
+"""Drops a question whose answer hangs on a number that the text does not give."""
+
+from typing import cast
+
+import numpy as np
+
+from sim2reason.dsl.model import Model, field_types
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.simulation.certify import RECORDED
+from sim2reason.simulation.trace import ENGINES
+
+SAME = 1e-6  # relative
+
+
+class HiddenNumbers:
+    """With every free length at the low end of its range, the moment comes later than the motion goes."""
+
+    needs_witness = False
+    order = 1
+
+    def reason(self, candidate: Candidate) -> str:
+        """Solve the scene with its strings as short as they may be drawn, and ask again."""
+        answer, ask = candidate.question.answer, candidate.question.ask
+        times = np.array([0.0, float(candidate.trace.state.times[-1])])
+        try:
+            tight = ENGINES[RECORDED](tightest(candidate.scene).mechanism, times)
+        except (SceneError, SimulationError, UnsupportedError):
+            return "with shorter strings there is no motion"
+        time = ask.time(tight)
+        if time is None or time > tight.stable_until:
+            return "with shorter strings the moment does not come"
+        again = ask.answer(tight)
+        return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "an unsaid length matters"
+
+
+def tightest(scene: Scene) -> Scene:
+    """The scene with every hidden number at the low end of what it may be drawn from."""
+    for parameter in scene.parameters:
+        if parameter.hidden and parameter.value is not None:
+            owner, _, name = parameter.path.rpartition(".")
+            held = field_types(cast("type[Model]", type(scene.value(owner))))[name]
+            if held.drawn is not None and parameter.value != held.drawn.low:
+                scene = scene.having(parameter.path, held.drawn.low)
+    return scene
+
+
+FILTERS.add("unsaid", HiddenNumbers())

@@ -1,0 +1,82 @@
+"""From what was state to a scene: told numbers where they belong, hidden ones drawn afresh."""
+
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.connection import Connection
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.model import FieldType, M, Model, field_types
+from sim2reason.dsl.scene import Scene, World
+from sim2reason.errors import TextError
+from sim2reason.parsing.parse_state import ParsedConnection, ParseState
+from sim2reason.scene_files.mistakes import explained
+
+
+def assembled(state: ParseState, rng: np.random.Generator) -> Scene:
+    """The scene of a reading.
+
+    Raises:
+        TextError: something is not told.
+        SceneError, ValueError: what is told can't be.
+    """
+    entities = [Named(name=name, entity=_model(state, name, state.kind(name, Entity), rng)) for name in state.entities]
+    connections = tuple(_connection(joined, rng) for joined in state.joined)
+    told = {path.removeprefix("world."): value for path, value in state.values.items() if path.startswith("world.")}
+    return Scene(entities=tuple(entities), connections=connections, world=World.model_validate(told))
+
+
+def _connection(joined: ParsedConnection, rng: np.random.Generator) -> Connection:
+    drawn = {name: _drawn(held, rng) for name, held in field_types(joined.kind).items() if held.hidden and held.drawn}
+    return joined.kind(links=joined.links, **drawn)
+
+
+def _model(state: ParseState, address: str, kind: type[M], rng: np.random.Generator) -> M:
+    fields: dict[str, Any] = {}
+    for name, held in field_types(kind).items():
+        fields[name] = _field(state, f"{address}.{name}", kind, held, rng)
+    try:
+        return kind(**fields)
+    except ValidationError as error:
+        raise explained(kind, error, address) from None
+
+
+def _field(state: ParseState, address: str, kind: type[Model], held: FieldType, rng: np.random.Generator) -> Any:
+    if held.hidden:
+        return _drawn(held, rng)
+    if address in state.values:
+        return state.values[address] if held.measure is not None else _index(state.values[address])
+    if held.count is not None:
+        return _several(state, address, held, rng)
+    if held.models and not (held.optional and _is_silent(state, address)):
+        return _model(state, address, state.kinds.get(address, held.models[0]), rng)
+    if held.optional:
+        return None
+    what = held.measure.name if held.measure is not None else address.rpartition(".")[2]
+    raise TextError("text", f"the {what} of a {kind.__name__} is not told", "say it")
+
+
+def _drawn(held: FieldType, rng: np.random.Generator) -> float:
+    if held.measure is None or held.drawn is None:
+        raise TypeError("a hidden number needs a range to be drawn from")
+    return held.measure.draw(rng, held.drawn.low, held.drawn.high)
+
+
+def _index(value: float | None) -> int | None:
+    return None if value is None else int(value)
+
+
+def _several(state: ParseState, address: str, held: FieldType, rng: np.random.Generator) -> tuple[Model, ...]:
+    low, high = state.count(address)
+    if low != high:
+        raise TextError("text", f"it is not told how many {address.rpartition('.')[2]} there are", "name them all")
+    members = [f"{address}.{index}" for index in range(high)]
+    return tuple(_model(state, member, state.kinds.get(member, held.models[0]), rng) for member in members)
+
+
+def _is_silent(state: ParseState, address: str) -> bool:
+    """Whether nothing was told of an optional body or part."""
+    kind = state.kinds.get(address)
+    return kind is None or (issubclass(kind, Body) and address not in state.letters)

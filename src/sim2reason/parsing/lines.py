@@ -1,0 +1,131 @@
+"""The lines of entities and parts, read in the order in which the Writer says them."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.entity import Part, inside
+from sim2reason.dsl.model import FieldType, field_types
+from sim2reason.dsl.template import Each, Saying, slots, wordings
+from sim2reason.parsing.matcher import Matcher, thing_at
+from sim2reason.parsing.parse_state import MANY, ParseState
+from sim2reason.parsing.string_routes import InnerRoute
+from sim2reason.parsing.tables import parse_table
+
+Step = Callable[[int, ParseState], Iterator[tuple[int, ParseState]]]
+"""From a piece of the text and what was state before it, to all that can be state from there on."""
+
+
+def entity_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+    """All lines of an entity whose class is known: its parts', its own, its inner strings'."""
+    inner = [partial(_inside, matcher, address, name) for name in inside(state.kind(address, Part))]
+    steps: list[Step] = [partial(part_lines, matcher, address), *inner]
+    yield from _in_turn(steps, place, state)
+
+
+def part_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+    """The lines of the parts inside a part, then its own."""
+    kind = state.kind(address, Part)
+    steps: list[Step] = []
+    for name, held in field_types(kind).items():
+        if held.count is None and any(issubclass(model, Part) for model in held.models):
+            steps.append(partial(_inner, matcher, f"{address}.{name}", held))
+    steps.extend(partial(_saying, matcher, saying, address) for saying in kind.says)
+    yield from _in_turn(steps, place, state)
+
+
+def _in_turn(steps: list[Step], place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+    if not steps:
+        yield place, state
+        return
+    for after, then in steps[0](place, state):
+        yield from _in_turn(steps[1:], after, then)
+
+
+def _inner(
+    matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """A part of any of its classes; an optional one may be absent."""
+    for kind in held.models:
+        yield from part_lines(matcher, address, place, state.with_kind(address, kind))
+    absent = state.with_value(address, None) if held.optional else None
+    if absent is not None:
+        yield place, absent
+
+
+def _inside(
+    matcher: Matcher, address: str, name: str, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """The sentence of a connection inside an entity."""
+    inner = inside(state.kind(address, Part))[name]
+    routes = InnerRoute(address, inner)
+    for told in inner.kind.parse(f"{address}.{name}", place, state, matcher, routes):
+        yield place + 1, told.state
+
+
+def _saying(
+    matcher: Matcher, saying: Saying, address: str, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    if isinstance(saying, Each):
+        yield from _each(matcher, saying, address, place, state)
+        return
+    for number, template in enumerate(wordings(saying)):
+        for then in matcher.sentence(place, template, address, state.with_choice(number)):
+            yield place + 1, then
+    for then in _unsaid(wordings(saying)[0], address, state):
+        yield place, then
+
+
+def _each(
+    matcher: Matcher, saying: Each, address: str, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """A sentence for each member; like bodies from three on are a table; nothing where there is none."""
+    field = f"{address}.{saying.field}"
+    none = state.with_count(field, 0, 0)
+    if none is not None:
+        yield place, none
+    for number, template in enumerate(saying.wordings):
+        yield from _members(matcher, template, field, place, state.with_choice(number), 0)
+    for kind in thing_at(state, field).models:
+        if issubclass(kind, Body):
+            yield from parse_table(matcher, field, kind, place, state.with_choice(0))  # its wording does not show
+
+
+def _members(
+    matcher: Matcher, template: str, field: str, place: int, state: ParseState, index: int
+) -> Iterator[tuple[int, ParseState]]:
+    """The sentences of the members from `index` on, all in one wording."""
+    address = field.rpartition(".")[0]
+    if index == MANY:
+        return
+    for then in matcher.sentence(place, template.replace(".*", f".{index}"), address, state):
+        whole = then.with_count(field, index + 1, index + 1)
+        if whole is not None:
+            yield place + 1, whole
+        yield from _members(matcher, template, field, place + 1, then, index + 1)
+
+
+def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseState]:
+    """What may be so if a line stays unsaid: something absent that it needs, or a number that a word tells."""
+    kind = state.kind(address, Part)
+    for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
+        if path in kind.words:
+            continue
+        where = f"{address}.{path}"
+        held = field_types(kind).get(path)
+        if held is not None and held.optional:
+            absent = state.with_value(where, None) if where not in state.letters else None
+            if absent is not None:
+                yield absent
+        elif _by_word(state, where):
+            yield state
+
+
+def _by_word(state: ParseState, address: str) -> bool:
+    """Whether the introduction of a body has told a number by a word, or still may."""
+    owner, _, name = address.rpartition(".")
+    for model in thing_at(state, owner).models:
+        if issubclass(model, Body):
+            words = [word for word in model.introduced_words() if word.parameter == name]
+            return any(address not in state.values or state.values[address] in word.special for word in words)
+    return False

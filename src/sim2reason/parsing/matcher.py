@@ -1,0 +1,292 @@
+"""Templates read backwards: where in a sentence they can end, and what they tell until there."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.entity import Part
+from sim2reason.dsl.measures import Measure, join_unit
+from sim2reason.dsl.model import Model, field_types
+from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
+from sim2reason.errors import TextError
+from sim2reason.parsing.parse_state import MANY, ParseState
+from sim2reason.prose.phrases import another, join
+
+MAX_STEPS = 200_000
+NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
+
+Found = tuple[int, ParseState]
+"""Where a match ends, and what was state until there."""
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """What stands at an address, as far as declarations tell: a number, a word, a list, or one of some models."""
+
+    measure: Measure | None = None
+    word: Word | None = None
+    several: bool = False
+    models: tuple[type[Model], ...] = ()
+
+
+class Matcher:
+    """Follows templates through the pieces of one text; counts its steps, so that no text takes for ever."""
+
+    def __init__(self, pieces: tuple[str, ...]) -> None:
+        """`reach` is the number of pieces that some reading got through."""
+        self.pieces = pieces
+        self.reach = 0
+        self._steps = 0
+
+    def sentence(self, place: int, template: str, owner: str, state: ParseState) -> Iterator[ParseState]:
+        """What a whole sentence tells, read as a template of the part at `owner`."""
+        if place < len(self.pieces):
+            text = self.pieces[place]
+            for end, then in self.template(text, 0, template, owner, state):
+                if end == len(text):
+                    self.reach = max(self.reach, place + 1)
+                    yield then
+
+    def literal(self, text: str, at: int, wanted: str) -> int | None:
+        """Where `wanted` ends if it stands at `at`; a sentence begins with a capital."""
+        self._steps += 1
+        if self._steps > MAX_STEPS:
+            raise TextError("text", "it can be read in too many ways", "give the text of one scene")
+        if at == 0:
+            wanted = wanted[:1].upper() + wanted[1:]
+        return at + len(wanted) if text.startswith(wanted, at) else None
+
+    def template(self, text: str, at: int, template: str, owner: str, state: ParseState) -> Iterator[Found]:
+        """All ways in which a template of the part at `owner` can stand at `at`."""
+        yield from self._slots(text, at, slots(template), owner, state, at)
+
+    def _slots(
+        self, text: str, at: int, rest: tuple[Slot, ...], owner: str, state: ParseState, begin: int
+    ) -> Iterator[Found]:
+        if not rest:
+            yield at, state
+            return
+        for end, then in self._slot(text, at, rest[0], owner, state, start=at == begin):
+            yield from self._slots(text, end, rest[1:], owner, then, begin)
+
+    def _slot(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
+        if slot.kind == "text":
+            yield from self._just(text, at, slot.text, state)
+        elif slot.kind == "count":
+            yield from self._count(text, at, _join(owner, slot.path), state)
+        elif slot.kind == "plural":
+            yield from self._plural(text, at, _join(owner, slot.path), state)
+        elif slot.kind in ("agree", "some"):
+            yield from self._forms(text, at, slot, owner, state)
+        elif slot.kind == "member":
+            yield from self._member(text, at, slot, owner, state, start=start)
+        else:
+            word = _part_word(state, owner, slot.path)
+            if word is not None:
+                yield from self._word(text, at, word, owner, state)
+                return
+            for address, then in _canonical(_join(owner, slot.path), state):
+                yield from self.at(text, at, address, then, start=start)
+
+    def _just(self, text: str, at: int, wanted: str, state: ParseState) -> Iterator[Found]:
+        end = self.literal(text, at, wanted)
+        if end is not None:
+            yield end, state
+
+    def _count(self, text: str, at: int, address: str, state: ParseState) -> Iterator[Found]:
+        low, high = state.count(address)
+        for count in range(low, high + 1):
+            then = state.with_count(address, count, count)
+            if then is not None:
+                yield from self._just(text, at, COUNT_WORDS[count], then)
+
+    def _plural(self, text: str, at: int, address: str, state: ParseState) -> Iterator[Found]:
+        for kind in thing_at(state, address).models:
+            if issubclass(kind, Body):
+                for noun in _nouns(kind, state):
+                    yield from self._just(text, at, f"{noun}s", state.with_noun(kind, noun))
+
+    def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState) -> Iterator[Found]:
+        """Agreement: one, two or more; none or some."""
+        address, least = _join(owner, slot.path), 1 if slot.kind == "agree" else 0
+        several = ((slot.two, 2, 2), (slot.many, 3, MANY)) if slot.two != slot.many else ((slot.many, least + 1, MANY),)
+        for form, low, high in ((slot.one, least, least), *several):
+            then = state.with_count(address, low, high)
+            if then is not None:
+                yield from self.template(text, at, form, owner, then)
+
+    def _member(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
+        members = _join(owner, slot.text)
+        for index in range(state.count(members)[1]):
+            address = f"{members}.{index}"
+            then = state.with_value(_join(owner, slot.path), index)
+            if then is not None and address in state.letters:
+                yield from self._just(text, at, state.mention(address, full=start), then)
+
+    def at(self, text: str, at: int, address: str, state: ParseState, *, start: bool = False) -> Iterator[Found]:
+        """All ways in which what stands at an address can be told: a number, a word, a body or a list of them."""
+        thing = thing_at(state, address)
+        if thing.measure is not None:
+            yield from self.number(text, at, address, thing.measure, state)
+        elif thing.word is not None:
+            yield from self._word(text, at, thing.word, address.rpartition(".")[0], state)
+        elif thing.several:
+            yield from self._list(text, at, address, thing, state, start=start)
+        else:
+            yield from self._mention(text, at, address, thing, state, start=start)
+
+    def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
+        """A number with its unit; hearing another one again at the same address is a contradiction."""
+        match = NUMBER.match(text, at)
+        if match is None:
+            return
+        end = self.literal(text, match.end(), join_unit("", measure.unit))
+        then = state.with_value(address, float(match.group().replace("\N{MINUS SIGN}", "-")))
+        if end is not None and then is not None:
+            yield end, then
+
+    def _word(self, text: str, at: int, word: Word, owner: str, state: ParseState) -> Iterator[Found]:
+        """A special word tells its number; the other one only leaves it open."""
+        address = _join(owner, word.parameter)
+        known = state.values.get(address)
+        if known is None or known not in word.special:
+            yield from self._told(text, at, word.otherwise, owner, state)
+        for value, special in word.special.items():
+            then = state.with_value(address, value)
+            if then is not None:
+                yield from self._told(text, at, special, owner, then)
+
+    def _told(self, text: str, at: int, template: str, owner: str, state: ParseState) -> Iterator[Found]:
+        if owner in state.kinds and issubclass(state.kinds[owner], Part):
+            yield from self.template(text, at, template, owner, state)
+        else:
+            yield from self._of_body(text, at, slots(template), owner, state)
+
+    def _mention(
+        self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
+    ) -> Iterator[Found]:
+        if address in state.letters:
+            yield from self._just(text, at, state.mention(address, full=start), state)
+        elif state.values.get(address, 0.0) is not None:  # it was not said to be absent
+            for kind in thing.models:
+                if issubclass(kind, Body):
+                    yield from self._introduction(text, at, address, kind, state)
+
+    def _introduction(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
+        """The first mention of a body: with the next letter of its series, or as the only one."""
+        letters = state.next_letters(kind)
+        for noun in _nouns(kind, state):
+            again = state.knows_noun(noun)
+            named = state.with_noun(kind, noun)
+            if letters is not None:
+                then = named.introduced(address, kind, letters[0])
+                for number, template in enumerate(kind.named):
+                    yield from self._of_body(text, at, slots(template), address, then.with_choice(number))
+            if not state.series(kind):
+                then = named.introduced(address, kind, "")
+                for number, template in enumerate(kind.lone):
+                    said = another(template) if again else template
+                    yield from self._of_body(text, at, slots(said), address, then.with_choice(number))
+
+    def _of_body(self, text: str, at: int, rest: tuple[Slot, ...], address: str, state: ParseState) -> Iterator[Found]:
+        if not rest:
+            yield at, state
+            return
+        slot = rest[0]
+        if slot.kind == "text":
+            found = self._just(text, at, slot.text, state)
+        elif slot.path == "letter":
+            found = self._just(text, at, state.letters[address], state)
+        elif slot.path == "noun":
+            found = self._just(text, at, state.nouns[state.body(address)], state)
+        else:
+            found = self.at(text, at, f"{address}.{slot.path}", state)
+        for end, then in found:
+            yield from self._of_body(text, end, rest[1:], address, then)
+
+    def _list(
+        self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
+    ) -> Iterator[Found]:
+        """One member as it is, several with the plural noun; known ones by their letters alone."""
+        low, high = state.count(address)
+        one = state.with_count(address, 1, 1)
+        if one is not None:
+            yield from self.at(text, at, f"{address}.0", one, start=start)
+        if f"{address}.0" in state.letters:
+            if low == high > 1:
+                yield from self._known(text, at, [f"{address}.{index}" for index in range(high)], state, start=start)
+            return
+        for kind in thing.models:
+            if issubclass(kind, Body) and kind.listed:
+                for noun in _nouns(kind, state):
+                    for end, then in self._just(text, at, f"{noun}s ", state.with_noun(kind, noun)):
+                        yield from self._items(text, end, address, kind, then, 0)
+
+    def _known(self, text: str, at: int, members: list[str], state: ParseState, *, start: bool) -> Iterator[Found]:
+        letters = [state.letters[address] for address in members]
+        plural = f"{state.nouns[state.body(members[0])]}s " if start else ""
+        yield from self._just(text, at, plural + join(letters), state)
+
+    def _items(
+        self, text: str, at: int, address: str, kind: type[Body], state: ParseState, index: int, *, last: bool = False
+    ) -> Iterator[Found]:
+        """The members of a new list from `index` on: A (…), B (…) and C (…)."""
+        letters = state.next_letters(kind)
+        if letters is None or index >= MANY:
+            return
+        here = f"{address}.{index}"
+        for end, then in self._of_body(text, at, slots(kind.listed), here, state.introduced(here, kind, letters[0])):
+            if last:
+                counted = then.with_count(address, index + 1, index + 1)
+                if counted is not None:
+                    yield end, counted
+                continue
+            for comma, ends in ((", ", False), (" and ", True)):
+                for after, again in self._just(text, end, comma, then):
+                    yield from self._items(text, after, address, kind, again, index + 1, last=ends)
+
+
+def thing_at(state: ParseState, address: str) -> Thing:
+    """What the declarations say about an address; KeyError for one that leads nowhere."""
+    if address in state.kinds:
+        return Thing(models=(state.kinds[address],))
+    owner, _, step = address.rpartition(".")
+    held = thing_at(state, owner) if owner else Thing()
+    if step.isdigit():
+        return replace(held, several=False)
+    for model in held.models:
+        if issubclass(model, Body) and step in model.words:
+            return Thing(word=model.words[step])
+        if step in field_types(model):
+            kind = field_types(model)[step]
+            return Thing(kind.measure, None, kind.count is not None, kind.models)
+    raise KeyError(address)
+
+
+def _join(owner: str, path: str) -> str:
+    return f"{owner}.{path}" if owner else path
+
+
+def _part_word(state: ParseState, owner: str, path: str) -> Word | None:
+    kind = state.kinds.get(owner)
+    return kind.words.get(path) if kind is not None and issubclass(kind, Part) else None
+
+
+def _canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:
+    """`first` and `last` as indices; where the last one is not known yet, every possible one."""
+    owner, _, step = address.rpartition(".")
+    if step == "first":
+        yield f"{owner}.0", state
+    elif step == "last":
+        low, high = state.count(owner)
+        for count in range(max(low, 1), high + 1):
+            then = state.with_count(owner, count, count)
+            if then is not None:
+                yield f"{owner}.{count - 1}", then
+    else:
+        yield address, state
+
+
+def _nouns(kind: type[Body], state: ParseState) -> tuple[str, ...]:
+    return (state.nouns[kind],) if kind in state.nouns else kind.nouns

@@ -1,0 +1,124 @@
+"""What a text has told so far: a frozen value, so that many readings can be followed at once."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.connection import Connection, Link
+from sim2reason.dsl.model import M, Model
+from sim2reason.prose.naming import Names, letter_at
+
+MANY = 8  # members of a variable-length part that a text can count
+
+
+@dataclass(frozen=True, slots=True)
+class ParsedConnection:
+    """A connection that was told, and the ports that it joins."""
+
+    kind: type[Connection]
+    links: tuple[Link, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ParseState:
+    """Facts by address, as the scene will have them; `script` lists the wordings that were met, in order."""
+
+    kinds: Mapping[str, type[Model]]
+    values: Mapping[str, float | None] = field(default_factory=dict[str, float | None])  # None: absent
+    counts: Mapping[str, tuple[int, int]] = field(default_factory=dict[str, tuple[int, int]])  # least and most
+    letters: Mapping[str, str] = field(default_factory=dict[str, str])  # in the order of introduction
+    nouns: Mapping[type[Body], str] = field(default_factory=dict[type[Body], str])
+    script: tuple[int, ...] = ()
+    entities: tuple[str, ...] = ()
+    waiting: tuple[str, ...] = ()  # entities whose lines were read and that no string has reached
+    joined: tuple[ParsedConnection, ...] = ()
+    closings: tuple[str, ...] = ()
+
+    def with_choice(self, number: int) -> "ParseState":
+        """With one more wording."""
+        return replace(self, script=(*self.script, number))
+
+    def with_kind(self, address: str, kind: type[Model]) -> "ParseState":
+        """With the class of what stands at an address."""
+        return replace(self, kinds={**self.kinds, address: kind})
+
+    def with_value(self, address: str, value: float | None) -> "ParseState | None":
+        """With a number, or None if another one was told before."""
+        if address in self.values:
+            return self if self.values[address] == value else None
+        return replace(self, values={**self.values, address: value})
+
+    def with_count(self, address: str, low: int, high: int = MANY) -> "ParseState | None":
+        """With a narrower count, or None if it does not agree with what was told before."""
+        least, most = self.count(address)
+        low, high = max(least, low), min(most, high)
+        if low > high:
+            return None
+        return self if (low, high) == (least, most) else replace(self, counts={**self.counts, address: (low, high)})
+
+    def count(self, address: str) -> tuple[int, int]:
+        """The least and greatest number of members that a part can have."""
+        return self.counts.get(address, (0, MANY))
+
+    def with_noun(self, kind: type[Body], noun: str) -> "ParseState":
+        """With the noun of a class of bodies."""
+        return self if kind in self.nouns else replace(self, nouns={**self.nouns, kind: noun})
+
+    def introduced(self, address: str, kind: type[Body], letter: str) -> "ParseState":
+        """With a body that was mentioned for the first time."""
+        return replace(self, kinds={**self.kinds, address: kind}, letters={**self.letters, address: letter})
+
+    def kind(self, address: str, base: type[M]) -> type[M]:
+        """The class of what stands at an address; TypeError if it is no `base`."""
+        found = self.kinds[address]
+        if not issubclass(found, base):
+            raise TypeError(f"{address} is a {found.__name__}")
+        return found
+
+    def body(self, address: str) -> type[Body]:
+        """The class of an introduced body."""
+        return self.kind(address, Body)
+
+    def series(self, kind: type[Body]) -> list[str]:
+        """The letters of all introduced bodies of the same series."""
+        if not kind.letters:
+            return []
+        return [letter for address, letter in self.letters.items() if self.body(address).letters == kind.letters]
+
+    def next_letters(self, kind: type[Body], count: int = 1) -> list[str] | None:
+        """The letters that the next bodies of a series must have; None if its first one has none."""
+        given = self.series(kind)
+        if not kind.letters or "" in given:
+            return None
+        return [letter_at(kind.letters, len(given) + index) for index in range(count)]
+
+    def knows_noun(self, noun: str) -> bool:
+        """Whether a body of that noun was introduced."""
+        return any(self.nouns[self.body(address)] == noun for address in self.letters)
+
+    def mention(self, address: str, *, full: bool) -> str:
+        """How an introduced body is spoken of."""
+        letter, noun = self.letters[address], self.nouns[self.body(address)]
+        return (f"{noun} {letter}" if full else letter) if letter else f"the {noun}"
+
+    @property
+    def names(self) -> Names:
+        """What the text calls all bodies."""
+        return Names({address: letter for address, letter in self.letters.items() if letter}, self.nouns)
+
+    def renamed(self, old: tuple[str, ...], new: tuple[str, ...]) -> "ParseState":
+        """With the bodies at some addresses moved to others."""
+        moved = dict(zip(old, new, strict=True))
+
+        def move(held: Mapping[str, Any]) -> dict[str, Any]:
+            return {_moved(address, moved): value for address, value in held.items()}
+
+        return replace(self, kinds=move(self.kinds), values=move(self.values), letters=move(self.letters))
+
+
+def _moved(address: str, moved: Mapping[str, str]) -> str:
+    if address in moved:
+        return moved[address]
+    owner, dot, name = address.rpartition(".")
+    return moved[owner] + dot + name if owner in moved else address

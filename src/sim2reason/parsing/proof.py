@@ -1,0 +1,56 @@
+"""The proof of a reading: its scene, told again with the wordings that were state, has this very text."""
+
+import numpy as np
+
+from sim2reason.dsl.entity import Part
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.template import Each, Saying, wordings
+from sim2reason.errors import TextError
+from sim2reason.parsing.parse_state import ParseState
+from sim2reason.parsing.tokens import pieces, shown
+from sim2reason.prose.closings import closings
+from sim2reason.prose.naming import Names, letters
+from sim2reason.prose.voices import numeric
+from sim2reason.prose.writer import Description, Writer
+
+
+class ScriptedWriter(Writer):
+    """A writer whose choices are prescribed; where they run out it takes the first wording."""
+
+    def __init__(self, scene: Scene, names: Names, script: tuple[int, ...]) -> None:
+        """`script` holds the choices for what is said; lines that stay unsaid take none."""
+        super().__init__(scene, names, np.random.default_rng(0), numeric)
+        self._script = iter(script)
+
+    def choose(self, options: tuple[str, ...]) -> str:
+        """The wording that the script demands."""
+        return options[min(next(self._script, 0), len(options) - 1)]
+
+    def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
+        if isinstance(saying, Each):
+            said = bool(getattr(part, saying.field))
+        else:
+            said = self.is_said(wordings(saying)[0], part)
+        return super()._say(saying, part, address) if said else []
+
+
+def prove(scene: Scene, state: ParseState, text: tuple[str, ...]) -> None:
+    """Return if the scene has this text; TextError names what should have been said or said otherwise."""
+    needed = [closing.name for closing in closings(scene)]
+    for name in needed:
+        if name not in state.closings:
+            raise TextError("text", f"nothing is said of {name!r}, which matters here", "say it at the end")
+    for name in state.closings:
+        if name not in needed:
+            raise TextError("text", f"it speaks of {name!r}, which does not matter here", "leave it out")
+    echo = ScriptedWriter(scene, state.names, state.script)
+    told = Description(scene, tuple(echo.sentences()), state.names, {})
+    again = pieces(told.text)
+    for number, (mine, theirs) in enumerate(zip(again, text, strict=False), start=1):
+        if mine != theirs:
+            raise TextError(f"sentence {number}", f"{shown(theirs)} does not fit", f"say {shown(mine)}")
+    if len(again) != len(text):
+        count = f"it has {len(text)} sentences where the scene needs {len(again)}"
+        raise TextError("text", count, "say each fact once")
+    if letters(echo.introduced, scene.bodies) != dict(state.names.letters):
+        raise TextError("text", "its letters are not in the order of first mention", "begin each series with its first")

@@ -1,0 +1,171 @@
+"""All readings of a text, proven one by one."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sim2reason.dsl.connection import CONNECTIONS, Connection, Leg, Link, ParsedSentence
+from sim2reason.dsl.entity import ENTITIES, Entity, outer_ports
+from sim2reason.dsl.ports import Pass
+from sim2reason.dsl.scene import MAX_ENTITIES, Scene, World
+from sim2reason.errors import SceneError, TextError, UnsupportedError
+from sim2reason.parsing.assembly import assembled
+from sim2reason.parsing.equivalence import Signature, signature
+from sim2reason.parsing.lines import entity_lines
+from sim2reason.parsing.matcher import Matcher
+from sim2reason.parsing.parse_state import ParsedConnection, ParseState
+from sim2reason.parsing.proof import prove
+from sim2reason.parsing.string_routes import free_legs
+from sim2reason.parsing.tokens import pieces, shown
+from sim2reason.prose.closings import CLOSINGS
+
+MAX_READINGS = 200
+
+
+@dataclass(frozen=True)
+class ParsedScene:
+    """A scene as its text tells it; `names` maps what bodies are called (*block A*) to their addresses."""
+
+    scene: Scene
+    names: dict[str, str]
+
+
+def parse_scene(text: str, rng: np.random.Generator | None = None) -> ParsedScene:
+    """The one scene that a text in the numeric voice tells; numbers that are never said are drawn with `rng`.
+
+    Readings that move alike and call things alike are one; the first is returned.
+
+    Raises:
+        TextError: the text tells no scene, or more than one.
+    """
+    rng = rng if rng is not None else np.random.default_rng(0)
+    said = pieces(text)
+    matcher = Matcher(said)
+    found: dict[Signature, ParsedScene] = {}
+    refused: list[TextError] = []
+    for count, state in enumerate(_Grammar(matcher).scenes(0, ParseState({"world": World}))):
+        if count == MAX_READINGS:
+            raise TextError("text", "it can be read in too many ways", "give the text of one scene")
+        try:
+            scene = assembled(state, rng)
+            prove(scene, state, said)
+            names = {address: state.mention(address, full=True) for address in state.letters}
+            found.setdefault(signature(scene, names), ParsedScene(scene, _by_name(names)))
+        except TextError as error:
+            refused.append(error)
+        except (SceneError, UnsupportedError, ValueError) as error:
+            refused.append(TextError("text", "it tells a scene that can not be", str(error)))
+    return _only(list(found.values()), refused, matcher)
+
+
+def _by_name(names: dict[str, str]) -> dict[str, str]:
+    """Addresses by name; bodies without letters of their own may share a name, the first one has it."""
+    found: dict[str, str] = {}
+    for address, name in names.items():
+        found.setdefault(name, address)
+    return found
+
+
+def _only(found: list[ParsedScene], refused: list[TextError], matcher: Matcher) -> ParsedScene:
+    if len(found) == 1:
+        return found[0]
+    if found:
+        one, other = (_described(reading.scene) for reading in found[:2])
+        raise TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
+    if refused:
+        raise refused[0]
+    if matcher.reach == len(matcher.pieces):
+        raise TextError("text", "it ends before all is told", "give the whole text of one scene")
+    fits = f"{shown(matcher.pieces[matcher.reach])} fits nowhere"
+    raise TextError(f"sentence {matcher.reach + 1}", fits, "say it in the words of the templates, or leave it out")
+
+
+def _described(scene: Scene) -> str:
+    """The entities of a scene and how they are joined, in one line."""
+    kinds = ", ".join(f"{named.name} a {type(named.entity).__name__}" for named in scene.entities)
+    joined = ", ".join("-".join(map(str, connection.links)) for connection in scene.connections)
+    return f"{kinds}{' joined by ' if joined else ''}{joined}"
+
+
+class _Grammar:
+    """The order of a text: entities' lines, each string after those of the entities on it, then the closings."""
+
+    def __init__(self, matcher: Matcher) -> None:
+        self._matcher = matcher
+        self._silent = [kind for kind in ENTITIES.values() if any(self._unheard(ParseState({}), "e", kind))]
+
+    def _unheard(self, state: ParseState, address: str, kind: type[Entity]) -> Iterator[ParseState]:
+        """An entity of which no line is said: its bodies are met on a string."""
+        here = replace(state.with_kind(address, kind), entities=(*state.entities, address))
+        for _, then in entity_lines(self._matcher, address, len(self._matcher.pieces), here):
+            yield then
+
+    def scenes(self, place: int, state: ParseState) -> Iterator[ParseState]:
+        """All readings of the pieces from `place` on."""
+        yield from self._entities(place, state)
+        yield from self._strings(place, state)
+        yield from self._closings(place, 0, state)
+
+    def _entities(self, place: int, state: ParseState) -> Iterator[ParseState]:
+        address = f"e{len(state.entities) + 1}"
+        for kind in ENTITIES.values() if len(state.entities) < MAX_ENTITIES else ():
+            here = state.with_kind(address, kind)
+            here = replace(here, entities=(*state.entities, address), waiting=(*state.waiting, address))
+            for after, then in entity_lines(self._matcher, address, place, here):
+                if after > place:
+                    yield from self.scenes(after, then)
+
+    def _strings(self, place: int, state: ParseState) -> Iterator[ParseState]:
+        for kind in CONNECTIONS.values():
+            name = f"{kind.key}_{len(state.joined) + 1}"
+            for told in kind.parse(name, place, state, self._matcher, self):
+                then = _joined_on(kind, told)
+                if then is not None:
+                    yield from self.scenes(place + 1, then)
+
+    def _closings(self, place: int, number: int, state: ParseState) -> Iterator[ParseState]:
+        """The closings from a number on, each of which may be needed or not."""
+        if place == len(self._matcher.pieces):
+            yield state
+            return
+        for index, closing in enumerate(CLOSINGS[number:], start=number):
+            for choice, wording in enumerate(closing.wordings):
+                here = replace(state.with_choice(choice), closings=(*state.closings, closing.name))
+                for then in self._matcher.sentence(place, wording, "", here):
+                    yield from self._closings(place + 1, index + 1, then)
+
+    def legs(self, state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
+        """Free ports of entities that were parse_scene, or of new ones that have no lines."""
+        passed = {link.entity for link in links}
+        for address in state.entities:
+            if address not in passed:
+                yield from free_legs(state, address, first=not links)
+        address = f"e{len(state.entities) + 1}"
+        for kind in self._silent if len(state.entities) < MAX_ENTITIES else ():
+            for then in self._unheard(state, address, kind):
+                yield from free_legs(then, address, first=not links)
+
+
+def _joined_on(kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
+    """What was state, with a connection; None if lines that wait for it came in another order than it goes.
+
+    The Writer tells the lines of entities in the order of the links, but a string from the end that makes
+    the better sentence; so if the lines came the other way round, the links are the other way round.
+    """
+    state, links = told.state, told.links
+    on = [link.entity for link in links if link.entity in state.waiting]
+    if sorted(on) != sorted(state.waiting):
+        return None
+    if list(state.waiting) != on:
+        if list(state.waiting) != on[::-1]:
+            return None
+        state = state.renamed(told.owned, told.owned[::-1])
+        links = tuple(_turned(state, link) for link in reversed(links))
+    return replace(state, waiting=(), joined=(*state.joined, ParsedConnection(kind, links)))
+
+
+def _turned(state: ParseState, link: Link) -> Link:
+    """A link as it is passed from the other side."""
+    passed = isinstance(outer_ports(state.kind(link.entity, Entity))[link.port], Pass)
+    return Link(entity=link.entity, port=link.port, flipped=link.flipped != passed)

@@ -1,0 +1,53 @@
+"""Where a string can begin and go on, as far as a text has told: the stops that its sentence may name."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sim2reason.dsl.connection import Inside, Leg, Link
+from sim2reason.dsl.entity import Part, outer_ports, ports_of
+from sim2reason.dsl.ports import Chain, End, Pass, Stop
+from sim2reason.dsl.scene import reversed_stops, travelled
+from sim2reason.parsing.parse_state import ParseState
+
+
+@dataclass(frozen=True, slots=True)
+class InnerRoute:
+    """A string inside an entity: all its stops are declared, only its direction is open."""
+
+    entity: str
+    inner: Inside
+
+    def legs(self, state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
+        """The whole string, from either end."""
+        if links:
+            return
+        stops = travelled([stop for port in self.inner.stops for stop in port_stops(state, port, self.entity)])
+        for path in (stops, reversed_stops(stops)):
+            yield Leg(Link(entity=self.entity, port="inside"), tuple(path), last=True, state=state)
+
+
+def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
+    """A port of an entity that was read as the stops that a string makes there, from the inside out."""
+    head, _, rest = name.partition(".")
+    if rest:
+        inner = f"{address}.{head}"
+        return port_stops(state, rest, inner) if inner in state.kinds else []
+    port = ports_of(state.kind(address, Part))[name]
+    if isinstance(port, Chain):
+        return [stop for inner in port.stops for stop in port_stops(state, inner, address)]
+    return [Stop(address, port)] if isinstance(port, End | Pass) else []
+
+
+def free_legs(state: ParseState, address: str, *, first: bool) -> Iterator[Leg[ParseState]]:
+    """The ports of an entity that no string has taken, as a string's beginning or as its next leg."""
+    taken = {(link.entity, link.port) for joined in state.joined for link in joined.links}
+    for name in outer_ports(state.kind(address, Part)):
+        stops = port_stops(state, name, address)
+        if (address, name) in taken or not stops:
+            continue
+        link = Link(entity=address, port=name)
+        if isinstance(stops[0].port, End):
+            path = stops if first else reversed_stops(stops)
+            yield Leg(link, tuple(path), last=not first, state=state)
+        elif not first and all(isinstance(stop.port, Pass) for stop in stops):
+            yield Leg(link, tuple(stops), last=False, state=state)

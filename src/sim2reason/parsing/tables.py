@@ -1,0 +1,104 @@
+"""Tables of like bodies, read back."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.measures import Measure, show_unit
+from sim2reason.dsl.model import field_types
+from sim2reason.parsing.matcher import NUMBER, Matcher
+from sim2reason.parsing.parse_state import ParseState
+from sim2reason.prose.tables import LEAD_INS, headings, shared_start
+
+
+@dataclass(frozen=True, slots=True)
+class _Grid:
+    """The cells of a table: the noun and the headings above, letters and numbers below."""
+
+    noun: str
+    headings: tuple[str, ...]
+    letters: tuple[str, ...]
+    cells: tuple[tuple[str, ...], ...]
+
+
+def parse_table(
+    matcher: Matcher, field: str, kind: type[Body], place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """The members of `field` from sentences on what agrees, a lead-in, and a table of the rest."""
+    at = next((i for i in range(place, len(matcher.pieces)) if matcher.pieces[i].startswith("|")), place)
+    grid = _grid(matcher.pieces[at]) if at > place else None
+    if grid is None or grid.noun not in kind.nouns or state.nouns.get(kind, grid.noun) != grid.noun:
+        return
+    members = [f"{field}.{index}" for index in range(len(grid.letters))]
+    then = state.with_noun(kind, grid.noun).with_count(field, len(members), len(members))
+    then = _listed(then, kind, members, grid) if then is not None else None
+    then = _filled(then, kind, members, grid) if then is not None else None
+    for piece in matcher.pieces[place : at - 1]:
+        then = _agreed(matcher, piece, kind, members, then) if then is not None else None
+    if then is None:
+        return
+    text = matcher.pieces[at - 1]
+    for number, lead in enumerate(LEAD_INS):
+        if matcher.literal(text, 0, lead.replace("{plural}", f"{grid.noun}s")) == len(text):
+            matcher.reach = max(matcher.reach, at + 1)
+            yield at + 1, then.with_choice(number)
+
+
+def _grid(piece: str) -> _Grid | None:
+    """A table taken apart; None if its rows do not fit together."""
+    rows = [[cell.strip() for cell in row.strip("|").split("|")] for row in piece.split("\n")]
+    head = rows[0]
+    if len(rows) < 3 or rows[1] != ["---"] * len(head) or any(len(row) != len(head) for row in rows):
+        return None
+    body = rows[2:]
+    cells = tuple(tuple(row[1:]) for row in body)
+    return _Grid(head[0], tuple(head[1:]), tuple(row[0] for row in body), cells)
+
+
+def _listed(state: ParseState, kind: type[Body], members: list[str], grid: _Grid) -> ParseState | None:
+    """The bodies of the rows, if they have the letters that come next."""
+    if list(grid.letters) != state.next_letters(kind, len(members)):
+        return None
+    for address, letter in zip(members, grid.letters, strict=True):
+        state = state.introduced(address, kind, letter)
+    return state
+
+
+def _filled(state: ParseState, kind: type[Body], members: list[str], grid: _Grid) -> ParseState | None:
+    """The numbers of all cells."""
+    columns = {heading: name for name, heading in headings(kind).items()}
+    found: ParseState | None = state
+    for address, row in zip(members, grid.cells, strict=True):
+        for heading, cell in zip(grid.headings, row, strict=True):
+            name = columns.get(heading, "")
+            value = _number(cell, field_types(kind)[name].measure) if name else None
+            found = found.with_value(f"{address}.{name}", value) if found is not None and value is not None else None
+    return found
+
+
+def _number(cell: str, measure: Measure | None) -> float | None:
+    """A number whose unit stands in the heading, but for the sign of a degree."""
+    digits = cell.removesuffix(show_unit("deg")) if measure is not None and measure.unit == "deg" else cell
+    return float(digits.replace("\N{MINUS SIGN}", "-")) if NUMBER.fullmatch(digits) else None
+
+
+def _agreed(matcher: Matcher, piece: str, kind: type[Body], members: list[str], state: ParseState) -> ParseState | None:
+    """What a sentence on a number that all rows share tells."""
+    for name, heading in headings(kind).items():
+        start, measure = matcher.literal(piece, 0, shared_start(heading)), field_types(kind)[name].measure
+        if start is None or measure is None:
+            continue
+        for end, then in matcher.number(piece, start, f"{members[0]}.{name}", measure, state):
+            if piece[end:] == ".":
+                return _spread(then, members, name)
+    return None
+
+
+def _spread(state: ParseState, members: list[str], name: str) -> ParseState | None:
+    """The first member's number as that of all."""
+    found: ParseState | None = state
+    for address in members[1:]:
+        found = (
+            found.with_value(f"{address}.{name}", state.values[f"{members[0]}.{name}"]) if found is not None else None
+        )
+    return found

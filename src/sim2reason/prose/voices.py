@@ -1,0 +1,32 @@
+"""How numbers are spoken: as numbers, as symbols, or some of each."""
+
+from collections.abc import Callable
+
+from sim2reason.dsl.model import Parameter
+
+Voice = Callable[[Parameter, str], str]
+"""How a number is spoken: from the parameter and its symbol."""
+
+
+def numeric(parameter: Parameter, symbol: str) -> str:
+    """The number and its unit."""
+    del symbol
+    return parameter.measure.say(parameter.value or 0.0)
+
+
+def symbolic(parameter: Parameter, symbol: str) -> str:
+    """The symbol alone."""
+    del parameter
+    return f"${symbol}$"
+
+
+def hiding(*paths: str) -> Voice:
+    """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""
+    return lambda parameter, symbol: (symbolic if parameter.path in paths else numeric)(parameter, symbol)
+
+
+def voice_named(voice: str, hide: tuple[str, ...] = ()) -> Voice:
+    """The voice of a name: numeric or symbolic, with addresses to hide in the numeric one."""
+    if voice == "symbolic":
+        return symbolic
+    return hiding(*hide) if hide else numeric

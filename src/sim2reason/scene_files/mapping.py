@@ -1,0 +1,277 @@
+"""Scene files: what `load` reads, `dump` writes back equal, always in the same bytes.
+
+    scene:
+      entities:
+      - {name: hook, type: FixedSupport}
+      …
+      connections:
+      - tendon: [{entity: …, direction: …}, {entity: …, direction: …}]
+
+A file is foreign text. Whatever is wrong with it is one SceneError with the path in the file, the line and the remedy.
+"""
+
+from difflib import get_close_matches
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple, NoReturn, TypeVar
+
+from pydantic import ValidationError
+
+from sim2reason.dsl.entity import ENTITIES, Entity, Named
+from sim2reason.dsl.model import Model, field_types
+from sim2reason.dsl.scene import Scene, World
+from sim2reason.errors import SceneError
+from sim2reason.scene_files.mistakes import explained
+from sim2reason.scene_files.schema import is_many, snake
+from sim2reason.scene_files.tendons import own_values, paths, read_pair, told_pairs
+from sim2reason.scene_files.yaml_text import MAX_BYTES, Lines, Plain, parse, shown, write
+
+M = TypeVar("M", bound=Model)
+SCENE_KEYS = ("name", "entities", "connections", "world", "glued")
+ENTITY_KEYS = ("name", "type", "parameters")
+
+
+def load(source: str | Path) -> Scene:
+    """The scene of a text, or of the file at a path; its mechanism can be built.
+
+    Raises:
+        SceneError: what is wrong, at which path in the file and in which line, and what to do about it.
+        OSError: the file can't be read.
+    """
+    text = _read(source) if isinstance(source, Path) else source
+    data = parse(text)
+    try:
+        return _scene(data)
+    except SceneError as error:
+        raise SceneError(_with_line(error.place, text), error.problem, error.remedy) from None
+
+
+def dump(scene: Scene) -> str:
+    """A scene as YAML: everything is said but what is absent."""
+    classes = {named.name: type(named.entity) for named in scene.entities}
+    entities: list[Plain] = [_told_entity(named) for named in scene.entities]
+    connections: list[Plain] = []
+    for connection in scene.connections:
+        first, *others = told_pairs(connection, classes)
+        own = {name: told(value) for name, value in own_values(connection).items()}
+        connections.append({connection.key: first, **own})
+        connections.extend({connection.key: pair} for pair in others)
+    body: dict[str, Plain] = {"name": scene.name, "entities": entities}
+    if connections:
+        body["connections"] = connections
+    body["world"] = told(scene.world)
+    if scene.glued:
+        body["glued"] = list(scene.glued)
+    return write({"scene": body})
+
+
+def _told_entity(named: Named) -> dict[str, Plain]:
+    found: dict[str, Plain] = {"name": named.name, "type": type(named.entity).__name__}
+    parameters = told(named.entity)
+    return found | ({"parameters": parameters} if parameters else {})
+
+
+def told(value: Any, *, kind: bool = False) -> Plain:
+    """A value as a file has it; `kind`: its class must be said."""
+    if isinstance(value, tuple):
+        return [told(member, kind=kind) for member in value]  # type: ignore[reportUnknownVariableType]
+    if not isinstance(value, Model):
+        return value
+    found: dict[str, Plain] = {"kind": snake(type(value).__name__)} if kind else {}
+    for name, slot in _slots(type(value)).items():
+        held = getattr(value, name)
+        if held not in (None, ()) or held != slot.default:
+            found[name] = told(held, kind=len(slot.models) > 1)
+    return found
+
+
+class _Slot(NamedTuple):
+    """What a field of a model can hold."""
+
+    models: dict[str, type[Model]]  # by kind
+    many: bool
+    optional: bool
+    default: object
+
+
+@cache
+def _slots(cls: type[Model]) -> dict[str, _Slot]:
+    kinds = field_types(cls)
+    found: dict[str, _Slot] = {}
+    for name, info in cls.model_fields.items():
+        many, models = is_many(info.annotation), {snake(model.__name__): model for model in kinds[name].models}
+        found[name] = _Slot(models, many, kinds[name].optional and not many, info.default)
+    return found
+
+
+def _read(path: Path) -> str:
+    """The text of a file, no more of it than a scene may have."""
+    with path.open("rb") as file:
+        return decoded(file.read(MAX_BYTES + 1))
+
+
+def decoded(data: bytes) -> str:
+    """The text of a file's bytes; SceneError if they are too many or not UTF-8."""
+    if len(data) > MAX_BYTES:
+        raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        raise SceneError(f"line {line}", "the file is not UTF-8", "save it as UTF-8") from None
+
+
+def _with_line(place: str, text: str) -> str:
+    """A path with the line where it stands, or where what lacks it begins; found by reading once more."""
+    lines: Lines = {}
+    parse(text, lines)
+    known = place
+    while known and known not in lines:
+        known = known[: max(known.rfind("."), known.rfind("["), 0)]
+    return f"{place} (line {lines.get(known, 1)})"
+
+
+def _scene(data: Plain) -> Scene:
+    top = _mapping(data, "scene", ("scene",), root=True)
+    body = _mapping(top.get("scene"), "scene", SCENE_KEYS)
+    entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
+    classes = _classes(entities)
+    pairs = [read_pair(e, f"scene.connections[{i}]", classes) for i, e in enumerate(_list(body, "connections"))]
+    found = list(paths(pairs))
+    connections = tuple(_made(path.kind, path.own, path.first, {"links": path.links}) for path in found)
+    world = _made(World, body.get("world", {}), "scene.world")
+    glued = _glued(body)
+    places = {f"{c.key}_{i + 1}": found[i].first for i, c in enumerate(connections)}
+    try:
+        scene = Scene(
+            name=body.get("name", "scene"),  # type: ignore[arg-type]  # pydantic says what is wrong with it
+            entities=entities,
+            connections=connections,
+            world=world,
+            glued=glued,
+        )
+        _ = scene.mechanism
+    except ValidationError as error:
+        raise explained(Scene, error, "scene") from None
+    except SceneError as error:
+        raise SceneError(_file_place(error.place, entities, places), error.problem, error.remedy) from None
+    return scene
+
+
+def _entity(entry: Plain, place: str) -> Named:
+    held = _mapping(entry, place, ENTITY_KEYS)
+    for key in ("name", "type"):
+        if not isinstance(held.get(key), str):
+            problem = f"it is {shown(held[key])}, not a word" if key in held else "it is missing"
+            raise SceneError(f"{place}.{key}", problem, "give each entity a name and a type")
+    cls = _class(str(held["type"]), f"{place}.type")
+    entity = _made(cls, held.get("parameters", {}), f"{place}.parameters")
+    try:
+        return Named(name=str(held["name"]), entity=entity)
+    except ValidationError as error:
+        raise explained(Named, error, place) from None
+
+
+def _classes(entities: tuple[Named, ...]) -> dict[str, type[Entity]]:
+    found: dict[str, type[Entity]] = {}
+    for index, named in enumerate(entities):
+        if named.name in found:
+            raise SceneError(f"scene.entities[{index}].name", f"two entities are called {named.name}", "rename one")
+        found[named.name] = type(named.entity)
+    return found
+
+
+@cache
+def _types() -> dict[str, type[Entity]]:
+    """Entity classes by every name that a file may use: ``FixedSupport`` and ``fixed_support``."""
+    return {snake(name): cls for name, cls in ENTITIES.items()} | dict(ENTITIES)
+
+
+def _class(name: str, place: str) -> type[Entity]:
+    if name not in _types():
+        near = get_close_matches(name, _types(), n=3) or list(ENTITIES)
+        raise SceneError(place, f"there is no type {shown(name)}", f"did you mean: {', '.join(near)}")
+    return _types()[name]
+
+
+def _made(cls: type[M], data: Plain, place: str, given: dict[str, object] | None = None) -> M:
+    """A model from what a file says of it, and what else is known."""
+    slots = _slots(cls)
+    held = _mapping(data, place, tuple(name for name in slots if name not in (given or {})))
+    values: dict[str, object] = {name: _value(slots[name], v, f"{place}.{name}") for name, v in held.items()}
+    try:
+        return cls(**values, **(given or {}))
+    except ValidationError as error:
+        raise explained(cls, error, place) from None
+
+
+def _value(slot: _Slot, data: Plain, place: str) -> object:
+    if not slot.many:
+        return _one(slot, data, place)
+    if not isinstance(data, list):
+        raise SceneError(place, f"it is {shown(data)}, not a list", "begin each member with a dash, or write [ ]")
+    return tuple(_one(slot, member, f"{place}[{index}]") for index, member in enumerate(data))
+
+
+def _one(slot: _Slot, data: Plain, place: str) -> object:
+    if not slot.models or (data is None and slot.optional):
+        return data
+    if len(slot.models) == 1:
+        return _made(next(iter(slot.models.values())), data, place)
+    kinds = ", ".join(slot.models)
+    if not isinstance(data, dict):
+        raise SceneError(place, f"it is {shown(data)}, not a mapping", f"write it with a kind: {kinds}")
+    kind = data.get("kind")
+    if not isinstance(kind, str) or kind not in slot.models:
+        problem = f"there is no kind {shown(kind)}" if "kind" in data else "it does not say its kind"
+        raise SceneError(f"{place}.kind", problem, f"give it one of: {kinds}")
+    rest = {key: value for key, value in data.items() if key != "kind"}
+    return _made(slot.models[kind], rest, place)
+
+
+def _mapping(data: Plain, place: str, keys: tuple[str, ...], *, root: bool = False) -> dict[str, Plain]:
+    """A mapping that has no other keys."""
+    listed = ", ".join(keys) or "none"
+    if not isinstance(data, dict):
+        problem = "it is missing" if data is None else f"it is {shown(data)}, not a mapping"
+        raise SceneError(place, problem, f"give it these keys: {listed}")
+    for key in data:
+        if key not in keys:
+            near = get_close_matches(key, keys, n=1)
+            _refuse_key(key if root else f"{place}.{key}", f"did you mean: {near[0]}" if near else f"keys: {listed}")
+    return data
+
+
+def _refuse_key(place: str, remedy: str) -> NoReturn:
+    raise SceneError(place, "there is no such key here", remedy)
+
+
+def _list(body: dict[str, Plain], key: str) -> list[Plain]:
+    data = body.get(key, [])
+    if not isinstance(data, list):
+        raise SceneError(f"scene.{key}", f"it is {shown(data)}, not a list", "begin each member with a dash")
+    return data
+
+
+def _glued(body: dict[str, Plain]) -> tuple[str, ...]:
+    for index, address in enumerate(_list(body, "glued")):
+        if not isinstance(address, str):
+            raise SceneError(f"scene.glued[{index}]", f"it is {shown(address)}, not an address", "write: ramp.blocks.0")
+    return tuple(map(str, _list(body, "glued")))
+
+
+def _file_place(place: str, entities: tuple[Named, ...], connections: dict[str, str]) -> str:
+    """A place that a scene names, as the path in its file."""
+    head, *rest = place.split(".")
+    if head in connections:
+        return connections[head]
+    if head in ("entities", "connections") and rest:
+        if rest[0].isdigit() and head == "connections":
+            return list(connections.values())[int(rest[0])]
+        names = [named.name for named in entities]
+        number = int(rest[0]) if rest[0].isdigit() else names.index(rest[0])
+        return "".join([f"scene.entities[{number}]", *(f".{step}" for step in rest[1:])])
+    names = [named.name for named in entities]
+    if head in names:
+        return f"scene.entities[{names.index(head)}]"
+    return f"scene.{place}" if head in SCENE_KEYS else "scene"

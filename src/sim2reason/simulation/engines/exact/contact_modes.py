@@ -1,0 +1,269 @@
+"""What acts and what gives way: one search for forces and, at an impact, for impulses.
+
+Both are the same linear complementarity problem. For forces x is the acceleration, for impulses the
+velocity after the impact:
+
+    M x + Σ λ J = F + f,   λ ≥ 0,   J x ≤ target,   λ (target − J x) = 0
+    N = M_z x + Σ λ J_z − F_z              (the row of the rise z of a contact, which stays zero)
+    |f| ≤ µN while x = 0 along the face, else f = −µN sign(x)
+
+A mode says which rows λ act and which contacts stick; it makes the problem linear. Starting from a guess,
+what is violated is flipped until nothing is; if that goes in circles, all modes are tried in order.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import product
+from math import prod
+from typing import NamedTuple
+
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.exact.equations import Gradient, Grip
+from sim2reason.simulation.engines.exact.linear import Row, dot, solve
+from sim2reason.simulation.engines.exact.redundant_supports import bearing
+
+TOLERANCE = 1e-10  # of the largest load or velocity: what still counts as zero
+FLIPS = 40
+MODES = 2000  # that are tried one by one before the search gives up
+FAINT = 1e-6  # of the largest mass: what a massless body that nothing holds gets, for the search alone
+
+
+class NoForcesError(SimulationError):
+    """No mode is consistent; who knows the bodies says which of them rub."""
+
+
+class Mode(NamedTuple):
+    """Which rows act, and how each rough contact rubs: 0 sticks, ±1 slides to that side."""
+
+    acting: tuple[bool, ...]
+    rubbing: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One instant's loads, one-sided rows and rough contacts."""
+
+    mass: list[Row]
+    lifted: list[Row]
+    force: Row
+    press: Row
+    rows: tuple[Gradient, ...]
+    targets: Row
+    grips: tuple[Grip, ...]
+    sliding: tuple[int, ...]  # the direction in which a contact slides already, which no search may change; else 0
+
+
+class Forces(NamedTuple):
+    """The multipliers of one solution, or of one way to change it."""
+
+    rows: Row
+    friction: Row
+    normal: Row
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """x and what acts, for one mode; `spare` are force patterns that could be added without effect."""
+
+    mode: Mode
+    x: Row
+    forces: Forces
+    spare: list[Forces]
+    loose: bool  # a massless part that nothing holds: its x means nothing
+    consistent: bool = True
+
+
+@dataclass(slots=True)
+class Flips:
+    """The changes of a mode that a solution asks for."""
+
+    rows: list[int] = field(default_factory=list[int])
+    rubbing: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
+
+    def count(self) -> int:
+        """How many there are."""
+        return len(self.rows) + len(self.rubbing)
+
+    def apply(self, mode: Mode) -> Mode:
+        """The mode with all changes made."""
+        acting, rubbing = list(mode.acting), list(mode.rubbing)
+        for number in self.rows:
+            acting[number] = not acting[number]
+        for number, side in self.rubbing:
+            rubbing[number] = side
+        return Mode(tuple(acting), tuple(rubbing))
+
+    def each(self) -> Iterator["Flips"]:
+        """The changes one at a time."""
+        yield from (Flips([number], []) for number in self.rows)
+        yield from (Flips([], [pair]) for pair in self.rubbing)
+
+
+def search(problem: Problem, guess: Mode) -> Solution:
+    """The solution that violates nothing, nearest to the guess.
+
+    Normal forces may come out negative: the caller then ends the motion. Friction has no law for them, so only
+    if no mode is consistent is friction let off where the normal force is negative.
+
+    Raises:
+        NoForcesError: no mode is consistent, as can happen with strong friction.
+    """
+    found = _searched(problem, guess, lenient=False) or _searched(problem, guess, lenient=True)
+    if found is None:
+        raise NoForcesError("no forces are consistent with the strings and rough contacts")
+    return found
+
+
+def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | None:
+    tried: set[Mode] = set()
+    mode = guess
+    for _ in range(FLIPS):
+        solution = evaluate(problem, mode)
+        flips = _flips(problem, solution, lenient=lenient)
+        if solution.consistent and not flips.count():
+            return solution
+        tried.add(mode)
+        candidates = (flips.apply(mode), *(flip.apply(mode) for flip in flips.each()))
+        fresh = next((candidate for candidate in candidates if candidate not in tried), None)
+        if fresh is None:
+            break
+        mode = fresh
+    return _exhausted(problem, tried, lenient=lenient)
+
+
+def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution | None:
+    """Try all modes in order, those with most that acts and sticks first."""
+    choices = [(True, False)] * len(problem.rows) + [((side,) if side else (0, 1, -1)) for side in problem.sliding]
+    if prod(map(len, choices)) > MODES:
+        return None
+    for choice in product(*choices):
+        mode = Mode(tuple(map(bool, choice[: len(problem.rows)])), tuple(map(int, choice[len(problem.rows) :])))
+        if mode in tried:
+            continue
+        solution = evaluate(problem, mode)
+        if solution.consistent and not _flips(problem, solution, lenient=lenient).count():
+            return solution
+    return None
+
+
+def evaluate(problem: Problem, mode: Mode) -> Solution:
+    """Solve the linear system of one mode."""
+    n = len(problem.force)
+    active = [number for number, acts in enumerate(mode.acting) if acts]
+    found = solve(_system(problem, mode, active, 0.0))
+    loose = any(any(abs(part) > TOLERANCE for part in null[:n]) for null in found.nulls)
+    if loose:
+        faint = FAINT * (max((row[number] for number, row in enumerate(problem.mass)), default=0.0) or 1.0)
+        found = solve(_system(problem, mode, active, faint))
+    x = found.x[:n]
+    forces = _forces(problem, mode, x, _spread(found.x[n:], active, len(mode.acting)), 1.0)
+    spare = [
+        _forces(problem, mode, [0.0] * n, _spread(null[n:], active, len(mode.acting)), 0.0) for null in found.nulls
+    ]
+    solution = Solution(mode, x, forces, spare, loose, found.consistent)
+    if not spare or loose or not found.consistent or not _flips(problem, solution).count():
+        return solution
+    better = bearing(problem, mode, x)
+    if better is None:
+        return solution
+    acting = _spread(better, active, len(mode.acting))
+    return Solution(mode, x, _forces(problem, mode, x, acting, 1.0), spare, loose)
+
+
+def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> list[Row]:
+    """The equations in (x, λ of the acting rows), one list each, the right side last."""
+    rows = problem.rows
+    system = [
+        [*mass, *(rows[number].along[k] for number in active), problem.force[k]] for k, mass in enumerate(problem.mass)
+    ]
+    if faint:
+        for k, row in enumerate(system):
+            row[k] += faint
+    width = len(problem.force)
+    for grip, side in zip(problem.grips, mode.rubbing, strict=True):
+        k = grip.coordinate
+        if side == 0:  # its equation of motion will give the friction force
+            system[k] = [0.0] * (width + len(active) + 1)
+            system[k][k] = 1.0
+        else:  # f = −µN, with N as its own row of the equations of motion gives it
+            factor = grip.friction * side
+            lift = [*problem.lifted[grip.contact], *(rows[number].lift[grip.contact] for number in active)]
+            lift.append(problem.press[grip.contact])
+            system[k] = [a + factor * b for a, b in zip(system[k], lift, strict=True)]
+    blank = [0.0] * len(active)
+    system.extend([*rows[number].along, *blank, problem.targets[number]] for number in active)
+    return system
+
+
+def _spread(values: Row, active: list[int], size: int) -> Row:
+    spread = [0.0] * size
+    for number, value in zip(active, values, strict=True):
+        spread[number] = value
+    return spread
+
+
+def _forces(problem: Problem, mode: Mode, x: Row, acting: Row, load: float) -> Forces:
+    """All multipliers, given x and λ; `load` 0 leaves the loads out."""
+    pulls = [(value, row) for value, row in zip(acting, problem.rows, strict=True) if value != 0.0]
+    normal = [
+        dot(mass, x) - load * press + sum(value * row.lift[i] for value, row in pulls)
+        for i, (mass, press) in enumerate(zip(problem.lifted, problem.press, strict=True))
+    ]
+    friction: Row = []
+    for grip, side in zip(problem.grips, mode.rubbing, strict=True):
+        k = grip.coordinate
+        if side == 0:
+            held = dot(problem.mass[k], x) - load * problem.force[k]
+            friction.append(held + sum(value * row.along[k] for value, row in pulls))
+        else:
+            friction.append(-grip.friction * side * normal[grip.contact])
+    return Forces(acting, friction, normal)
+
+
+def scales(problem: Problem, x: Row) -> tuple[float, float]:
+    """How large a force and an x are, so that small ones can be called zero."""
+    force = max(max(map(abs, problem.force), default=0.0), max(map(abs, problem.press), default=0.0))
+    size = max(max(map(abs, x), default=0.0), max(map(abs, problem.targets), default=0.0), 1.0)
+    return TOLERANCE * max(force, 1e-3), TOLERANCE * size
+
+
+def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Flips:
+    flips = Flips()
+    mode, x = solution.mode, solution.x
+    small_force, small_x = scales(problem, x)
+    for number, (acts, row) in enumerate(zip(mode.acting, problem.rows, strict=True)):
+        if acts:
+            violated = solution.forces.rows[number] < -small_force
+        else:
+            violated = row.rate(x) - problem.targets[number] > small_x
+        if violated:
+            flips.rows.append(number)
+    for number, (grip, side) in enumerate(zip(problem.grips, mode.rubbing, strict=True)):
+        if problem.sliding[number]:
+            continue
+        friction, normal = solution.forces.friction[number], solution.forces.normal[grip.contact]
+        if lenient and normal < -small_force:
+            continue
+        if side == 0 and abs(friction) > grip.friction * normal + small_force:
+            flips.rubbing.append((number, -1 if friction > 0.0 else 1))
+        elif side * x[grip.coordinate] < -small_x:
+            flips.rubbing.append((number, 0))
+    return flips
+
+
+def stiffest(problem: Problem, solution: Solution) -> Solution:
+    """The same solution, with all that does not move counted as acting and sticking.
+
+    Its `spare` then tell which forces the motion does not determine.
+    """
+    _, small_x = scales(problem, solution.x)
+    acting = tuple(
+        acts or abs(row.rate(solution.x) - target) <= small_x
+        for acts, row, target in zip(solution.mode.acting, problem.rows, problem.targets, strict=True)
+    )
+    rubbing = tuple(
+        side if problem.sliding[number] or abs(solution.x[grip.coordinate]) > small_x else 0
+        for number, (grip, side) in enumerate(zip(problem.grips, solution.mode.rubbing, strict=True))
+    )
+    mode = Mode(acting, rubbing)
+    return solution if mode == solution.mode else evaluate(problem, mode)

@@ -1,0 +1,94 @@
+"""Whether a structure with more supports than it needs can stand: any forces that hold it will do.
+
+When multipliers are not unique, the one set that elimination gives may have a string push or a contact
+hold more than µN although another set would not. So look for any set that is allowed.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sim2reason.simulation.engines.exact.linear import Row
+
+if TYPE_CHECKING:  # modes asks this module, which only reads what it is given
+    from sim2reason.dsl.state import Array
+    from sim2reason.simulation.engines.exact.contact_modes import Mode, Problem
+
+ROUNDING = 1e-12
+ALLOWED = 1e-9  # of the largest load
+
+
+def bearing(problem: Problem, mode: Mode, x: Row) -> Row | None:
+    """Multipliers λ ≥ 0 of the rows that allow |f| ≤ µN and N ≥ 0 everywhere for this x, or None.
+
+    As equations with unknowns that can't be negative: f = p − r, µN = p + r + spare for a contact that
+    sticks, N = spare for any other.
+    """
+    active = [number for number, acts in enumerate(mode.acting) if acts]
+    sticking = [grip for grip, side in zip(problem.grips, mode.rubbing, strict=True) if side == 0]
+    n, c = len(x), len(problem.press)
+    along = np.array([problem.rows[number].along for number in active]).reshape(len(active), n).T
+    lift = np.array([problem.rows[number].lift for number in active]).reshape(len(active), c).T
+    balance = np.array(problem.force) - np.array(problem.mass) @ np.array(x)
+    bare = np.array(problem.lifted).reshape(c, n) @ np.array(x) - np.array(problem.press)  # N without strings
+    for grip, side in zip(problem.grips, mode.rubbing, strict=True):
+        along[grip.coordinate] += grip.friction * side * lift[grip.contact]
+        balance[grip.coordinate] -= grip.friction * side * bare[grip.contact]
+    matrix, right = _stacked(along, lift, balance, bare, [(g.coordinate, g.contact, g.friction) for g in sticking])
+    scale = max(float(np.abs(right).max(initial=0.0)), ROUNDING)
+    found, residual = nonnegative(matrix, right / scale)
+    return (scale * found[: len(active)]).tolist() if residual <= ALLOWED else None
+
+
+def _stacked(
+    along: Array, lift: Array, balance: Array, bare: Array, sticking: list[tuple[int, int, float]]
+) -> tuple[Array, Array]:
+    """Columns: λ, then p and r of each contact that sticks, then the spare of every contact."""
+    n, rows = along.shape
+    c, k = len(bare), len(sticking)
+    matrix = np.zeros((n + c, rows + 2 * k + c))
+    matrix[:n, :rows] = along
+    matrix[n:, :rows] = -lift
+    matrix[n:, rows + 2 * k :] = np.eye(c)
+    for number, (coordinate, contact, friction) in enumerate(sticking):
+        p, r = rows + 2 * number, rows + 2 * number + 1
+        matrix[coordinate, [p, r]] = -1.0, 1.0
+        matrix[n + contact, [p, r]] = 1.0 / friction
+    return matrix, np.concatenate([balance, bare])
+
+
+def nonnegative(matrix: Array, right: Array) -> tuple[Array, float]:
+    """The x ≥ 0 that minimises |matrix·x − right|, and the largest entry of that residual.
+
+    The active-set method of Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: let in the
+    unknown that helps most; go back to the border if another would turn negative, and put that one out.
+    """
+    columns = matrix.shape[1]
+    x = np.zeros(columns)
+    inside = np.zeros(columns, dtype=bool)
+    for _ in range(3 * columns):
+        gain = np.where(inside, -np.inf, matrix.T @ (right - matrix @ x))
+        if inside.all() or gain.max() <= ROUNDING:
+            break
+        inside[gain.argmax()] = True
+        _descend(matrix, right, x, inside)
+    return x, float(np.abs(right - matrix @ x).max(initial=0.0))
+
+
+def _descend(matrix: Array, right: Array, x: Array, inside: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> None:
+    """Move x in place to the best point among the unknowns `inside`, dropping those that would turn negative."""
+    while inside.any():
+        goal = np.zeros_like(x)
+        goal[inside] = np.linalg.lstsq(matrix[:, inside], right, rcond=None)[0]
+        blocked = inside & (goal <= 0.0)
+        if not blocked.any():
+            x[:] = goal
+            return
+        reach = x[blocked] / np.maximum(x[blocked] - goal[blocked], ROUNDING**2)
+        x += reach.min() * (goal - x)
+        out = blocked & (x <= ROUNDING)
+        out[np.flatnonzero(blocked)[reach.argmin()]] = True
+        inside &= ~out
+        x[~inside] = 0.0

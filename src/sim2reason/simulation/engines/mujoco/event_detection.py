@@ -1,0 +1,187 @@
+"""What is watched for between events, and when it comes: margins that are used up as bodies move.
+
+Gradients are the library's own, taken once: in a mechanism whose strings do not bend they never change.
+Each margin is taken as a quadratic of time from its value, rate and second derivative now. That is exact but
+for pairs that meet in two dimensions under unequal accelerations; then the step to the foreseen instant falls
+a little short, and the next one closes in.
+"""
+
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SceneError
+from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags
+
+TOUCHING = 1e-8  # m; less is no distance
+STILL = 1e-7  # m/s or m/s²; less is no speed, what rounding and the solver's tolerance leave
+STRAIGHT = 1e-18  # m²/s² or m²/s⁴; of what is square to the line of centres: nothing
+DEPTH = 1e-11  # m; bodies that overlap by less only touch
+NEARLY = 1e-5  # m; sites that are nearer than that may be about to meet
+BENT = 1e-6  # m; by how much a string's length may differ from that of a straight one
+MOVES = 1e-9  # an entry of a gradient that is not rounding
+
+
+class Margins(NamedTuple):
+    """Values, rates and second derivatives; all (k,)."""
+
+    value: Array
+    rate: Array
+    second: Array
+
+    def used_up(self) -> Array:
+        """When each margin is used up next, s from now; infinity for never."""
+        f, b, c = self
+        near = f <= TOUCHING
+        root = np.sqrt(np.maximum(b * b - 2.0 * c * f, 0.0))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            times = np.where(b < 0.0, 2.0 * f / (root - b), (b + root) / -c)
+            back = -2.0 * b / c
+        times = np.where((b * b < 2.0 * c * f) | ((b >= 0.0) & (c >= 0.0)), inf, times)
+        at_once = (b < -STILL) | ((b <= STILL) & (c < -STILL))
+        later = np.where((b > STILL) & (c < 0.0), back, inf)
+        return np.where(near, np.where(at_once, 0.0, later), times)
+
+
+class Approach(NamedTuple):
+    """How the pairs that may collide move: separations (p, 3), their rates, and how they depend on the joints."""
+
+    apart: Array
+    velocity: Array
+    acceleration: Array
+    distance: Array  # at which they touch, (p,)
+
+    @property
+    def gaps(self) -> Margins:
+        """The gaps; exact quadratics of time on a line, and in the plane if the relative velocity is constant.
+
+        In the plane the gap is not a quadratic, but (|D|² − d²)/2d is; it has the same zero, and rate there.
+        """
+        d, w, g, r = self.apart, self.velocity, self.acceleration, np.linalg.norm(self.apart, axis=1)
+        along, pull = (d * w).sum(axis=1), (d * g).sum(axis=1)
+        bend = (w * w).sum(axis=1) - (along / r) ** 2
+        turn = (g * g).sum(axis=1) - (pull / r) ** 2
+        straight = (bend <= STRAIGHT) & (turn <= STRAIGHT)
+        touch = self.distance
+        square = Margins(0.5 * (r**2 / touch - touch), along / touch, ((w * w).sum(axis=1) + pull) / touch)
+        line = Margins(r - touch, along / r, (bend + pull) / r)
+        return Margins(*(np.where(straight, x, y) for x, y in zip(line, square, strict=True)))
+
+
+class EventDetector:
+    """The margins of one mechanism."""
+
+    def __init__(self, plant: CompiledModel) -> None:
+        """Read the geometry of the start.
+
+        Raises:
+            SceneError: two sites of a string coincide, or two bodies overlap.
+        """
+        self._plant = plant
+        mechanism = plant.mechanism
+        self.slack: Array = np.array([string.slack for string in mechanism.strings])
+        self._strings = plant.gradients[: len(mechanism.strings)]
+        self.ends: list[tuple[str, tuple[str, ...]]] = []
+        self._offsets: Array = np.zeros(0)
+        self._ends: Array = np.zeros((0, plant.size))
+        self._read_runs()
+        self._read_limits()
+        self._read_pairs()
+
+    def _end(self, kind: str, subjects: tuple[str, ...], offset: float, gradient: Array) -> None:
+        self.ends.append((kind, subjects))
+        self._offsets = np.append(self._offsets, offset)
+        self._ends = np.vstack([self._ends, gradient])
+
+    def _read_runs(self) -> None:
+        mechanism, seen = self._plant.mechanism, set[tuple[str, str]]()
+        for line in (*mechanism.strings, *mechanism.pulls):
+            for first, last in zip(line.through, line.through[1:], strict=False):
+                if (first, last) in seen:
+                    continue
+                seen.add((first, last))
+                (start, moves), (stop, moved) = self._plant.site(first), self._plant.site(last)
+                apart, gradient = stop - start, moved - moves
+                length = float(np.linalg.norm(apart))
+                if np.abs(gradient).max(initial=0.0) <= MOVES:
+                    continue
+                if length <= TOUCHING:
+                    message = f"sites {first} and {last} coincide at the start"
+                    raise SceneError(line.name, message, "leave some string between")
+                self._end("reach", (first, last), length, apart @ gradient / length)
+
+    def _read_limits(self) -> None:
+        for number, coordinate in zip(self._plant.coordinates, self._plant.mechanism.coordinates, strict=True):
+            unit = np.zeros(self._plant.size)
+            unit[number] = 1.0
+            if coordinate.lower > -inf:
+                self._end("limit", (coordinate.name,), -coordinate.lower, unit)
+            if coordinate.upper < inf:
+                self._end("limit", (coordinate.name,), coordinate.upper, -unit)
+
+    def _read_pairs(self) -> None:
+        pairs = self._plant.mechanism.collisions
+        self._apart = np.zeros((len(pairs), 3))
+        self._moves = np.zeros((len(pairs), 3, self._plant.size))
+        self._distance = np.array([pair.distance for pair in pairs])
+        for number, pair in enumerate(pairs):
+            (a, a_moves), (b, b_moves) = self._plant.center(pair.a), self._plant.center(pair.b)
+            self._apart[number], self._moves[number] = b - a, b_moves - a_moves
+            if np.linalg.norm(b - a) < pair.distance - TOUCHING:
+                raise SceneError(pair.a, f"it overlaps {pair.b} at the start", "move them apart")
+
+    def finish(self, q: Array, v: Array, a: Array) -> Margins:
+        """What is left until each of the `ends`."""
+        return Margins(self._offsets + self._ends @ q, self._ends @ v, self._ends @ a)
+
+    def strings(self, q: Array, v: Array, a: Array) -> Margins:
+        """What each string may still lengthen."""
+        return Margins(self.slack - self._strings @ q, -self._strings @ v, -self._strings @ a)
+
+    def approach(self, q: Array, v: Array, a: Array) -> Approach:
+        """How the pairs stand and move."""
+        return Approach(self._apart + self._moves @ q, self._moves @ v, self._moves @ a, self._distance)
+
+    def closing(self, q: Array) -> Array:
+        """The gradients of the gaps, (pairs, joints)."""
+        apart = self._apart + self._moves @ q
+        unit = apart / np.linalg.norm(apart, axis=1)[:, None]
+        return np.einsum("pi,pij->pj", unit, self._moves)
+
+    def next_change(self, q: Array, v: Array, a: Array, loose: Flags, sliding: Array) -> float:
+        """The time until a string is full, a pair meets, or a rough contact stops sliding."""
+        soonest = inf
+        if loose.any():
+            soonest = float(self.strings(q, v, a).used_up()[loose].min())
+        if len(self._distance):
+            soonest = min(soonest, float(self.approach(q, v, a).gaps.used_up().min()))
+        rubs = self._plant.rubs
+        return min(soonest, float(_stops(sliding * v[rubs], sliding * a[rubs]).min(initial=inf)))
+
+    def too_far(self, q: Array, v: Array, duration: float) -> float:
+        """By how much a step of this duration ends too late, s, since two bodies overlap; 0 if none do."""
+        if not len(self._distance):
+            return 0.0
+        gaps = self.approach(q, v, np.zeros(len(v))).gaps
+        worst = int(gaps.value.argmin())
+        depth, rate = -float(gaps.value[worst]), float(gaps.rate[worst])
+        if depth <= DEPTH:
+            return 0.0
+        return depth / -rate if 0.0 < depth < -rate * duration else 0.5 * duration
+
+    def bent(self) -> bool:
+        """Whether a string through its sites is not as long as the gradients of the start say.
+
+        What has come within a hair of its end is not looked at: there a run may have passed through nothing.
+        """
+        plant = self._plant
+        if np.all(np.abs(plant.lengths - plant.bare @ plant.q) <= BENT):
+            return False
+        return bool(np.all(self.finish(plant.q, plant.v, plant.v).value > NEARLY))
+
+
+def _stops(speed: Array, acceleration: Array) -> Array:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(acceleration < 0.0, np.where(speed > 0.0, -speed / acceleration, 0.0), inf)

@@ -1,0 +1,97 @@
+"""Traces in files: one Parquet table, a row for each sample, a column for each component of a channel."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SceneError
+from sim2reason.simulation import channels
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Event, Trace
+
+FORMAT = "sim2reason trace 1"
+AXES = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What a file keeps of a trace: samples and events, but not the mechanism."""
+
+    engine: str
+    times: Array  # s, (n,)
+    channels: Mapping[Channel, Array]  # (n,), or (n, 3) of a vector
+    units: Mapping[str, str]  # by quantity
+    events: tuple[Event, ...]
+    stable_until: float  # s
+    cut: str = ""
+
+
+def write_trace(trace: Trace, path: str | Path) -> None:
+    """Write all channels of a trace as Parquet; OSError if the file can't be written.
+
+    A field's metadata name its subject, quantity, unit and axis; the schema's hold the engine and the events.
+    """
+    arrow, parquet = _arrow()
+    fields, columns = [_field(arrow, "time", {"quantity": "time", "unit": "s"})], [trace.state.times]
+    for channel, quantity in channels.channels(trace.mechanism):
+        values = quantity.evaluate(trace.state, channel.subject)
+        meaning = {"subject": channel.subject, "quantity": channel.quantity, "unit": quantity.unit}
+        for axis, column in zip(AXES, values.T, strict=True) if quantity.vector else (("", values),):
+            name = " ".join(filter(None, (channel.subject, channel.quantity, axis)))
+            fields.append(_field(arrow, name, {**meaning, "axis": axis}))
+            columns.append(column)
+    events = [[event.time, event.kind, list(event.subjects)] for event in trace.events]
+    about = {"engine": trace.engine, "events": events, "stable_until": trace.stable_until, "cut": trace.cut}
+    schema = arrow.schema(fields, metadata={"format": FORMAT, "trace": json.dumps(about)})
+    arrays = [arrow.array(np.ascontiguousarray(column)) for column in columns]
+    parquet.write_table(arrow.Table.from_arrays(arrays, schema=schema), str(path), compression="zstd")
+
+
+def read_trace(path: str | Path) -> Recording:
+    """What `write_trace` wrote.
+
+    Raises:
+        SceneError: the file is not a trace.
+        OSError: it can't be read.
+    """
+    arrow, parquet = _arrow()
+    try:
+        table: Any = parquet.read_table(str(path))
+    except arrow.ArrowInvalid as error:
+        raise SceneError(str(path), f"this is no Parquet file: {error}") from error
+    about: dict[bytes, bytes] = table.schema.metadata or {}
+    if about.get(b"format") != FORMAT.encode():
+        raise SceneError(
+            str(path), "this is no trace", "write one with: sim2reason simulate scene.yaml -o trace.parquet"
+        )
+    parts: dict[Channel, list[Array]] = {}
+    units: dict[str, str] = {}
+    for field, column in zip(table.schema, table.columns, strict=True):
+        meaning = {key.decode(): value.decode() for key, value in field.metadata.items()}
+        if "subject" in meaning:
+            units[meaning["quantity"]] = meaning["unit"]
+            parts.setdefault(Channel(meaning["subject"], meaning["quantity"]), []).append(column.to_numpy())
+    values = {channel: p[0] if len(p) == 1 else np.stack(p, axis=1) for channel, p in parts.items()}
+    return _recording(json.loads(about[b"trace"]), table["time"].to_numpy(), values, units)
+
+
+def _recording(
+    about: dict[str, Any], times: Array, values: Mapping[Channel, Array], units: Mapping[str, str]
+) -> Recording:
+    events = tuple(Event(float(time), kind, tuple(subjects)) for time, kind, subjects in about["events"])
+    return Recording(about["engine"], times, values, units, events, float(about["stable_until"]), about["cut"])
+
+
+def _field(arrow: Any, name: str, meaning: dict[str, str]) -> Any:  # noqa: ANN401 - pyarrow has no types
+    return arrow.field(name, arrow.float64(), metadata=meaning)
+
+
+def _arrow() -> tuple[Any, Any]:
+    """PyArrow, loaded when it is needed: it takes longer than all the rest."""
+    return import_module("pyarrow"), import_module("pyarrow.parquet")

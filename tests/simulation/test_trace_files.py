@@ -1,0 +1,63 @@
+"""Traces in Parquet files: what is written is read, with its meaning."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+
+import machines
+from sim2reason.errors import SceneError
+from sim2reason.simulation import channels, trace_files
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import ENGINES
+
+TIMES = np.linspace(0.0, 2.0, 41)
+
+
+@pytest.mark.parametrize("name", ["carts", "prism", "atwood with a massive pulley"])
+@pytest.mark.parametrize("engine", ["exact", "mujoco"])
+def test_all_comes_back(name: str, engine: str, tmp_path: Path) -> None:
+    trace = ENGINES[engine](machines.SAMPLES[name](), TIMES)
+    trace_files.write_trace(trace, tmp_path / "trace.parquet")
+    read = trace_files.read_trace(tmp_path / "trace.parquet")
+    assert read.engine == engine
+    assert read.events == trace.events
+    assert (read.stable_until, read.cut) == (trace.stable_until, trace.cut)
+    assert read.times.tobytes() == trace.state.times.tobytes()
+    expected = channels.evaluate_channels(trace.state)
+    assert list(read.channels) == list(expected)
+    for channel, values in expected.items():
+        np.testing.assert_array_equal(read.channels[channel], values, strict=True)  # NaN equals NaN here
+
+
+def test_a_field_says_what_it_is(tmp_path: Path) -> None:
+    trace = ENGINES["exact"](machines.carts(), TIMES)
+    trace_files.write_trace(trace, tmp_path / "trace.parquet")
+    schema = pq.read_schema(tmp_path / "trace.parquet")
+    assert schema.field("time").metadata == {b"quantity": b"time", b"unit": b"s"}
+    meaning = schema.field("runner velocity x").metadata
+    assert meaning == {b"subject": b"runner", b"quantity": b"velocity", b"unit": b"m/s", b"axis": b"x"}
+    assert schema.field("rope tension").metadata[b"unit"] == b"N"
+    about = json.loads(schema.metadata[b"trace"])
+    assert about["events"][0][1:] == ["collision", ["runner", "target"]]
+    assert trace_files.read_trace(tmp_path / "trace.parquet").channels[Channel("runner", "velocity")].shape == (41, 3)
+
+
+def test_the_same_trace_gives_the_same_bytes(tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        trace_files.write_trace(ENGINES["exact"](machines.carts(), TIMES), tmp_path / name)
+    assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
+
+
+def test_other_files_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "text").write_text("time,x\n0,1\n")
+    with pytest.raises(SceneError, match="no Parquet file"):
+        trace_files.read_trace(tmp_path / "text")
+    pq.write_table(pa.table({"time": [0.0]}), tmp_path / "table")
+    with pytest.raises(SceneError, match="no trace"):
+        trace_files.read_trace(tmp_path / "table")
+    with pytest.raises(OSError, match="missing"):
+        trace_files.read_trace(tmp_path / "missing")
