@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from cells import drawn
-from sim2reason.dsl.mechanism import Mechanism, Vector, X, Y
+from sim2reason.dsl.mechanism import Mechanism, X, Y
 from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.vectors import Vector
 from sim2reason.quantities import QUANTITIES
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 from sim2reason.simulation.scenes import simulate
@@ -23,7 +24,7 @@ def conserves(mechanism: Mechanism) -> bool:
     return not (
         mechanism.pulls
         or any(contact.friction > 0.0 for contact in mechanism.contacts.values())
-        or any(pair.restitution < 1.0 for pair in mechanism.collisions)
+        or any(pair.restitution < 1.0 for pair in mechanism.meetings)
     )
 
 
@@ -56,8 +57,7 @@ def energy_drift(state: State) -> float:
 def free_directions(mechanism: Mechanism) -> list[Vector]:
     """Room directions in which nothing outside pushes: no string ends in the room, and every root body can move so."""
     roots = [body for body in mechanism.bodies if body.parent is None]
-    lines = (*mechanism.strings, *mechanism.pulls)
-    if any(mechanism.site[site].body is None for line in lines for site in line.through):
+    if any(mechanism.site[site].body is None for line in mechanism.lines for site in line.through):
         return []
     return [axis for axis in (X, Y) if all(any(c.axis == axis for c in body.coordinates) for body in roots)]
 

@@ -11,7 +11,7 @@ from sim2reason.bodies.wedge import Prism, Wedge
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.mechanism import X, Z
+from sim2reason.dsl.mechanism import Drawn, X, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import MissingExtraError, UnsupportedError
 from sim2reason.figures.arrange import Arranger
@@ -80,7 +80,9 @@ def test_angles_and_forces_stand_in_the_drawing(drawings: list[Drawn]) -> None:
         shown = [label.text for label in drawn.labels if label.text.endswith("°")]
         assert sorted(shown) == sorted(wanted)
         for pull in scene.mechanism.pulls:
-            assert any(label.text.endswith(" N") and float(label.text[:-2]) == pull.force for label in drawn.labels)
+            assert any(
+                label.text.endswith(" N") and DrawnIn(float(label.text[:-2])) == pull.law for label in drawn.labels
+            )
 
 
 def test_labels_keep_clear_of_each_other(drawings: list[Drawn]) -> None:

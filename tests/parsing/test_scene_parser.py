@@ -14,7 +14,6 @@ from scene_files import composed
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import ENTITIES, Named, Part
-from sim2reason.dsl.kinematics import carried, slides_of
 from sim2reason.dsl.model import field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Each, slots, wordings
@@ -24,6 +23,7 @@ from sim2reason.parsing import ParsedScene, parse_scene
 from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.tokens import MAX_CHARACTERS, MAX_PIECES, pieces
 from sim2reason.prose.writer import Description, describe
+from sim2reason.quantities import QUANTITIES
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 from sim2reason.scene_files import load
 from sim2reason.scene_files.yaml_text import write
@@ -67,9 +67,9 @@ def together(parts: list[str]) -> str:
 
 def accelerations(scene: Scene, names: dict[str, str]) -> dict[str, np.ndarray]:
     """Of every body by what it is called, (3,), in m/s², just after the start."""
-    found = simulate(scene.mechanism, np.array([0.0, 1e-6])).state.a[:1]
+    state = simulate(scene.mechanism, np.array([0.0, 1e-6])).state
     moving = {name: address for name, address in names.items() if address in scene.mechanism.body}
-    return {name: carried(slides_of(scene.mechanism, address), found)[0] for name, address in moving.items()}
+    return {name: QUANTITIES["acceleration"].evaluate(state, address)[0] for name, address in moving.items()}
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), TIERS)

@@ -5,9 +5,9 @@ from math import cos, radians, sin
 
 import numpy as np
 
-from sim2reason.dsl.builder import Builder, Frame, Pulley
-from sim2reason.dsl.mechanism import Mechanism, Vector, X, Y, Z
-from sim2reason.dsl.vectors import scale
+from sim2reason.dsl.builder import Builder, Frame, Rim
+from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
+from sim2reason.dsl.vectors import Vector, scale
 
 
 def face(angle: float, side: float = 1.0) -> tuple[Vector, Vector]:
@@ -241,7 +241,7 @@ def _drawn(room: Frame, count: int, rng: np.random.Generator) -> None:
     room.string("inner rope", "one.hook", rim, "two.hook")
 
 
-def _corner(room: Frame, edge: float, rng: np.random.Generator) -> Pulley:
+def _corner(room: Frame, edge: float, rng: np.random.Generator) -> Rim:
     """The pulley at the edge of the table, whose left rim point is level with the table."""
     mass = float(rng.choice([0.0, round(rng.uniform(0.2, 3.0), 2)]))
     return room.pulley("corner", (edge, 0.0, 0.0), mass=mass, radius=0.1)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.dsl.builder import Builder, Frame, Pulley
+from sim2reason.dsl.builder import Builder, Frame, Rim
 from sim2reason.dsl.mechanism import ZERO, X, Y, Z
 
 
@@ -20,7 +20,7 @@ def hang(builder: Builder, rng: np.random.Generator, x: float, z: float, depth: 
     return f"{name}.top"
 
 
-def over(builder: Builder, rng: np.random.Generator, pulley: Pulley, at: tuple[float, float], depth: int) -> None:
+def over(builder: Builder, rng: np.random.Generator, pulley: Rim, at: tuple[float, float], depth: int) -> None:
     """Lay a string over a pulley, with something at both ends."""
     left, right = (hang(builder, rng, at[0] + side * pulley.radius, at[1], depth) for side in (-1.0, 1.0))
     builder.room().string(f"s.{pulley.left}", left, pulley, right)

@@ -4,8 +4,8 @@ from math import cos, radians, sin
 
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.measures import Angle, Friction
-from sim2reason.dsl.mechanism import Vector
 from sim2reason.dsl.template import Word
+from sim2reason.dsl.vectors import Vector
 
 Smoothness = Word("friction", {0.0: "smooth"}, "rough")
 

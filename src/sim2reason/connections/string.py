@@ -22,7 +22,7 @@ from sim2reason.dsl.connection import (
 )
 from sim2reason.dsl.layout import FREE, opposite
 from sim2reason.dsl.measures import FreeLength
-from sim2reason.dsl.mechanism import ZERO
+from sim2reason.dsl.mechanism import ZERO, Drawn, Inextensible
 from sim2reason.dsl.ports import End, Port, Stop, StringPort
 from sim2reason.dsl.vectors import add, scale
 from sim2reason.errors import SceneError
@@ -82,9 +82,9 @@ class String(Connection):
         if path[0] in builder.hands:
             raise SceneError(name, "two hands pull at the two ends of one string", "fix or load one of its ends")
         if force is None:
-            builder.add_string(name, path, 0.0)
+            builder.add_line(name, path, Inextensible())
         else:
-            builder.add_pull(name, path, force)
+            builder.add_line(name, path, Inextensible(), last=Drawn(force))
 
     @classmethod
     def parse(

@@ -1,47 +1,37 @@
-"""The verbs that entities speak; the one `Builder` turns them into a `Mechanism`."""
+"""The verbs that entities speak; `Frame` says them, and the one `Builder` turns them into a `Mechanism`."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from math import inf
 
+from sim2reason.dsl.collector import WHEEL_RADIUS, Collector, Rim
+from sim2reason.dsl.fields import Law, Region
 from sim2reason.dsl.mechanism import (
-    GRAVITY,
+    NO_INERTIA,
     ZERO,
-    Body,
-    Collision,
-    Contact,
+    Attraction,
+    Burn,
     Coordinate,
-    Mechanism,
-    Pull,
-    Site,
-    String,
-    Vector,
-    Wheel,
+    Drawn,
+    Face,
+    Foot,
+    Force,
+    Inextensible,
+    Meeting,
+    Prop,
+    Rigid,
+    RigidBody,
     Y,
+    Z,
 )
-from sim2reason.dsl.vectors import add, scale, unit
-from sim2reason.errors import SceneError
+from sim2reason.dsl.vectors import Tensor, Vector, add, inner, outer, unit
 
-WHEEL_RADIUS = 0.05  # m; of a pulley that nobody gave one, so only for looks
-
-
-@dataclass(frozen=True, slots=True)
-class Pulley:
-    """The points where a string meets a pulley's rim, as site names, and the wheel if it has mass.
-
-    A string that passes over or under it goes through both, one after the other.
-    """
-
-    left: str
-    right: str
-    coordinate: str | None = None
-    radius: float = WHEEL_RADIUS
+__all__ = ["WHEEL_RADIUS", "Builder", "Frame", "Rim"]
 
 
 class Frame:
     """A body under construction, or the room; what is made on it moves with it."""
 
-    def __init__(self, builder: "Builder", prefix: str, body: str | None, at: Vector) -> None:
+    def __init__(self, builder: Collector, prefix: str, body: str | None, at: Vector) -> None:
         """`prefix` goes before every name made here; `at` is where its origin stands in the room."""
         self._builder, self.prefix, self.name, self.at = builder, prefix, body, at
 
@@ -53,24 +43,32 @@ class Frame:
         """The same body, shifted by `at`, with `name` before all names: room for a part of an entity."""
         return Frame(self._builder, self.address(name), self.name, add(self.at, at))
 
-    def body(self, name: str, mass: float = 0.0, *, at: Vector = ZERO, inertia: float = 0.0) -> "Frame":
-        """A new body carried by this one, its centre of mass at `at`; welded until it is told to move."""
+    def body(
+        self, name: str, mass: float = 0.0, *, at: Vector = ZERO, center: Vector = ZERO, inertia: Tensor = NO_INERTIA
+    ) -> "Frame":
+        """A new body carried by this one, its frame at `at`; welded until it is told to move.
+
+        `center`, of mass, and `inertia`, about it, are given in the room's axes at the start.
+        """
         address, where = self.address(name), add(self.at, at)
-        self._builder.add_body(Body(address, self.name, self._builder.relative(self.name, where), mass, inertia))
+        relative = self._builder.relative(self.name, where)
+        self._builder.add_body(RigidBody(address, self.name, relative, mass, center, inertia))
         return Frame(self._builder, self.prefix, address, where)
 
     def slide(
         self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "slide"
     ) -> "Frame":
         """Let it move along `axis`; call twice, with another name, for two directions."""
-        self._builder.add_coordinate(
-            self._own(), Coordinate(f"{self.name}.{name}", "slide", unit(axis), speed, *limits)
-        )
+        own = self._own()
+        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", unit(axis), speed, *limits))
         return self
 
-    def hinge(self, axis: Vector, speed: float = 0.0) -> "Frame":
-        """Let it turn about `axis` through its centre of mass."""
-        self._builder.add_coordinate(self._own(), Coordinate(f"{self.name}.hinge", "hinge", unit(axis), speed))
+    def hinge(
+        self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "hinge"
+    ) -> "Frame":
+        """Let it turn about `axis` through the origin of its frame; limits in radians."""
+        own = self._own()
+        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "hinge", unit(axis), speed, *limits))
         return self
 
     def rest(
@@ -83,7 +81,41 @@ class Frame:
     ) -> "Frame":
         """Lay it on its parent's face: it slides along `along` and is pressed along `normal`."""
         self.slide(along, speed, limits)
-        self._builder.add_contact(self._own(), Contact(f"{self.name}.slide", unit(normal), friction))
+        self._builder.add_face(Face(self._own(), unit(normal), ((f"{self.name}.slide", 1.0),), friction))
+        return self
+
+    def roll(
+        self,
+        along: Vector,
+        normal: Vector,
+        radius: float,
+        friction: float = inf,
+        speed: float = 0.0,
+        spin: float | None = None,
+    ) -> "Frame":
+        """Lay a round body on its parent's face, its axis at the origin of its frame: it slides and turns there.
+
+        `spin`, rad/s, is positive the way in which it rolls along `along`; by default it rolls at the start. With an
+        infinite `friction` it never slips.
+        """
+        own, way, out = self._own(), unit(along), unit(normal)
+        self.slide(way, speed)
+        self.hinge(outer(out, way), speed / radius if spin is None else spin)
+        self._builder.add_face(Face(own, out, ((f"{own}.slide", 1.0), (f"{own}.hinge", -radius)), friction))
+        return self
+
+    def swing(
+        self, axis: Vector, normal: Vector, radius: float, *, friction: float = 0.0, speed: float = 0.0, guided: bool
+    ) -> "Frame":
+        """Lay a small body on a round face about the origin of its frame, along which it turns with `speed`, rad/s.
+
+        Its centre of mass lies `radius` from there; `normal` points out of the face, where it is at the start.
+        `guided`: it can't leave, as a bead on a hoop.
+        """
+        own = self._own()
+        self.hinge(axis, speed)
+        slip = ((f"{own}.hinge", radius),)
+        self._builder.add_face(Face(own, unit(normal), slip, friction, turning=True, guided=guided))
         return self
 
     def site(self, name: str, at: Vector = ZERO, faces: Vector | None = None) -> "Frame":
@@ -104,7 +136,7 @@ class Frame:
         mass: float = 0.0,
         radius: float = WHEEL_RADIUS,
         faces: Vector | None = None,
-    ) -> Pulley:
+    ) -> Rim:
         """Fix a pulley's axle to this body; a mass makes it a uniform disc that the string turns.
 
         Its two rim points lie `radius` to the left and right of the axle; strings leave them towards
@@ -114,21 +146,62 @@ class Frame:
         self._builder.add_site(left, self.name, add(self.at, at, (-radius, 0.0, 0.0)), faces)
         self._builder.add_site(right, self.name, add(self.at, at, (radius, 0.0, 0.0)), faces)
         if mass == 0.0:
-            return self._builder.add_pulley(address, Pulley(left, right, None, radius))
-        self.body(name, mass, at=at, inertia=0.5 * mass * radius**2).hinge(Y)
-        return self._builder.add_pulley(address, Pulley(left, right, f"{address}.hinge", radius))
+            return self._builder.add_pulley(address, Rim(left, right, None, radius))
+        self.body(name, mass, at=at, inertia=disc_inertia(mass, radius)).hinge(Y)
+        return self._builder.add_pulley(address, Rim(left, right, f"{address}.hinge", radius))
 
-    def string(self, name: str, *through: str | Pulley, slack: float = 0.0) -> None:
+    def string(self, name: str, *through: str | Rim, slack: float = 0.0) -> None:
         """Stretch a string from end to end through sites, by address; a pulley stands for its rim, left to right."""
-        self._builder.add_string(self.address(name), _flat(through), slack)
+        self._builder.add_line(self.address(name), _flat(through), Inextensible(slack))
 
-    def pull(self, name: str, *through: str | Pulley, force: float) -> None:
+    def pull(self, name: str, *through: str | Rim, force: float) -> None:
         """Like `string`, but its last stop is a hand that draws it in with a constant force."""
-        self._builder.add_pull(self.address(name), _flat(through), force)
+        self._builder.add_line(self.address(name), _flat(through), Inextensible(), last=Drawn(force))
 
-    def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float) -> None:
+    def rod(self, name: str, a: str, b: str) -> None:
+        """Join two sites by a light rod that keeps their distance."""
+        self._builder.add_line(self.address(name), (a, b), Rigid())
+
+    def prop(self, name: str, a: str, b: str) -> None:
+        """Keep two sites from coming nearer than they are at the start."""
+        self._builder.add_line(self.address(name), (a, b), Prop())
+
+    def spring(
+        self, name: str, *through: str | Rim, stiffness: float, length: float | None = None, damping: float = 0.0
+    ) -> None:
+        """Join sites by a light spring of a natural length, m, by default that which it has at the start."""
+        self._builder.add_spring(self.address(name), _flat(through), stiffness, length, damping)
+
+    def force(self, name: str, law: Law, region: Region | None = None) -> None:
+        """Let a force act on this body at its centre of mass."""
+        self._builder.forces.append(Force(self.address(name), self._own(), law, region))
+
+    def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float, *, sticks: bool = False) -> None:
         """Let two bodies bounce when their centres come within `distance`."""
-        self._builder.add_collision(Collision(a.own_name, b.own_name, distance, restitution))
+        self._builder.meetings.append(Meeting(a.own_name, b.own_name, distance, restitution, None, sticks))
+
+    def bump(
+        self, a: "Frame", b: "Frame", normal: Vector, distance: float, restitution: float, *, sticks: bool = False
+    ) -> None:
+        """Let two bodies bounce when `b` is less than `distance` ahead of `a` along `normal`; `a` may be the room."""
+        away = a.name
+        if away is None:
+            distance += inner(normal, a.at)
+        self._builder.meetings.append(Meeting(away, b.own_name, distance, restitution, unit(normal), sticks))
+
+    def attract(self, other: "Frame", constant: float) -> None:
+        """Let this body and another attract each other by Newton's law with a constant of gravitation."""
+        self._builder.attractions.append(Attraction(self._own(), other.own_name, constant))
+
+    def burn(self, rate: float, exhaust: float, until: float, direction: Vector = Z) -> None:
+        """Let it eject mass at `rate`, kg/s, with a speed relative to it, until a time, s; thrust along `direction`."""
+        self._builder.burns.append(Burn(self._own(), rate, exhaust, until, unit(direction)))
+
+    def stand(self, name: str, at: Vector, along: Vector, normal: Vector) -> None:
+        """Let a point of this body be a foot that may stand on the plane of the room through it as it is now."""
+        self.site(name, at)
+        where = self._builder.position(self.address(name))
+        self._builder.feet.append(Foot(self.address(name), self.address(name), normal, along, inner(normal, where)))
 
     @property
     def own_name(self) -> str:
@@ -141,145 +214,18 @@ class Frame:
         return self.name
 
 
-def _flat(through: Iterable[str | Pulley]) -> list[str]:
+def _flat(through: Iterable[str | Rim]) -> list[str]:
     return [site for stop in through for site in ((stop,) if isinstance(stop, str) else (stop.left, stop.right))]
 
 
-class Builder:
-    """Collects what frames say; gluing, naming and the splitting of strings are settled here once."""
+def disc_inertia(mass: float, radius: float) -> Tensor:
+    """A uniform disc whose axis is y: ½mr² about it, ¼mr² across, kg m²."""
+    return (0.25 * mass * radius**2, 0.5 * mass * radius**2, 0.25 * mass * radius**2, 0.0, 0.0, 0.0)
 
-    def __init__(self, gravity: Vector = (0.0, 0.0, -GRAVITY), glued: Iterable[str] = ()) -> None:
-        """`glued` names bodies that are welded to their parents whatever an entity says of them."""
-        self._gravity = gravity
-        self._glued = frozenset(glued)
-        self._bodies: dict[str, Body] = {}
-        self._origin: dict[str | None, Vector] = {None: ZERO}
-        self._sites: dict[str, Site] = {}
-        self.faces: dict[str, Vector | None] = {}  # by site, the way in which a string must leave it
-        self.hands: dict[str, float] = {}  # by site, the force with which a string is drawn in there
-        self._rims: dict[tuple[str, str], Pulley] = {}
-        self._strings: dict[str, String] = {}
-        self._pulls: dict[str, Pull] = {}
-        self._collisions: list[Collision] = []
+
+class Builder(Collector):
+    """A mechanism under construction."""
 
     def room(self, name: str = "", at: Vector = ZERO) -> Frame:
         """The room, for one entity: `name` goes before all its names, `at` is where it stands."""
         return Frame(self, name, None, at)
-
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """The names of all bodies that were made."""
-        return tuple(self._bodies)
-
-    def position(self, site: str) -> Vector:
-        """Where a site stands in the room at the start."""
-        found = self._sites[site]
-        return add(self._origin[found.body], found.at)
-
-    def carrier(self, site: str) -> str | None:
-        """The body that a site is on; None for the room."""
-        return self._sites[site].body
-
-    def extent(self) -> tuple[float, float]:
-        """The least and greatest x of all sites and bodies."""
-        across = [self.position(site)[0] for site in self._sites] + [at[0] for name, at in self._origin.items() if name]
-        return (min(across), max(across)) if across else (0.0, 0.0)
-
-    def relative(self, body: str | None, where: Vector) -> Vector:
-        """A point of the room as seen from a body's centre of mass at the start."""
-        return add(where, scale(-1.0, self._origin[body]))
-
-    def add_body(self, body: Body) -> None:
-        """Enter a body; its name must be new."""
-        self._new(body.name, self._bodies)
-        self._bodies[body.name] = body
-        self._origin[body.name] = add(self._origin[body.parent], body.at)
-
-    def add_coordinate(self, body: str, coordinate: Coordinate) -> None:
-        """Give a body one more way to move, unless it is glued."""
-        if body not in self._glued:
-            found = self._bodies[body]
-            self._bodies[body] = replace(found, coordinates=(*found.coordinates, coordinate))
-
-    def add_contact(self, body: str, contact: Contact) -> None:
-        """Say that a body lies on its parent, unless it is glued to it."""
-        if body not in self._glued:
-            self._bodies[body] = replace(self._bodies[body], contact=contact)
-
-    def add_site(self, name: str, body: str | None, where: Vector, faces: Vector | None = None) -> None:
-        """Mark a point of a body, given where it stands in the room at the start."""
-        self._new(name, self._sites)
-        self.faces[name] = faces
-        self._sites[name] = Site(name, body, self.relative(body, where))
-
-    def add_pulley(self, name: str, pulley: Pulley) -> Pulley:
-        """Enter a pulley, so that strings that pass its rim points turn it, unless it is glued."""
-        kept = replace(pulley, coordinate=None) if name in self._glued else pulley
-        self._rims[pulley.left, pulley.right] = kept
-        return kept
-
-    def add_string(self, name: str, through: Iterable[str], slack: float) -> None:
-        """Enter a string, in as many parts as massive pulleys cut it into."""
-        parts = self._split(through)
-        for number, (sites, wheels) in enumerate(parts, start=1):
-            part = name if len(parts) == 1 else f"{name}/{number}"
-            self._new(part, self._strings)
-            self._strings[part] = String(part, name, sites, wheels, slack)
-
-    def add_pull(self, name: str, through: Iterable[str], force: float) -> None:
-        """Enter a pulled string: the part at the hand is a `Pull`, those behind massive pulleys are strings."""
-        parts = self._split(through)
-        for number, (sites, wheels) in enumerate(parts, start=1):
-            part = name if len(parts) == 1 else f"{name}/{number}"
-            self._new(part, (*self._strings, *self._pulls))
-            if number < len(parts):
-                self._strings[part] = String(part, name, sites, wheels)
-            else:
-                self._pulls[part] = Pull(part, sites, force, wheels)
-
-    def _split(self, through: Iterable[str]) -> list[tuple[tuple[str, ...], tuple[Wheel, ...]]]:
-        """Cut a path wherever it goes from one rim point of a massive pulley to the other."""
-        parts: list[tuple[list[str], list[Wheel]]] = [([], [])]
-        for site in through:
-            if site not in self._sites:
-                raise ValueError(f"no site is called {site!r}")
-            sites, wheels = parts[-1]
-            grip = self._grip(sites[-1], site) if sites else None
-            if grip is None:
-                sites.append(site)
-            else:
-                wheels.append(grip)
-                parts.append(([site], [Wheel(grip.coordinate, -grip.radius)]))
-        if any(len(sites) < 2 for sites, _ in parts):
-            raise ValueError("a string needs two ends, and something between any two massive pulleys")
-        return [(tuple(sites), tuple(wheels)) for sites, wheels in parts]
-
-    def _grip(self, first: str, last: str) -> Wheel | None:
-        """How a string that comes in at `first` and leaves at `last` turns a massive pulley, if it is one's rim."""
-        pulley = self._rims.get((first, last)) or self._rims.get((last, first))
-        if pulley is None or pulley.coordinate is None:
-            return None
-        # The wheel turns right-handed about y: its left rim rises and takes in string that hangs from it, but
-        # gives out string that holds it from above.
-        upwards = self.faces[first]
-        under = upwards is not None and upwards[2] > 0.0
-        return Wheel(pulley.coordinate, pulley.radius if (first == pulley.left) != under else -pulley.radius)
-
-    def add_collision(self, collision: Collision) -> None:
-        """Enter a pair that may bounce."""
-        self._collisions.append(collision)
-
-    def _new(self, name: str, known: Iterable[str]) -> None:
-        if name in known:
-            raise SceneError(name, "two things have this name", "give each body and string its own")
-
-    def finish(self) -> Mechanism:
-        """The mechanism of everything that was said."""
-        return Mechanism(
-            tuple(self._bodies.values()),
-            tuple(self._sites.values()),
-            tuple(self._strings.values()),
-            tuple(self._pulls.values()),
-            tuple(self._collisions),
-            self._gravity,
-        )

@@ -7,9 +7,9 @@ from math import hypot
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Named
-from sim2reason.dsl.mechanism import ZERO, Vector
+from sim2reason.dsl.mechanism import ZERO
 from sim2reason.dsl.ports import End, Stop
-from sim2reason.dsl.vectors import add, scale
+from sim2reason.dsl.vectors import Vector, add, scale
 
 GAP = 1.0  # m between entities that no straight string aligns; only for looks
 FREE = 2.5  # m of free string between neighbours, so that motions of a second or two have room

@@ -1,7 +1,7 @@
-"""What an engine simulates: a frozen, engine-neutral value of bodies, strings, contacts and collisions.
+"""What an engine simulates: a frozen, engine-neutral value of bodies, lines, faces, forces and meetings.
 
-Frames never turn relative to the room, but for wheels about their own axle; so every vector here is in
-room coordinates, x to the right, y away from the reader, z up, in SI units.
+At the start of the motion the axes of every body's frame are those of the room: x to the right, y away from the
+reader, z up. All numbers are in one coherent system of units, SI unless `units` says otherwise, angles in radians.
 """
 
 from dataclasses import dataclass
@@ -9,11 +9,15 @@ from functools import cached_property
 from math import inf
 from typing import Literal
 
-Vector = tuple[float, float, float]
+from sim2reason.dsl.fields import Law, Region
+from sim2reason.dsl.units import SI, UnitSystem
+from sim2reason.dsl.vectors import Tensor, Vector
+
 X: Vector = (1.0, 0.0, 0.0)
 Y: Vector = (0.0, 1.0, 0.0)
 Z: Vector = (0.0, 0.0, 1.0)
 ZERO: Vector = (0.0, 0.0, 0.0)
+NO_INERTIA: Tensor = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 GRAVITY = 9.8
 
 
@@ -22,33 +26,44 @@ class Coordinate:
     """One way in which a body may move relative to its parent, zero at the start of the motion."""
 
     name: str
+    body: str
+    label: str  # what tells it from the others of its body: slide, hinge, x
     kind: Literal["slide", "hinge"]
-    axis: Vector  # unit vector; a hinge turns right-handed about it
+    axis: Vector  # unit vector in the parent's frame; a hinge turns right-handed about it
     speed: float = 0.0  # at the start: m/s, or rad/s for a hinge
     lower: float = -inf  # travel limits; reaching one ends the motion that is described
     upper: float = inf
 
 
 @dataclass(frozen=True, slots=True)
-class Contact:
-    """A body lies on its parent's face: it may slide along it, press on it, but not pull on it."""
+class RigidBody:
+    """A rigid body; its parent's frame carries it. Mass 0 means massless.
 
-    along: str  # the coordinate of sliding
-    normal: Vector  # unit vector, out of the parent's face
-    friction: float = 0.0  # one coefficient, static and kinetic
-
-
-@dataclass(frozen=True, slots=True)
-class Body:
-    """A rigid body; its parent's frame carries it. Mass 0 means massless."""
+    Its coordinates act one after the other: slides move the frame's origin, hinges turn about axes through it.
+    """
 
     name: str
     parent: str | None  # None: the room
-    at: Vector  # of its centre of mass in the parent's frame at the start
+    at: Vector  # of its frame's origin in the parent's frame at the start
     mass: float = 0.0
-    inertia: float = 0.0  # about its hinge, kg m²
+    center: Vector = ZERO  # of mass, in its own frame
+    inertia: Tensor = NO_INERTIA  # about its centre of mass, in its own frame, kg m²
     coordinates: tuple[Coordinate, ...] = ()  # none: welded to the parent
-    contact: Contact | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """A face of its parent on which a body lies: the body may slide or roll along it and presses on it.
+
+    The velocity with which the two surfaces slip is Σ factor · rate over `slip`; friction acts against it.
+    """
+
+    subject: str  # the body that lies on its parent
+    normal: Vector  # unit vector, out of the face; in the parent's frame, or in the body's own if it is `turning`
+    slip: tuple[tuple[str, float], ...]  # (coordinate, factor)
+    friction: float = 0.0  # one coefficient, static and kinetic; infinite: it never slips
+    turning: bool = False  # the face is curved: its normal turns with the body
+    guided: bool = False  # it holds the body both ways, so that the normal force may have either sign
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,46 +77,121 @@ class Site:
 
 @dataclass(frozen=True, slots=True)
 class Wheel:
-    """A string's grip on a massive pulley: its free length changes by `radius` times the pulley's angle."""
+    """A line's grip on a massive pulley: its free length changes by `radius` times the pulley's angle."""
 
     coordinate: str
     radius: float  # signed, in metres
 
 
 @dataclass(frozen=True, slots=True)
-class String:
-    """A light inextensible string of one tension, straight between its sites; it can go slack.
+class Inextensible:
+    """A string: its length may not exceed that at the start + `slack` − `reel`·t; it pulls or is slack."""
 
-    Its constraint is: sum of distances between consecutive sites + Σ radius·angle over its wheels ≤ its
-    value at the start + `slack`. A string that passes a massive pulley is several of these, one for each
-    part, all with the same `whole`.
+    slack: float = 0.0  # m to spare at the start
+    reel: float = 0.0  # m/s at which it is taken in
+
+
+@dataclass(frozen=True, slots=True)
+class Rigid:
+    """A light rod: its length never changes; it pulls or pushes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Prop:
+    """A light strut that may be left: its length may not fall below that at the start; it pushes or is idle."""
+
+
+@dataclass(frozen=True, slots=True)
+class Elastic:
+    """A light spring: its tension is stiffness·(length − natural length) + damping·rate."""
+
+    stiffness: float  # N/m
+    length: float  # natural, m
+    damping: float = 0.0  # N s/m
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A string drawn in with a constant force, its tension."""
+
+    force: float  # N, at least 0
+
+
+LineLaw = Inextensible | Rigid | Prop | Elastic | Drawn
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A light line of one tension, straight between its sites.
+
+    Its length is the sum of the distances between consecutive sites + Σ radius·angle over its wheels. A line that
+    passes a massive pulley is several of these, one for each part, all with the same `whole`.
     """
 
     name: str
     whole: str
     through: tuple[str, ...]  # site names, from end to end
     wheels: tuple[Wheel, ...] = ()
-    slack: float = 0.0  # metres to spare at the start
+    law: LineLaw = Inextensible()
 
 
 @dataclass(frozen=True, slots=True)
-class Pull:
-    """A constant force that draws a string in: the generalised force is −force · d(length)/dq."""
+class Force:
+    """A force on a body at its centre of mass, by a law of place, velocity and time; in a region or everywhere."""
 
     name: str
-    through: tuple[str, ...]
-    force: float  # N, at least 0
-    wheels: tuple[Wheel, ...] = ()
+    body: str
+    law: Law
+    region: Region | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Collision:
-    """Two bodies that bounce when their centres come within `distance` of each other."""
+class Attraction:
+    """Two bodies attract each other with `constant`·m·m′/rᵖ between their centres of mass."""
 
     a: str
     b: str
+    constant: float  # of gravitation
+    power: float = 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class Burn:
+    """A body that ejects mass backwards: thrust rate·exhaust along `direction` until a time."""
+
+    body: str
+    rate: float  # kg/s
+    exhaust: float  # m/s, relative to the body
+    until: float  # s
+    direction: Vector = Z
+
+
+@dataclass(frozen=True, slots=True)
+class Foot:
+    """A point of a body that may stand on a plane of the room: it does not go through it, nor slips while it stands."""
+
+    name: str
+    site: str
+    normal: Vector
+    along: Vector
+    height: float  # of the plane: n·r of its points
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """Two bodies that bounce when they touch: their centres within `distance`, along `normal` if there is one."""
+
+    a: str | None  # None: the room, at its origin
+    b: str
     distance: float  # m
     restitution: float  # ratio of normal relative speeds, 0 to 1
+    normal: Vector | None = None  # of flat faces: the gap is n·(b − a) − distance
+    sticks: bool = False  # they stay together once they have met
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The bodies that meet, without the room."""
+        return (self.b,) if self.a is None else (self.a, self.b)
 
 
 @dataclass(frozen=True)
@@ -111,12 +201,17 @@ class Mechanism:
     `bodies` are in order: a parent stands before its children.
     """
 
-    bodies: tuple[Body, ...]
+    bodies: tuple[RigidBody, ...]
     sites: tuple[Site, ...] = ()
-    strings: tuple[String, ...] = ()
-    pulls: tuple[Pull, ...] = ()
-    collisions: tuple[Collision, ...] = ()
+    lines: tuple[Line, ...] = ()
+    faces: tuple[Face, ...] = ()
+    feet: tuple[Foot, ...] = ()
+    forces: tuple[Force, ...] = ()
+    attractions: tuple[Attraction, ...] = ()
+    burns: tuple[Burn, ...] = ()
+    meetings: tuple[Meeting, ...] = ()
     gravity: Vector = (0.0, 0.0, -GRAVITY)
+    units: UnitSystem = SI
 
     @cached_property
     def coordinates(self) -> tuple[Coordinate, ...]:
@@ -124,7 +219,12 @@ class Mechanism:
         return tuple(c for body in self.bodies for c in body.coordinates)
 
     @cached_property
-    def body(self) -> dict[str, Body]:
+    def number(self) -> dict[str, int]:
+        """The place of each coordinate among all, by name."""
+        return {coordinate.name: number for number, coordinate in enumerate(self.coordinates)}
+
+    @cached_property
+    def body(self) -> dict[str, RigidBody]:
         """Bodies by name."""
         return {body.name: body for body in self.bodies}
 
@@ -134,6 +234,21 @@ class Mechanism:
         return {site.name: site for site in self.sites}
 
     @cached_property
-    def contacts(self) -> dict[str, Contact]:
-        """Contacts by the name of the body that lies on its parent."""
-        return {body.name: body.contact for body in self.bodies if body.contact is not None}
+    def line(self) -> dict[str, Line]:
+        """Lines by name."""
+        return {line.name: line for line in self.lines}
+
+    @cached_property
+    def strings(self) -> tuple[Line, ...]:
+        """The lines that may go slack, by their own law."""
+        return tuple(line for line in self.lines if isinstance(line.law, Inextensible))
+
+    @cached_property
+    def pulls(self) -> tuple[Line, ...]:
+        """The lines that a hand draws in."""
+        return tuple(line for line in self.lines if isinstance(line.law, Drawn))
+
+    @cached_property
+    def contacts(self) -> dict[str, Face]:
+        """Faces by the name of the body that lies on its parent."""
+        return {face.subject: face for face in self.faces}

@@ -1,12 +1,16 @@
 """What a motion looks like to whoever reads it: arrays over time, the same from every engine."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.fields import Triple, minus, product
+from sim2reason.dsl.frames import Frames, start
+from sim2reason.dsl.mechanism import Drawn, Elastic, Line, Mechanism
 
 Array = NDArray[np.float64]
 
@@ -25,6 +29,53 @@ class State:
     q: Array  # m or rad
     v: Array
     a: Array
-    tension: Mapping[str, Array]  # by string part, N, ≥ 0; also the pulls, constant
-    normal: Mapping[str, Array]  # by the body that rests, N, ≥ 0
-    friction: Mapping[str, Array]  # by the body that rests, N, on that body, positive along its coordinate
+    tension: Mapping[str, Array]  # by line, N; of a rod or a spring negative where it pushes
+    normal: Mapping[str, Array]  # by the body that rests, N, ≥ 0 unless its face holds both ways
+    friction: Mapping[str, Array]  # by the body that rests, N, on that body, positive along its slip
+
+    @cached_property
+    def frames(self) -> Frames:
+        """Where the parts are at all instants: components are arrays (n,), or floats where they never change."""
+        return Frames(self.mechanism, list(self.q.T), list(self.v.T), np)
+
+    @cached_property
+    def began(self) -> Frames:
+        """Where the parts were at the start."""
+        return start(self.mechanism)
+
+    def vector(self, components: Triple) -> Array:
+        """Three components as one array, (n, 3)."""
+        columns = [np.broadcast_to(np.asarray(part, dtype=np.float64), self.times.shape) for part in components]
+        return np.stack(columns, axis=1)
+
+    def length(self, line: Line) -> tuple[Array, Array]:
+        """The sum of the distances between the sites of a line, m, and its rate, m/s; both (n,).
+
+        Where two sites coincide their distance has no rate, and 0 stands for it.
+        """
+        length, rate = np.zeros(len(self.times)), np.zeros(len(self.times))
+        for first, last in pairwise(line.through):
+            one, other = self.frames.site(first), self.frames.site(last)
+            apart = minus(other.place, one.place)
+            parting = minus(other.velocity, one.velocity)
+            distance = np.sqrt(product(apart, apart)) + length * 0.0
+            length = length + distance
+            rate = rate + product(apart, parting) / np.where(distance > 0.0, distance, 1.0)
+        return length, rate
+
+
+def with_given_tensions(state: State) -> State:
+    """The state with the tension of the lines whose own law gives it: of springs, and of what a hand draws."""
+    found = dict(state.tension)
+    numbers = state.mechanism.number
+    for line in state.mechanism.lines:
+        law = line.law
+        if isinstance(law, Drawn):
+            found[line.name] = np.full(len(state.times), law.force)
+        elif isinstance(law, Elastic):
+            length, rate = state.length(line)
+            for wheel in line.wheels:
+                length = length + wheel.radius * state.q[:, numbers[wheel.coordinate]]
+                rate = rate + wheel.radius * state.v[:, numbers[wheel.coordinate]]
+            found[line.name] = law.stiffness * (length - law.length) + law.damping * rate
+    return replace(state, tension=found) if len(found) > len(state.tension) else state

@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 
 from sim2reason.dsl.unit_text import UnitError, factors
 
-__all__ = ["Dimension", "Unit", "UnitError", "parse_unit"]
+__all__ = ["SI", "Dimension", "Unit", "UnitError", "UnitSystem", "parse_unit"]
 
 
 class Dimension(NamedTuple):
@@ -123,6 +123,7 @@ _PLAIN: Final[tuple[_Entry, ...]] = (
     ("d", "day", 86400.0, D(time=1)),
     ("yr", "year", 365.25 * 86400.0, D(time=1)),
     ("au", "AU", 1.495978707e11, D(length=1)),
+    ("Msun", "solar_mass", 1.98841e30, D(mass=1)),
 )
 del D
 
@@ -174,3 +175,26 @@ def parse_unit(text: str) -> Unit:
     if not isfinite(factor) or factor == 0:
         raise UnitError("a unit beyond the range of floats")
     return Unit(_name(powers), factor, dimension)
+
+
+@dataclass(frozen=True, slots=True)
+class UnitSystem:
+    """A coherent system of units, in which a mechanism's numbers stand and its text speaks."""
+
+    name: str
+    length: str = "m"
+    mass: str = "kg"
+    time: str = "s"
+
+    def spell(self, unit: str) -> str:
+        """The unit of this system for the quantity that has `unit` in the SI: ``J`` becomes ``Msun*au^2/yr^2``."""
+        if self.name == SI.name:
+            return unit
+        d = parse_unit(unit).dimension
+        if not (d.length or d.mass or d.time):
+            return unit
+        return _name({word: n for word, n in ((self.mass, d.mass), (self.length, d.length), (self.time, d.time)) if n})
+
+
+SI: Final = UnitSystem("SI")
+ASTRONOMICAL: Final = UnitSystem("astronomical", "au", "Msun", "yr")

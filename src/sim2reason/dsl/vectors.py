@@ -2,7 +2,9 @@
 
 from math import hypot
 
-from sim2reason.dsl.mechanism import Vector
+Vector = tuple[float, float, float]
+Tensor = tuple[float, float, float, float, float, float]
+"""A symmetric tensor: xx, yy, zz, xy, xz, yz."""
 
 
 def unit(vector: Vector) -> Vector:
@@ -24,3 +26,13 @@ def add(*vectors: Vector) -> Vector:
 def scale(factor: float, vector: Vector) -> Vector:
     """`factor` times `vector`."""
     return (factor * vector[0], factor * vector[1], factor * vector[2])
+
+
+def inner(a: Vector, b: Vector) -> float:
+    """The scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def outer(a: Vector, b: Vector) -> Vector:
+    """The vector product."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])

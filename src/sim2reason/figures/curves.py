@@ -80,7 +80,7 @@ def _moved(quantity: str, state: State, mentions: dict[str, str], description: D
     found = QUANTITIES[quantity]
     curves: list[Curve] = []
     for body in state.mechanism.bodies:
-        if body.name in mentions and axes(state.mechanism, body.name) and not body.inertia:
+        if body.name in mentions and axes(state.mechanism, body.name) and not any(body.inertia):
             name = description.names.letters.get(body.name, "") or mentions[body.name].removeprefix("the ")
             values = found.evaluate(state, body.name)
             curves += [Curve(f"{name}{how}", part) for how, part in _parts(values, state, body.name)]

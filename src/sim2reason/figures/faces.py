@@ -73,7 +73,8 @@ class FacePiece(Piece):
         for block, carrier in self.plan.paths.carriers.items():
             if carrier == self.name:
                 held = mechanism.body[block]
-                axis = next(c.axis for c in held.coordinates if held.contact and c.name == held.contact.along)
+                along = mechanism.contacts[block].slip[0][0]
+                axis = next(c.axis for c in held.coordinates if c.name == along)
                 up = flat(axis)
                 up = -up if up.imag < -FLAT or (abs(up.imag) <= FLAT and up.real < 0.0) else up
                 key = (round(up.real, 9), round(up.imag, 9))

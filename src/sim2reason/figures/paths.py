@@ -12,8 +12,9 @@ from itertools import pairwise
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.pulley import FixedPulley, MovablePulley
 from sim2reason.bodies.wedge import Prism, Wedge
-from sim2reason.dsl.mechanism import Mechanism, Vector
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.vectors import Vector
 from sim2reason.figures.vectors import unit
 
 FACES = (Plane, Wedge, Prism)
@@ -78,7 +79,7 @@ def carriers(scene: Scene) -> dict[str, str]:
     planes = [address for address, body in scene.bodies.items() if isinstance(body, Plane)]
     found: dict[str, str] = {}
     for body in mechanism.bodies:
-        if body.contact is None or isinstance(scene.bodies.get(body.name), FACES):
+        if body.name not in mechanism.contacts or isinstance(scene.bodies.get(body.name), FACES):
             continue
         if body.parent is not None and isinstance(scene.bodies.get(body.parent), FACES):
             found[body.name] = body.parent
@@ -143,8 +144,6 @@ class Paths:
 def _sites(mechanism: Mechanism) -> dict[str, list[str]]:
     """By string all its sites from end to end: its parts, which massive pulleys cut, put together again."""
     found: dict[str, list[str]] = {}
-    for line in mechanism.strings:
+    for line in mechanism.lines:
         found.setdefault(line.whole, []).extend(line.through)
-    for pull in mechanism.pulls:
-        found.setdefault(pull.name.partition("/")[0], []).extend(pull.through)
     return found

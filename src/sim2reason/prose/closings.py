@@ -32,7 +32,7 @@ def _has_massive_pulley(scene: Scene) -> bool:
 def _turns(scene: Scene) -> int:
     """How many pulleys there are to speak of; small ones at corners count, too, each once for both its sides."""
     mechanism = scene.mechanism
-    corners = {site for line in (*mechanism.strings, *mechanism.pulls) for site in line.through[1:-1]}
+    corners = {site for line in mechanism.lines for site in line.through[1:-1]}
     wheels = {f"{address}." for address, body in scene.bodies.items() if body.nouns[0] == "pulley"}
     return len(wheels) + len({corner for corner in corners if corner.rpartition(".")[0] + "." not in wheels})
 
@@ -46,7 +46,7 @@ def _has_light_pulleys(scene: Scene) -> bool:
 
 
 def _has_strings(scene: Scene) -> bool:
-    return bool(scene.mechanism.strings or scene.mechanism.pulls)
+    return bool(scene.mechanism.lines)
 
 
 def _has_room(scene: Scene) -> bool:

@@ -30,7 +30,7 @@ class Quantity:
             case "body":
                 return tuple(mechanism.body)
             case "string":
-                return tuple(line.name for line in (*mechanism.strings, *mechanism.pulls))
+                return tuple(line.name for line in mechanism.lines)
             case "contact":
                 return tuple(mechanism.contacts)
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.dsl.kinematics import hinge_of
+from sim2reason.dsl.fields import applied, product
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import quantity
 from sim2reason.quantities.kinematics import displacement, velocity
@@ -10,12 +10,14 @@ from sim2reason.quantities.kinematics import displacement, velocity
 
 @quantity("kinetic energy", unit="J", symbol="K", of="body")
 def kinetic_energy(state: State, body: str) -> Array:
-    """K = ½ m v² + ½ I ω² (König), (n,); ω is that of the body's own hinge, since frames do not turn."""
-    found = state.mechanism.body[body]
-    speed = velocity(state, body)
+    """K = ½ m v² + ½ ω·Iω (König), (n,), with its own inertia about its centre of mass."""
+    found, speed = state.mechanism.body[body], velocity(state, body)
     energy = 0.5 * found.mass * np.einsum("ij,ij->i", speed, speed)
-    hinge = hinge_of(state.mechanism, body)
-    return energy if hinge is None else energy + 0.5 * found.inertia * state.v[:, hinge] ** 2
+    frame = state.frames[body]
+    if frame.spin is None:
+        return energy
+    spin = frame.unturned(frame.spin)
+    return energy + 0.5 * product(spin, applied(found.inertia, spin))
 
 
 @quantity("potential energy", unit="J", symbol="U", of="body")

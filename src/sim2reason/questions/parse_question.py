@@ -49,7 +49,7 @@ def _moments(text: str, trace: Trace, words: Words) -> Iterator[Moment]:
     for name in named:
         yield Stopped(name)
         yield from (Moved(name, float(number)) for number in _METRES.findall(text))
-    for met in trace.mechanism.collisions:
+    for met in trace.mechanism.meetings:
         if {met.a, met.b} <= set(words.mentions) and pair(words.mentions[met.a], words.mentions[met.b]) in text:
             yield Collided(met.a, met.b, after=True)
             yield Collided(met.a, met.b, after=False)

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism, Vector
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import State
+from sim2reason.dsl.vectors import Vector
 from sim2reason.quantities import QUANTITIES
 
 EVEN = 1e-9
@@ -133,7 +134,7 @@ def rides(mechanism: Mechanism, name: str) -> bool:
 
 
 def _moves(mechanism: Mechanism, name: str) -> bool:
-    return bool(axes(mechanism, name)) and not mechanism.body[name].inertia
+    return bool(axes(mechanism, name)) and not any(mechanism.body[name].inertia)
 
 
 def senses(mechanism: Mechanism, name: str) -> list[Sense]:
@@ -142,7 +143,7 @@ def senses(mechanism: Mechanism, name: str) -> list[Sense]:
     Left and right are only used where the text fixes them, which a prism with two faces does.
     """
     found, body = axes(mechanism, name), mechanism.body[name]
-    if len(body.coordinates) == 2 and not body.contact:
+    if len(body.coordinates) == 2 and name not in mechanism.contacts:
         return [Sense(f"the {c.name[-1]} axis", c.axis, c.name[-1]) for c in body.coordinates]
     if len(found) == 1:
         return [] if abs(found[0][2]) < EVEN else [Sense(_uphill(found[0]), found[0])]
@@ -162,7 +163,7 @@ def strings(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]
         if all(ends):
             part = "the string" if string.name == string.whole else "the part of the string"
             found[string.name] = f"{part} between {ends[0]} and {ends[1]}"
-    if len(mechanism.strings) == 1 and not mechanism.pulls:
+    if len(mechanism.lines) == 1 and mechanism.strings:
         found = {mechanism.strings[0].name: "the string"}
     phrases = list(found.values())
     return {name: phrase for name, phrase in found.items() if phrases.count(phrase) == 1}

@@ -74,7 +74,7 @@ def test_carts_that_meet_part_whatever_friction_could_hold(engine: Engine) -> No
     trace = engine(mechanism, np.linspace(0.0, 0.2, 21))
     (hit,) = (event.time for event in trace.events if event.kind == "collision")
     before, after = (trace.sample(np.array([hit + shift])).v[0] for shift in (-1e-7, 1e-7))
-    (pair,) = mechanism.collisions
+    (pair,) = mechanism.meetings
     names = [coordinate.name for coordinate in mechanism.coordinates]
     a, b = names.index("cart0.slide"), names.index("cart1.slide")
     assert after[b] - after[a] == pytest.approx(-pair.restitution * (before[b] - before[a]), abs=1e-5)

@@ -16,7 +16,7 @@ class StartKind:
         """A quantity that can differ from zero before anything has moved."""
         del words
         mechanism = trace.mechanism
-        if not (mechanism.strings or mechanism.pulls or mechanism.contacts):
+        if not (mechanism.lines or mechanism.contacts):
             return None  # what only falls has the acceleration that the text gives it
         target = pick(immediate(targets), rng)
         return Query("start", target, AtStart()) if target is not None else None

@@ -1,10 +1,11 @@
 """Energy and momentum over random mechanisms without friction, motors or inelastic impacts."""
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given, reject, settings
 from hypothesis import strategies as st
 
 from random_mechanisms import pulleys, rough, table, wedges
+from sim2reason.errors import SimulationError
 from sim2reason.quantities import QUANTITIES
 from sim2reason.simulation.engines.exact import Motion, motion
 
@@ -61,10 +62,19 @@ def test_momentum_of_discs(seed: int) -> None:
     assert (np.diff(kinetic) <= CLOSE * kinetic.max()).all()  # no impact makes energy
 
 
+def moved(seed: int) -> Motion:
+    """The motion of a random rough mechanism; strong friction may, very seldom, leave no consistent forces."""
+    try:
+        return motion(rough(seed).finish(), 1.0)
+    except SimulationError as error:
+        assert "friction may be too strong" in str(error)
+        reject()
+
+
 @settings(max_examples=300, deadline=None)
 @given(seed=seeds)
 def test_friction_and_jerks_only_take_energy(seed: int) -> None:
-    found = motion(rough(seed).finish(), 1.0)
+    found = moved(seed)
     total, kinetic = energies(found, found.end)
     assert (np.diff(total) <= CLOSE * max(1.0, kinetic.max())).all()
 
@@ -73,7 +83,7 @@ def test_friction_and_jerks_only_take_energy(seed: int) -> None:
 @given(seed=seeds)
 def test_forces_stay_within_their_laws(seed: int) -> None:
     """Tension and normal force are never negative, |f| ≤ µN, and f opposes the sliding."""
-    found = motion(rough(seed).finish(), 1.0)
+    found = moved(seed)
     index = {coordinate.name: number for number, coordinate in enumerate(found.mechanism.coordinates)}
     for segment in found.segments:
         assert all(not force < 0.0 for force in (*segment.tension, *segment.normal))
@@ -81,4 +91,4 @@ def test_forces_stay_within_their_laws(seed: int) -> None:
             found.mechanism.contacts.values(), segment.friction, segment.normal, strict=True
         ):
             assert not abs(force) > contact.friction * normal * (1.0 + CLOSE) + CLOSE
-            assert not force * segment.v[index[contact.along]] > CLOSE
+            assert not force * segment.v[index[contact.slip[0][0]]] > CLOSE

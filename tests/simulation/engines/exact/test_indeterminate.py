@@ -6,7 +6,7 @@ from math import atan, cos, isnan, radians, sin, tan
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder, Pulley
+from sim2reason.dsl.builder import Builder, Rim
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.simulation.engines.exact import Segment, motion
 
@@ -136,7 +136,7 @@ def test_pulley_as_value_is_a_stop() -> None:
     builder = Builder()
     room = builder.room()
     pulley = room.pulley("P")
-    assert isinstance(pulley, Pulley)
+    assert isinstance(pulley, Rim)
     room.body("A", 1.0, at=(-0.05, 0.0, -1.0)).slide(Z).site("A.hook", at=(0.0, 0.0, 0.0))
     room.body("B", 1.0, at=(0.05, 0.0, -1.0)).slide(Z).site("B.hook")
     room.string("s", "A.hook", pulley, "B.hook")

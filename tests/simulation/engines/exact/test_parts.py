@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim2reason.simulation.engines.exact.events import Approach, crossing, stop
+from sim2reason.simulation.engines.exact.approach import Approach, crossing, halt
 from sim2reason.simulation.engines.exact.linear import solve
 from sim2reason.simulation.engines.exact.redundant_supports import nonnegative
 
@@ -84,8 +84,8 @@ def test_when_a_margin_is_used_up(margin: tuple[float, float, float], time: floa
 
 
 def test_when_a_speed_passes_zero() -> None:
-    assert stop(2.0, -4.0) == 0.5
-    assert stop(2.0, 4.0) == stop(0.0, -1.0) == stop(1.0, 0.0) == inf
+    assert halt(2.0, -4.0) == 0.5
+    assert halt(2.0, 4.0) == halt(0.0, -1.0) == halt(1.0, 0.0) == inf
 
 
 @settings(deadline=None, max_examples=300)

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from sim2reason.dsl.builder import Builder, Frame
-from sim2reason.dsl.mechanism import Vector, X, Z
+from sim2reason.dsl.mechanism import X, Z
+from sim2reason.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8

@@ -1,11 +1,11 @@
-"""Pulley systems against textbook formulas, each derived in the docstring of its test."""
+"""Rim systems against textbook formulas, each derived in the docstring of its test."""
 
 from collections.abc import Callable
 
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder, Frame, Pulley
+from sim2reason.dsl.builder import Builder, Frame, Rim
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.trace import Trace
@@ -110,7 +110,7 @@ def test_movable_pulley_with_mass(seed: int, agree: Callable[..., None]) -> None
     check(agree, trace, accelerations, {"s/1": far - wheel * a / 2.0, "s/2": far})
 
 
-def light_pulley(room: Frame, name: str, x: float, z: float, radius: float) -> tuple[Frame, Pulley]:
+def light_pulley(room: Frame, name: str, x: float, z: float, radius: float) -> tuple[Frame, Rim]:
     frame = hang(room, name, 0.0, x, z)
     return frame, frame.pulley(f"{name}.wheel", radius=radius)
 

@@ -121,15 +121,6 @@ def test_a_mechanism_that_can_not_start_is_refused() -> None:
         simulate(builder.finish(), TIMES)
 
 
-def test_a_string_that_bends_is_refused() -> None:
-    builder = Builder()
-    room = builder.room()
-    room.site("nail").body("bob", 1.0, at=(1.0, 0.0, -0.5)).slide(Z).site("hook")
-    room.string("s", "nail", "hook", slack=0.5)
-    with pytest.raises(UnsupportedError, match="bends"):
-        simulate(builder.finish(), TIMES)
-
-
 def test_what_the_library_refuses_or_warns_of_is_an_error() -> None:
     mechanism = machines.incline()
     wild = replace(mechanism, bodies=(replace(mechanism.bodies[0], mass=float("inf")),))

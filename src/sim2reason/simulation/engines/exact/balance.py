@@ -1,22 +1,24 @@
-"""The forces of one instant: which strings pull, which contacts hold, and what the mechanism leaves open."""
+"""The forces of one instant: which rows act, which contacts hold, and what the mechanism leaves open."""
 
 from dataclasses import dataclass
 from math import nan
 
-from sim2reason.simulation.engines.exact.contact_modes import Forces, Mode, Problem, Solution, scales, search, stiffest
-from sim2reason.simulation.engines.exact.equations import Equations
+from sim2reason.simulation.engines.exact.contact_modes import scales, search, stiffest
+from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import Row, solve
+from sim2reason.simulation.engines.exact.problem import Forces, Mode, Problem, Solution
 from sim2reason.simulation.engines.exact.separations import lifted
+from sim2reason.simulation.engines.exact.system import Instant, System
 
 FAINT = 1e-9  # an entry of a force pattern that is not there
 
 
 @dataclass(frozen=True, slots=True)
 class Balance:
-    """Acceleration, multipliers and mode; of all strings and all contacts."""
+    """Acceleration, multipliers and mode; of all rows and all contacts."""
 
     a: Row
-    tension: Row
+    rows: Row
     normal: Row
     friction: Row
     mode: Mode
@@ -24,52 +26,64 @@ class Balance:
     loose: bool  # a massless part that no force holds
 
 
-def balance(system: Equations, v: Row, tight: list[int], guess: Mode) -> Balance:
-    """Find the forces at given velocities.
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """What may act: `tight` rows, `sliding` sides that no search may change, and the mode just before."""
 
-    Args:
-        system: the mechanism.
-        v: the velocities.
-        tight: the strings at full length that do not shorten: only they may pull.
-        guess: the mode just before, of all strings and all rough contacts.
-    """
-    sliding = tuple((v[grip.coordinate] > 0.0) - (v[grip.coordinate] < 0.0) for grip in system.grips)
+    tight: list[int]
+    sliding: tuple[int, ...]
+    guess: Mode
+    kinds: list[RowKind]
+
+
+def balance(system: System, instant: Instant, demand: Demand) -> Balance:
+    """Find the forces; raises NoForcesError if there are none that are consistent."""
+    tight, kinds = demand.tight, demand.kinds
+    place = {number: new for new, number in enumerate(tight)}
+    plain = not any(kinds[number].both for number in tight)
     problem = Problem(
-        system.mass,
-        system.lifted,
-        system.force,
-        system.press,
-        tuple(system.strings[number] for number in tight),
-        [0.0] * len(tight),
+        instant.mass,
+        instant.lifted,
+        instant.force,
+        instant.press,
+        tuple(instant.rows[number] for number in tight),
+        [instant.targets[number] for number in tight],
         system.grips,
-        sliding,
+        demand.sliding,
+        held=() if plain else tuple(kinds[number].both for number in tight),
+        follows=() if plain else tuple(place.get(kinds[number].follows, -1) for number in tight),
+        guided=system.guided,
     )
+    guess = demand.guess
     start = Mode(
         tuple(guess.acting[number] for number in tight),
-        tuple(now or before for now, before in zip(sliding, guess.rubbing, strict=True)),
+        tuple(now or before for now, before in zip(demand.sliding, guess.rubbing, strict=True)),
     )
     found = search(problem, start)
     open_ended = _open(stiffest(problem, found).spare, found.forces)
     small, small_x = scales(problem, found.x)
-    loose = found.loose or _unheld(system, problem, found, open_ended, small)
-    away = lifted(system, problem, found, small)
-    return _spread(system, tight, found, _kept(problem, found, start, small_x), open_ended, away, loose=loose)
+    loose = found.loose or _unheld(instant, problem, found, open_ended, small)
+    away = lifted(problem, instant.heave, found, small)
+    kept = _kept(problem, found, start, small_x)
+    return _spread(system, demand, found, kept, open_ended, away, loose=loose)
 
 
 def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode:
     """The mode found, less the changes that nothing shows.
 
-    A string that was taut stays so under no tension while its ends do not come together, and a contact at rest
-    that is not accelerated sticks, though of forces that are not determined some let it slide at no speed.
+    A string that was taut stays so under no tension while its ends do not come together, and a contact at rest that is
+    not accelerated sticks, though of forces that are not determined some let it slide at no speed.
     """
-    acting, rubbing = found.mode
-    for number, acts in enumerate(acting):
-        if before.acting[number] and not acts and abs(problem.rows[number].rate(found.x)) <= small:
-            acting = (*acting[:number], True, *acting[number + 1 :])
-    for number, side in enumerate(rubbing):
-        if side and not problem.sliding[number] and abs(found.x[problem.grips[number].coordinate]) <= small:
-            rubbing = (*rubbing[:number], 0, *rubbing[number + 1 :])
-    return Mode(acting, rubbing)
+    acting, rubbing = list(found.mode.acting), list(found.mode.rubbing)
+    for number, acts in enumerate(found.mode.acting):
+        moves = abs(problem.rows[number].rate(found.x) - problem.targets[number]) > small
+        if before.acting[number] and not acts and not moves:
+            acting[number] = True
+    for number, side in enumerate(found.mode.rubbing):
+        slip = problem.grips[number].slip.rate(found.x) - problem.slip_target(number)
+        if side and not problem.sliding[number] and abs(slip) <= small:
+            rubbing[number] = 0
+    return Mode(tuple(acting), tuple(rubbing))
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
@@ -86,17 +100,17 @@ def _masked(values: Row, patterns: list[Row]) -> Row:
     ]
 
 
-def _unheld(system: Equations, problem: Problem, found: Solution, forces: Forces, small: float) -> bool:
+def _unheld(instant: Instant, problem: Problem, found: Solution, forces: Forces, small: float) -> bool:
     """Whether some massless part is held by nothing, or only by strings that do not pull."""
-    if not system.weightless:
+    if not instant.weightless:
         return False
     holding = [
-        [row.rate(motion) for motion in system.weightless]
-        for row, force in zip(problem.rows, forces.rows, strict=True)
-        if not force <= small  # also NaN
+        [row.rate(motion) for motion in instant.weightless]
+        for number, (row, force) in enumerate(zip(problem.rows, forces.rows, strict=True))
+        if problem.is_held(number) or not force <= small  # also NaN
     ]
     holding += [
-        [motion[grip.coordinate] for motion in system.weightless]
+        [grip.slip.rate(motion) for motion in instant.weightless]
         for grip, side in zip(problem.grips, found.mode.rubbing, strict=True)
         if side == 0
     ]
@@ -104,8 +118,8 @@ def _unheld(system: Equations, problem: Problem, found: Solution, forces: Forces
 
 
 def _spread(
-    system: Equations,
-    tight: list[int],
+    system: System,
+    demand: Demand,
     found: Solution,
     kept: Mode,
     forces: Forces,
@@ -113,15 +127,16 @@ def _spread(
     *,
     loose: bool,
 ) -> Balance:
-    """From the strings and contacts that took part to all of them."""
-    tension, acting = [0.0] * len(system.strings), [False] * len(system.strings)
-    for number, force, acts in zip(tight, forces.rows, kept.acting, strict=True):
-        tension[number], acting[number] = _clipped(force), acts
-    friction = [0.0] * len(system.press)
+    """From the rows and contacts that took part to all of them."""
+    count = len(demand.kinds)
+    rows, acting = [0.0] * count, [False] * count
+    for number, force, acts in zip(demand.tight, forces.rows, kept.acting, strict=True):
+        rows[number], acting[number] = force if demand.kinds[number].both else _clipped(force), acts
+    friction = [0.0] * system.count
     for grip, force in zip(system.grips, forces.friction, strict=True):
-        friction[grip.contact] = 0.0 if found.forces.normal[grip.contact] < 0.0 else force
-    mode = Mode(tuple(acting), kept.rubbing)
-    return Balance(found.x, tension, [_clipped(force) for force in forces.normal], friction, mode, away, loose)
+        friction[grip.contact] = 0.0 if found.forces.normal[grip.contact] < 0.0 and not grip.both else force
+    normal = [force if number in system.guided else _clipped(force) for number, force in enumerate(forces.normal)]
+    return Balance(found.x, rows, normal, friction, Mode(tuple(acting), kept.rubbing), away, loose)
 
 
 def _clipped(force: float) -> float:

@@ -1,25 +1,17 @@
 """What acts and what gives way: one search for forces and, at an impact, for impulses.
 
-Both are the same linear complementarity problem. For forces x is the acceleration, for impulses the
-velocity after the impact:
-
-    M x + Σ λ J = F + f,   λ ≥ 0,   J x ≤ target,   λ (target − J x) = 0
-    N = M_z x + Σ λ J_z − F_z              (the row of the rise z of a contact, which stays zero)
-    |f| ≤ µN while x = 0 along the face, else f = −µN sign(x)
-
-A mode says which rows λ act and which contacts stick; it makes the problem linear. Starting from a guess,
-what is violated is flipped until nothing is; if that goes in circles, all modes are tried in order.
+Starting from a guess, a mode's linear system is solved and what is violated is flipped until nothing is; if that goes
+in circles, all modes are tried in order. See `problem` for the equations.
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import product
 from math import prod
-from typing import NamedTuple
 
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.exact.equations import Gradient, Grip
 from sim2reason.simulation.engines.exact.linear import Row, dot, solve
+from sim2reason.simulation.engines.exact.problem import Forces, Grip, Mode, Problem, Solution
 from sim2reason.simulation.engines.exact.redundant_supports import bearing
 
 TOLERANCE = 1e-10  # of the largest load or velocity: what still counts as zero
@@ -30,47 +22,6 @@ FAINT = 1e-6  # of the largest mass: what a massless body that nothing holds get
 
 class NoForcesError(SimulationError):
     """No mode is consistent; who knows the bodies says which of them rub."""
-
-
-class Mode(NamedTuple):
-    """Which rows act, and how each rough contact rubs: 0 sticks, ±1 slides to that side."""
-
-    acting: tuple[bool, ...]
-    rubbing: tuple[int, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Problem:
-    """One instant's loads, one-sided rows and rough contacts."""
-
-    mass: list[Row]
-    lifted: list[Row]
-    force: Row
-    press: Row
-    rows: tuple[Gradient, ...]
-    targets: Row
-    grips: tuple[Grip, ...]
-    sliding: tuple[int, ...]  # the direction in which a contact slides already, which no search may change; else 0
-
-
-class Forces(NamedTuple):
-    """The multipliers of one solution, or of one way to change it."""
-
-    rows: Row
-    friction: Row
-    normal: Row
-
-
-@dataclass(frozen=True, slots=True)
-class Solution:
-    """x and what acts, for one mode; `spare` are force patterns that could be added without effect."""
-
-    mode: Mode
-    x: Row
-    forces: Forces
-    spare: list[Forces]
-    loose: bool  # a massless part that nothing holds: its x means nothing
-    consistent: bool = True
 
 
 @dataclass(slots=True)
@@ -116,14 +67,14 @@ def search(problem: Problem, guess: Mode) -> Solution:
 
 def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | None:
     tried: set[Mode] = set()
-    mode = guess
+    mode = linked(problem, guess)
     for _ in range(FLIPS):
         solution = evaluate(problem, mode)
         flips = _flips(problem, solution, lenient=lenient)
         if solution.consistent and not flips.count():
             return solution
         tried.add(mode)
-        candidates = (flips.apply(mode), *(flip.apply(mode) for flip in flips.each()))
+        candidates = (linked(problem, each.apply(mode)) for each in (flips, *flips.each()))
         fresh = next((candidate for candidate in candidates if candidate not in tried), None)
         if fresh is None:
             break
@@ -131,13 +82,27 @@ def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | Non
     return _exhausted(problem, tried, lenient=lenient)
 
 
+def linked(problem: Problem, mode: Mode) -> Mode:
+    """The mode with every row that follows another one acting as that one does, and all that is held acting."""
+    if not problem.held:
+        return mode
+    acting = list(mode.acting)
+    for number, leader in enumerate(problem.follows):
+        acting[number] = acting[leader] if leader >= 0 else acting[number] or problem.held[number]
+    return Mode(tuple(acting), mode.rubbing)
+
+
 def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution | None:
     """Try all modes in order, those with most that acts and sticks first."""
-    choices = [(True, False)] * len(problem.rows) + [((side,) if side else (0, 1, -1)) for side in problem.sliding]
+    choices: list[tuple[int, ...]] = [
+        (True,) if problem.is_held(i) else (True, False) for i in range(len(problem.rows))
+    ]
+    choices += [((side,) if side else (0, 1, -1)) for side in problem.sliding]
     if prod(map(len, choices)) > MODES:
         return None
     for choice in product(*choices):
-        mode = Mode(tuple(map(bool, choice[: len(problem.rows)])), tuple(map(int, choice[len(problem.rows) :])))
+        acting, rubbing = choice[: len(problem.rows)], choice[len(problem.rows) :]
+        mode = linked(problem, Mode(tuple(map(bool, acting)), tuple(rubbing)))
         if mode in tried:
             continue
         solution = evaluate(problem, mode)
@@ -166,44 +131,65 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
     better = bearing(problem, mode, x)
     if better is None:
         return solution
-    acting = _spread(better, active, len(mode.acting))
+    rows, friction = better
+    held = [
+        value for grip, side, value in zip(problem.grips, mode.rubbing, friction, strict=True) if _extra(grip, side)
+    ]
+    acting = _spread([*rows, *held], active, len(mode.acting))
     return Solution(mode, x, _forces(problem, mode, x, acting, 1.0), spare, loose)
 
 
+def _extra(grip: Grip, side: int) -> bool:
+    """Whether the friction of a contact is an unknown of its own: it sticks, and slips with several coordinates."""
+    return side == 0 and grip.coordinate < 0
+
+
 def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> list[Row]:
-    """The equations in (x, λ of the acting rows), one list each, the right side last."""
+    """The equations in (x, λ of the acting rows, f of some that stick), one list each, the right side last.
+
+    Where a contact that sticks slips with one coordinate alone, that coordinate's equation of motion gives its
+    friction, and gives way to the equation of no slip.
+    """
     rows = problem.rows
+    held = [grip for grip, side in zip(problem.grips, mode.rubbing, strict=True) if _extra(grip, side)]
     system = [
-        [*mass, *(rows[number].along[k] for number in active), problem.force[k]] for k, mass in enumerate(problem.mass)
+        [*mass, *(rows[number].along[k] for number in active), *(-g.slip.along[k] for g in held), problem.force[k]]
+        for k, mass in enumerate(problem.mass)
     ]
     if faint:
         for k, row in enumerate(system):
             row[k] += faint
-    width = len(problem.force)
-    for grip, side in zip(problem.grips, mode.rubbing, strict=True):
-        k = grip.coordinate
-        if side == 0:  # its equation of motion will give the friction force
-            system[k] = [0.0] * (width + len(active) + 1)
-            system[k][k] = 1.0
-        else:  # f = −µN, with N as its own row of the equations of motion gives it
-            factor = grip.friction * side
-            lift = [*problem.lifted[grip.contact], *(rows[number].lift[grip.contact] for number in active)]
-            lift.append(problem.press[grip.contact])
-            system[k] = [a + factor * b for a, b in zip(system[k], lift, strict=True)]
-    blank = [0.0] * len(active)
+    blank = [0.0] * (len(active) + len(held))
+    for number, (grip, side) in enumerate(zip(problem.grips, mode.rubbing, strict=True)):
+        if side == 0:
+            if grip.coordinate >= 0:
+                system[grip.coordinate] = [*grip.slip.along, *blank, problem.slip_target(number)]
+            continue
+        # f = −µN, with N as its own row of the equations of motion gives it
+        lift = [*problem.lifted[grip.contact], *(rows[i].lift[grip.contact] for i in active), *([0.0] * len(held))]
+        lift.append(problem.press[grip.contact])
+        for k, part in grip.slip.terms:
+            weight = grip.friction * side * part
+            system[k] = [a + weight * b for a, b in zip(system[k], lift, strict=True)]
     system.extend([*rows[number].along, *blank, problem.targets[number]] for number in active)
+    for number, (grip, side) in enumerate(zip(problem.grips, mode.rubbing, strict=True)):
+        if _extra(grip, side):
+            system.append([*grip.slip.along, *blank, problem.slip_target(number)])
     return system
 
 
 def _spread(values: Row, active: list[int], size: int) -> Row:
+    """Multipliers of the acting rows at their places among all; what is left over stays at the end."""
     spread = [0.0] * size
-    for number, value in zip(active, values, strict=True):
+    for number, value in zip(active, values, strict=False):
         spread[number] = value
-    return spread
+    return [*spread, *values[len(active) :]]
 
 
-def _forces(problem: Problem, mode: Mode, x: Row, acting: Row, load: float) -> Forces:
-    """All multipliers, given x and λ; `load` 0 leaves the loads out."""
+def _forces(problem: Problem, mode: Mode, x: Row, multipliers: Row, load: float) -> Forces:
+    """All multipliers, given x, λ and the friction that is an unknown; `load` 0 leaves the loads out."""
+    count = len(problem.rows)
+    acting, held = multipliers[:count], iter(multipliers[count:])
     pulls = [(value, row) for value, row in zip(acting, problem.rows, strict=True) if value != 0.0]
     normal = [
         dot(mass, x) - load * press + sum(value * row.lift[i] for value, row in pulls)
@@ -212,11 +198,13 @@ def _forces(problem: Problem, mode: Mode, x: Row, acting: Row, load: float) -> F
     friction: Row = []
     for grip, side in zip(problem.grips, mode.rubbing, strict=True):
         k = grip.coordinate
-        if side == 0:
-            held = dot(problem.mass[k], x) - load * problem.force[k]
-            friction.append(held + sum(value * row.along[k] for value, row in pulls))
-        else:
+        if side:
             friction.append(-grip.friction * side * normal[grip.contact])
+        elif k < 0:
+            friction.append(next(held))
+        else:
+            needed = dot(problem.mass[k], x) - load * problem.force[k]
+            friction.append(needed + sum(value * row.along[k] for value, row in pulls))
     return Forces(acting, friction, normal)
 
 
@@ -232,6 +220,8 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
     mode, x = solution.mode, solution.x
     small_force, small_x = scales(problem, x)
     for number, (acts, row) in enumerate(zip(mode.acting, problem.rows, strict=True)):
+        if problem.is_held(number):
+            continue
         if acts:
             violated = solution.forces.rows[number] < -small_force
         else:
@@ -239,14 +229,14 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
         if violated:
             flips.rows.append(number)
     for number, (grip, side) in enumerate(zip(problem.grips, mode.rubbing, strict=True)):
-        if problem.sliding[number]:
-            continue
         friction, normal = solution.forces.friction[number], solution.forces.normal[grip.contact]
-        if lenient and normal < -small_force:
+        if problem.sliding[number] or (lenient and normal < -small_force):
             continue
+        if grip.both:
+            normal = abs(normal)
         if side == 0 and abs(friction) > grip.friction * normal + small_force:
             flips.rubbing.append((number, -1 if friction > 0.0 else 1))
-        elif side * x[grip.coordinate] < -small_x:
+        elif side * (grip.slip.rate(x) - problem.slip_target(number)) < -small_x:
             flips.rubbing.append((number, 0))
     return flips
 
@@ -262,8 +252,10 @@ def stiffest(problem: Problem, solution: Solution) -> Solution:
         for acts, row, target in zip(solution.mode.acting, problem.rows, problem.targets, strict=True)
     )
     rubbing = tuple(
-        side if problem.sliding[number] or abs(solution.x[grip.coordinate]) > small_x else 0
+        side
+        if problem.sliding[number] or abs(grip.slip.rate(solution.x) - problem.slip_target(number)) > small_x
+        else 0
         for number, (grip, side) in enumerate(zip(problem.grips, solution.mode.rubbing, strict=True))
     )
-    mode = Mode(acting, rubbing)
+    mode = linked(problem, Mode(acting, rubbing))
     return solution if mode == solution.mode else evaluate(problem, mode)

@@ -1,28 +1,53 @@
-"""A motion as the exact engine finds it: pieces of constant acceleration between events."""
+"""A motion as the exact engine finds it: pieces between events, of constant acceleration or integrated."""
 
 from dataclasses import dataclass
+from functools import cached_property
+from math import nan
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.simulation.engines.exact.contact_modes import Mode
+from sim2reason.dsl.state import Array, State, with_given_tensions
+from sim2reason.simulation.engines.exact.balance import Balance
+from sim2reason.simulation.engines.exact.flow import Flow, sampled
+from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import Row
 from sim2reason.simulation.trace import Event
 
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """From `start` on: q + vτ + aτ²/2, with constant multipliers (NaN where they are not determined)."""
+    """From `start` on one mode: q + vτ + aτ²/2 with constant multipliers (NaN where they are not determined).
+
+    Where the equations change `flow` has the motion and the forces, and the rest only says how it begins.
+    """
 
     start: float  # s
     q: Row  # (n,), at the start of the segment
     v: Row
-    a: Row
-    tension: Row  # by string, N
-    normal: Row  # by contact, N
-    friction: Row  # by contact, N
-    mode: Mode  # of all strings and all rough contacts
+    found: Balance
+    kinds: tuple[RowKind, ...]
+    flow: Flow | None = None
+
+    @property
+    def a(self) -> Row:
+        """Accelerations at the start of the segment."""
+        return self.found.a
+
+    @property
+    def tension(self) -> Row:
+        """The forces of the rows at the start of the segment, N."""
+        return self.found.rows
+
+    @property
+    def normal(self) -> Row:
+        """Normal forces at the start of the segment, N."""
+        return self.found.normal
+
+    @property
+    def friction(self) -> Row:
+        """Friction forces at the start of the segment, N."""
+        return self.found.friction
 
 
 @dataclass(frozen=True)
@@ -35,27 +60,76 @@ class Motion:
     end: float  # s
     cut: str = ""  # the kind of the event that ended it early
 
+    @cached_property
+    def _widths(self) -> tuple[int, int, int]:
+        """How many coordinates, lines that are rows, and contacts there are."""
+        kinds = self.segments[0].kinds
+        return len(self.mechanism.coordinates), sum(_is_line(kind) for kind in kinds), len(self.mechanism.faces)
+
+    @cached_property
+    def _table(self) -> Array:
+        """A row for each segment: q, v, a, forces of lines, normal forces, friction."""
+        lines = self._widths[1]
+        rows = [
+            (*s.q, *s.v, *s.found.a, *s.found.rows[:lines], *s.found.normal, *s.found.friction) for s in self.segments
+        ]
+        return np.array(rows)
+
+    @cached_property
+    def knots(self) -> Array:
+        """The instants between which everything is smooth and simple: beginnings of segments and of steps, s."""
+        found = [segment.start for segment in self.segments]
+        found += [step.time for segment in self.segments if segment.flow for step in segment.flow.steps]
+        return np.unique([*found, self.end])
+
     def state(self, times: Array) -> State:
         """The motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""
-        segments = self.segments
-        starts = np.array([segment.start for segment in segments])
+        starts = np.array([segment.start for segment in self.segments])
         at = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
-        n = len(self.mechanism.coordinates)
-        table = np.array([(*s.q, *s.v, *s.a, *s.tension, *s.normal, *s.friction) for s in segments])[at]
-        q0, v0, a = table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n]
+        n, lines, faces = self._widths
+        table = self._table[at]
         since = (times - starts[at])[:, None]
-        forces = table[:, 3 * n :].T
+        q0, v0, a = table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n].copy()
+        q, v = q0 + since * (v0 + 0.5 * since * a), v0 + since * a
+        forces = table[:, 3 * n :].T.copy()
+        for number, segment in enumerate(self.segments):
+            if segment.flow is not None and segment.flow.steps:
+                here = at == number
+                if here.any():
+                    self._fill(segment, times[here], here, (q, v, a, forces))
         contacts = list(self.mechanism.contacts)
-        k, c = len(self.mechanism.strings), len(contacts)
-        tension = {string.name: forces[i] for i, string in enumerate(self.mechanism.strings)}
-        tension |= {pull.name: np.full(len(times), pull.force) for pull in self.mechanism.pulls}
-        return State(
+        names = [kind.name for kind in self.segments[0].kinds if _is_line(kind)]
+        tension = dict(zip(names, forces[:lines], strict=True))
+        state = State(
             mechanism=self.mechanism,
             times=times,
-            q=q0 + since * (v0 + 0.5 * since * a),
-            v=v0 + since * a,
+            q=q,
+            v=v,
             a=a,
             tension=tension,
-            normal=dict(zip(contacts, forces[k : k + c], strict=True)),
-            friction=dict(zip(contacts, forces[k + c :], strict=True)),
+            normal=dict(zip(contacts, forces[lines : lines + faces], strict=True)),
+            friction=dict(zip(contacts, forces[lines + faces :], strict=True)),
         )
+        return with_given_tensions(state)
+
+    def _fill(
+        self, segment: Segment, times: Array, here: np.ndarray, arrays: tuple[Array, Array, Array, Array]
+    ) -> None:
+        """What an integrated segment has at some times."""
+        flow, (n, lines, _) = segment.flow, self._widths
+        assert flow is not None
+        within = np.minimum(times, flow.time)
+        values = sampled(flow, within)
+        found = flow.formulas.forces(np)(within, list(values.T))
+        columns = np.array([np.broadcast_to(column, within.shape) for column in found])
+        q, v, a, forces = arrays
+        q[here], v[here], a[here] = values[:, :n], values[:, n:], columns[:n].T
+        rows = columns[n : n + len(segment.kinds)][:lines]
+        found_forces = np.concatenate([rows, columns[n + len(segment.kinds) :]])
+        known = [*segment.found.rows[:lines], *segment.found.normal, *segment.found.friction]
+        found_forces[np.isnan(known)] = nan
+        forces[:, here] = found_forces
+
+
+def _is_line(kind: RowKind) -> bool:
+    return kind.kind in ("string", "rod", "prop")

@@ -4,59 +4,66 @@ When multipliers are not unique, the one set that elimination gives may have a s
 hold more than µN although another set would not. So look for any set that is allowed.
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.exact.linear import Row
-
-if TYPE_CHECKING:  # modes asks this module, which only reads what it is given
-    from sim2reason.dsl.state import Array
-    from sim2reason.simulation.engines.exact.contact_modes import Mode, Problem
+from sim2reason.simulation.engines.exact.problem import Mode, Problem
 
 ROUNDING = 1e-12
 ALLOWED = 1e-9  # of the largest load
 
 
-def bearing(problem: Problem, mode: Mode, x: Row) -> Row | None:
-    """Multipliers λ ≥ 0 of the rows that allow |f| ≤ µN and N ≥ 0 everywhere for this x, or None.
+def bearing(problem: Problem, mode: Mode, x: Row) -> tuple[Row, Row] | None:
+    """Multipliers λ of the acting rows, and friction f of all contacts, that are allowed for this x, or None.
 
-    As equations with unknowns that can't be negative: f = p − r, µN = p + r + spare for a contact that
-    sticks, N = spare for any other.
+    Allowed is λ ≥ 0 but of rows that act both ways, |f| ≤ µN and N ≥ 0. As equations with unknowns that can't be
+    negative: λ = p − r where it may have either sign; f = p − r, µN = p + r + spare for a contact that sticks, N =
+    spare for any other.
     """
     active = [number for number, acts in enumerate(mode.acting) if acts]
-    sticking = [grip for grip, side in zip(problem.grips, mode.rubbing, strict=True) if side == 0]
     n, c = len(x), len(problem.press)
     along = np.array([problem.rows[number].along for number in active]).reshape(len(active), n).T
     lift = np.array([problem.rows[number].lift for number in active]).reshape(len(active), c).T
     balance = np.array(problem.force) - np.array(problem.mass) @ np.array(x)
     bare = np.array(problem.lifted).reshape(c, n) @ np.array(x) - np.array(problem.press)  # N without strings
     for grip, side in zip(problem.grips, mode.rubbing, strict=True):
-        along[grip.coordinate] += grip.friction * side * lift[grip.contact]
-        balance[grip.coordinate] -= grip.friction * side * bare[grip.contact]
-    matrix, right = _stacked(along, lift, balance, bare, [(g.coordinate, g.contact, g.friction) for g in sticking])
+        if side:
+            slip = np.array(grip.slip.along)
+            along += grip.friction * side * np.outer(slip, lift[grip.contact])
+            balance -= grip.friction * side * bare[grip.contact] * slip
+    both = [place for place, number in enumerate(active) if problem.is_held(number)]
+    sticking = [number for number, side in enumerate(mode.rubbing) if side == 0]
+    matrix = _stacked(problem, along, lift, sticking)
+    matrix = np.hstack([matrix, -matrix[:, both]])
+    right = np.concatenate([balance, bare])
     scale = max(float(np.abs(right).max(initial=0.0)), ROUNDING)
     found, residual = nonnegative(matrix, right / scale)
-    return (scale * found[: len(active)]).tolist() if residual <= ALLOWED else None
+    if residual > ALLOWED:
+        return None
+    found *= scale
+    rows = found[: len(active)]
+    rows[both] -= found[len(found) - len(both) :]
+    friction = np.zeros(len(problem.grips))
+    pairs = found[len(active) : len(active) + 2 * len(sticking)].reshape(-1, 2)
+    friction[sticking] = pairs[:, 0] - pairs[:, 1]
+    return rows.tolist(), friction.tolist()
 
 
-def _stacked(
-    along: Array, lift: Array, balance: Array, bare: Array, sticking: list[tuple[int, int, float]]
-) -> tuple[Array, Array]:
+def _stacked(problem: Problem, along: Array, lift: Array, sticking: list[int]) -> Array:
     """Columns: λ, then p and r of each contact that sticks, then the spare of every contact."""
     n, rows = along.shape
-    c, k = len(bare), len(sticking)
+    c, k = len(lift), len(sticking)
     matrix = np.zeros((n + c, rows + 2 * k + c))
     matrix[:n, :rows] = along
     matrix[n:, :rows] = -lift
     matrix[n:, rows + 2 * k :] = np.eye(c)
-    for number, (coordinate, contact, friction) in enumerate(sticking):
-        p, r = rows + 2 * number, rows + 2 * number + 1
-        matrix[coordinate, [p, r]] = -1.0, 1.0
-        matrix[n + contact, [p, r]] = 1.0 / friction
-    return matrix, np.concatenate([balance, bare])
+    for place, number in enumerate(sticking):
+        grip, p = problem.grips[number], rows + 2 * place
+        slip = np.array(grip.slip.along)
+        matrix[:n, p], matrix[:n, p + 1] = -slip, slip
+        matrix[n + grip.contact, [p, p + 1]] = 1.0 / grip.friction
+    return matrix
 
 
 def nonnegative(matrix: Array, right: Array) -> tuple[Array, float]:

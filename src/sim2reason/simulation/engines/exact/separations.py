@@ -8,21 +8,25 @@ contradict that change sides, again and again; if that goes in circles, only the
 friction comes to an end: K. G. Murty, Note on a Bard-type scheme for solving the complementarity problem (1974).
 """
 
-from sim2reason.dsl.kinematics import dot, kinematics
-from sim2reason.simulation.engines.exact.contact_modes import Mode, NoForcesError, Problem, Solution, search
-from sim2reason.simulation.engines.exact.equations import Equations, Gradient, Grip
+from dataclasses import replace
+
+from sim2reason.simulation.engines.exact.contact_modes import NoForcesError, search
 from sim2reason.simulation.engines.exact.linear import Row
+from sim2reason.simulation.engines.exact.problem import Gradient, Mode, Problem, Solution, gradient
 
 RISING = 1e-9  # of the largest velocity or acceleration: a contact that opens does so faster
 PIVOTS = 64  # sets of contacts that are tried before the one that is pulled most is named
 
 
-def lifted(system: Equations, problem: Problem, found: Solution, small: float) -> tuple[int, ...]:
-    """The contacts that come apart, in order; none if no face pulls by more than `small`."""
-    pulled = {number for number, force in enumerate(found.forces.normal) if force < -small}
+def lifted(problem: Problem, heave: list[Row], found: Solution, small: float) -> tuple[int, ...]:
+    """The contacts that come apart, in order; none if no face pulls by more than `small`.
+
+    `heave` is the mass matrix of the rises alone, (c, c): Σ m n·n′ over the bodies that both carry.
+    """
+    guided = {grip.contact for grip in problem.grips if grip.both} | set(problem.guided)
+    pulled = {number for number, force in enumerate(found.forces.normal) if force < -small and number not in guided}
     if not pulled:
         return ()
-    heave = _heave(system)
     tried = set[frozenset[int]]()
     apart, wrong = frozenset[int](), frozenset(pulled)
     for _ in range(PIVOTS):
@@ -33,22 +37,10 @@ def lifted(system: Equations, problem: Problem, found: Solution, small: float) -
             rises, wrong = _rises(problem, heave, found.mode, tuple(sorted(apart)), small)
         except NoForcesError:  # what is left closed can't rub so
             break
+        wrong -= guided
         if not wrong:
             return rises
     return (min(pulled, key=found.forces.normal.__getitem__),)
-
-
-def _heave(system: Equations) -> list[Row]:
-    """The mass matrix of the rises alone, (c, c): Σ m n·n′ over the bodies that both carry."""
-    count = len(system.press)
-    heave = [[0.0] * count for _ in range(count)]
-    points = kinematics(system.mechanism)
-    for body in system.mechanism.bodies:
-        normals = points.bodies[body.name].normals
-        for i, axis in normals:
-            for j, other in normals:
-                heave[i][j] += float(body.mass) * dot(axis, other)
-    return heave
 
 
 def _rises(
@@ -74,22 +66,27 @@ def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple
         return [[*problem.lifted[i], *(heave[i][j] for j in apart)] for i in numbers]
 
     mass = [[*row, *(problem.lifted[j][k] for j in apart)] for k, row in enumerate(problem.mass)]
-    rows = tuple(_raised(row, apart, kept) for row in problem.rows)
-    held = [(grip, side) for grip, side in zip(problem.grips, problem.sliding, strict=True) if grip.contact in place]
-    opened = Problem(
+    stay = [number for number, grip in enumerate(problem.grips) if grip.contact in place]
+    opened = replace(
+        problem,
         mass=mass + wide(apart),
         lifted=wide(kept),
         force=[*problem.force, *(problem.press[j] for j in apart)],
         press=[problem.press[i] for i in kept],
-        rows=rows,
-        targets=problem.targets,
-        grips=tuple(Grip(place[grip.contact], grip.coordinate, grip.friction) for grip, _ in held),
-        sliding=tuple(side for _, side in held),
+        rows=tuple(_raised(row, apart, kept) for row in problem.rows),
+        grips=tuple(
+            replace(
+                problem.grips[i],
+                contact=place[problem.grips[i].contact],
+                slip=_raised(problem.grips[i].slip, apart, kept),
+            )
+            for i in stay
+        ),
+        sliding=tuple(problem.sliding[i] for i in stay),
+        slips=[problem.slip_target(i) for i in stay],
     )
     return opened, kept
 
 
 def _raised(row: Gradient, apart: tuple[int, ...], kept: list[int]) -> Gradient:
-    along = [*row.along, *(row.lift[j] for j in apart)]
-    terms = tuple((number, part) for number, part in enumerate(along) if part != 0.0)
-    return Gradient(along, [row.lift[i] for i in kept], terms)
+    return gradient([*row.along, *(row.lift[j] for j in apart)], [row.lift[i] for i in kept])

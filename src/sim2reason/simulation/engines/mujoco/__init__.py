@@ -7,8 +7,11 @@ what the steps leave. The library is loaded when the first mechanism is simulate
 """
 
 from importlib import import_module
+from math import inf
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.simulation.trace import ENGINES, Trace
 
@@ -24,4 +27,17 @@ def simulate(mechanism: Mechanism, times: Array) -> Trace:
         SceneError: two sites of a string coincide, or two bodies overlap, at the start.
         SimulationError: no consistent forces, more than 500 events, or any warning of the library.
     """
-    return import_module(f"{__name__}.engine").run(mechanism, times)
+    soft = is_simple(mechanism) and not changing(mechanism, start(mechanism))
+    return import_module(f"{__name__}.{'engine' if soft else 'hard_engine'}").run(mechanism, times)
+
+
+def is_simple(mechanism: Mechanism) -> bool:
+    """Whether the library's own constraints can stand for all that acts."""
+    plain = all(isinstance(line.law, Drawn) or line.law == Inextensible(_slack(line)) for line in mechanism.lines)
+    slides = all(len(face.slip) == 1 and face.friction < inf and not face.guided for face in mechanism.faces)
+    bounces = all(meeting.normal is None and not meeting.sticks for meeting in mechanism.meetings)
+    return plain and slides and bounces and not mechanism.forces
+
+
+def _slack(line: Line) -> float:
+    return line.law.slack if isinstance(line.law, Inextensible) else 0.0

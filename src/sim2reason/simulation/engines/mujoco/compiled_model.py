@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.mechanism import Drawn, Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.specification import IMPEDANCE, STEP, TINY, Specification, mujoco
@@ -39,6 +39,7 @@ class CompiledModel:
         """Compile; SimulationError for what the library refuses."""
         self.mechanism = mechanism
         spec = Specification(mechanism)
+        self.pulls = [line.law.force for line in spec.pulls if isinstance(line.law, Drawn)]  # N
         compiled: tuple[Any, Any] = spec.compile()
         self._model, self._data = compiled
         model = self._model
@@ -46,7 +47,7 @@ class CompiledModel:
         self.faces: Integers = np.array([j.id for j in spec.faces.values()], dtype=np.intp)
         index = {c.name: int(i) for c, i in zip(mechanism.coordinates, self.coordinates, strict=True)}
         self.index = index
-        self.rubs: Integers = np.array([index[c.along] for c in mechanism.contacts.values()], dtype=np.intp)
+        self.rubs: Integers = np.array([index[c.slip[0][0]] for c in mechanism.contacts.values()], dtype=np.intp)
         self.friction: Array = np.array([c.friction for c in mechanism.contacts.values()])
         self.size = int(model.nv)
         self.paths: Integers = np.array([t.id for t in spec.paths], dtype=np.intp)
@@ -102,7 +103,7 @@ class CompiledModel:
         self.bare = gradients[self.paths]
         self.loads(on=True)
         weights = [body.mass * float(np.linalg.norm(self.mechanism.gravity)) for body in self.mechanism.bodies]
-        self.load_scale = max((*weights, *(pull.force for pull in self.mechanism.pulls), 1e-3))  # N
+        self.load_scale = max((*weights, *self.pulls, 1e-3))  # N
 
     def _fill(self, tendon: int, gradient: Array) -> None:
         first, count = int(self._model.tendon_adr[tendon]), int(self._model.tendon_num[tendon])
@@ -166,7 +167,7 @@ class CompiledModel:
     def loads(self, *, on: bool) -> None:
         """Switch gravity and pulls on or off; an impact has no time to notice them."""
         self._model.opt.gravity[:] = self.mechanism.gravity if on else 0.0
-        self._data.ctrl[:] = [-pull.force if on else 0.0 for pull in self.mechanism.pulls]
+        self._data.ctrl[:] = [-pull if on else 0.0 for pull in self.pulls]
 
     # ---- motion
 

@@ -85,9 +85,9 @@ class Motion:
         self.v, lifted = strike(self.plant, self.watch, self.q, self.v)
         self.v[np.abs(self.v) < REST] = 0.0
         for number in hits:
-            pair = self.mechanism.collisions[number]
-            self._note("collision", pair.a, pair.b)
-            self.hits |= dict.fromkeys(self._movable(int(number)), (self.now, (pair.a, pair.b)))
+            pair = self.mechanism.meetings[number]
+            self._note("collision", *pair.names)
+            self.hits |= dict.fromkeys(self._movable(int(number)), (self.now, pair.names))
         for number in np.flatnonzero(snapped):
             self.jerks[int(number)] = (self.now, (self.mechanism.strings[number].name,))
         self._lift(lifted)
@@ -102,8 +102,8 @@ class Motion:
             self._note("taut", self.mechanism.strings[number].name)
 
     def _movable(self, number: int) -> list[str]:
-        pair = self.mechanism.collisions[number]
-        return [name for name in (pair.a, pair.b) if self.plant.center(name)[1].any()]
+        pair = self.mechanism.meetings[number]
+        return [name for name in pair.names if self.plant.center(name)[1].any()]
 
     def _crowded(self, hits: Integers, snapped: Integers) -> bool:
         """End at the earlier hit if a body is hit again too soon, or at the earlier jerk of a string."""
@@ -143,8 +143,8 @@ class Motion:
         if not self.cut and settled.loose:
             self._end("indeterminate", *self._unheld())
         elif not self.cut and pressed.any():
-            pair = self.mechanism.collisions[int(np.flatnonzero(pressed)[0])]
-            self._end("crowd", pair.a, pair.b)
+            pair = self.mechanism.meetings[int(np.flatnonzero(pressed)[0])]
+            self._end("crowd", *pair.names)
         return bool(self.cut)
 
     def _unheld(self) -> list[str]:

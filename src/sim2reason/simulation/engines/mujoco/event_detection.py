@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Inextensible, Line
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError
 from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags
@@ -81,7 +82,7 @@ class EventDetector:
         """
         self._plant = plant
         mechanism = plant.mechanism
-        self.slack: Array = np.array([string.slack for string in mechanism.strings])
+        self.slack: Array = np.array([slack_of(string) for string in mechanism.strings])
         self._strings = plant.gradients[: len(mechanism.strings)]
         self.ends: list[tuple[str, tuple[str, ...]]] = []
         self._offsets: Array = np.zeros(0)
@@ -97,7 +98,7 @@ class EventDetector:
 
     def _read_runs(self) -> None:
         mechanism, seen = self._plant.mechanism, set[tuple[str, str]]()
-        for line in (*mechanism.strings, *mechanism.pulls):
+        for line in mechanism.lines:
             for first, last in zip(line.through, line.through[1:], strict=False):
                 if (first, last) in seen:
                     continue
@@ -122,15 +123,15 @@ class EventDetector:
                 self._end("limit", (coordinate.name,), coordinate.upper, -unit)
 
     def _read_pairs(self) -> None:
-        pairs = self._plant.mechanism.collisions
+        pairs = self._plant.mechanism.meetings
         self._apart = np.zeros((len(pairs), 3))
         self._moves = np.zeros((len(pairs), 3, self._plant.size))
         self._distance = np.array([pair.distance for pair in pairs])
         for number, pair in enumerate(pairs):
-            (a, a_moves), (b, b_moves) = self._plant.center(pair.a), self._plant.center(pair.b)
+            (a, a_moves), (b, b_moves) = self._plant.center(pair.names[0]), self._plant.center(pair.b)
             self._apart[number], self._moves[number] = b - a, b_moves - a_moves
             if np.linalg.norm(b - a) < pair.distance - TOUCHING:
-                raise SceneError(pair.a, f"it overlaps {pair.b} at the start", "move them apart")
+                raise SceneError(pair.names[0], f"it overlaps {pair.b} at the start", "move them apart")
 
     def finish(self, q: Array, v: Array, a: Array) -> Margins:
         """What is left until each of the `ends`."""
@@ -180,6 +181,11 @@ class EventDetector:
         if np.all(np.abs(plant.lengths - plant.bare @ plant.q) <= BENT):
             return False
         return bool(np.all(self.finish(plant.q, plant.v, plant.v).value > NEARLY))
+
+
+def slack_of(line: Line) -> float:
+    """What a string has to spare at the start."""
+    return line.law.slack if isinstance(line.law, Inextensible) else 0.0
 
 
 def _stops(speed: Array, acceleration: Array) -> Array:

@@ -98,7 +98,7 @@ def strike(plant: CompiledModel, watch: EventDetector, q: Array, v: Array) -> tu
     full = watch.strings(q, v, zero).value <= TOUCHING
     gaps = watch.approach(q, v, zero).gaps
     touching = gaps.value <= TOUCHING
-    restitution = np.array([pair.restitution for pair in plant.mechanism.collisions])
+    restitution = np.array([pair.restitution for pair in plant.mechanism.meetings])
     targets = np.zeros(plant.slots)
     targets[plant.hits] = SCALE * np.maximum(-restitution * gaps.rate, 0.0)
     plant.aim(watch.closing(q))

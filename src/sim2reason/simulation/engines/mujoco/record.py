@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.state import Array, State, with_given_tensions
 
 
 @dataclass
@@ -33,11 +33,10 @@ class Recorder:
         forces = np.array(self.forces)[first].T
         k, c = len(self.mechanism.strings), len(self.mechanism.contacts)
         tension = {string.name: forces[i] for i, string in enumerate(self.mechanism.strings)}
-        tension |= {pull.name: np.full(len(times), pull.force) for pull in self.mechanism.pulls}
         names = list(self.mechanism.contacts)
         normal = dict(zip(names, forces[k : k + c], strict=True))
         friction = dict(zip(names, forces[k + c :], strict=True))
-        return State(self.mechanism, times, q, v, a, tension, normal, friction)
+        return with_given_tensions(State(self.mechanism, times, q, v, a, tension, normal, friction))
 
 
 def _between(first: Array, last: Array, start: Array, stop: Array, times: Array, n: int) -> tuple[Array, Array, Array]:

@@ -10,7 +10,7 @@ Each pair that may collide has a tendon of joint positions, which acts in impact
 from importlib import import_module
 from typing import Any, Literal, TypeAlias
 
-from sim2reason.dsl.mechanism import Body, Mechanism, Pull, String
+from sim2reason.dsl.mechanism import Drawn, Line, Mechanism, RigidBody
 from sim2reason.errors import SimulationError
 
 mujoco: Any = import_module("mujoco")  # it ships no types; nothing beyond this module and `plant` sees it
@@ -34,7 +34,9 @@ class Specification:
         self.sites: dict[str, Element] = {}
         self.paths: list[Element] = []
         self.carriers: list[Element] = []
-        self.lines: list[String | Pull] = [*mechanism.strings, *mechanism.pulls]
+        self.pulls = [line for line in mechanism.lines if isinstance(line.law, Drawn)]
+        self.lines: list[Line] = [*mechanism.strings, *self.pulls]
+        self._contacts = mechanism.contacts
         self._options(mechanism)
         for body in mechanism.bodies:
             self._body(body)
@@ -46,8 +48,8 @@ class Specification:
         self.strings = self.carriers[: len(mechanism.strings)]
         for pull in self.carriers[len(mechanism.strings) :]:
             self._motor(pull)
-        self.pairs = [self._sum(f"pair{number}") for number in range(len(mechanism.collisions))]
-        self.locks = [self._lock(self.joints[c.along]) for c in mechanism.contacts.values()]
+        self.pairs = [self._sum(f"pair{number}") for number in range(len(mechanism.meetings))]
+        self.locks = [self._lock(self.joints[c.slip[0][0]]) for c in mechanism.contacts.values()]
 
     def compile(self) -> tuple[Any, Any]:
         """The library's model and data; SimulationError for what it refuses."""
@@ -73,17 +75,18 @@ class Specification:
     def _carrier(self, body: str | None) -> Element:
         return self.spec.worldbody if body is None else self.bodies[body]
 
-    def _body(self, body: Body) -> None:
+    def _body(self, body: RigidBody) -> None:
         made = self._carrier(body.parent).add_body(pos=body.at)
         self.bodies[body.name] = made
         light = TINY if body.coordinates else 0.0
         made.explicitinertial, made.ipos = True, (0.0, 0.0, 0.0)
         made.mass = max(body.mass, light)
-        made.inertia = [max(body.inertia, made.mass * 1e-3)] * 3
+        made.inertia = [max(body.inertia[1], made.mass * 1e-3)] * 3
         if any(c.kind == "hinge" for c in body.coordinates):
-            made.inertia = [max(body.inertia, TINY)] * 3
-        if body.contact is not None:
-            face = self._joint(made, "slide", body.contact.normal)
+            made.inertia = [max(body.inertia[1], TINY)] * 3
+        contact = self._contacts.get(body.name)
+        if contact is not None:
+            face = self._joint(made, "slide", contact.normal)
             face.limited, face.range = 1, (0.0, FAR)
             self.faces[body.name] = face
         for coordinate in body.coordinates:
@@ -109,7 +112,7 @@ class Specification:
             tendon.wrap_joint(joint.name, 1.0)
         return tendon
 
-    def _line(self, line: String | Pull) -> None:
+    def _line(self, line: Line) -> None:
         path = self._tendon(self._name("path"))
         for name in line.through:
             path.wrap_site(self.sites[name].name)

@@ -1,14 +1,13 @@
-"""When something happens next, in closed form: between two events every length is a quadratic of time."""
+"""When something happens next, in closed form, where every length is a quadratic of time."""
 
 from math import hypot, inf, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.kinematics import Steps, dot
-from sim2reason.dsl.mechanism import Vector
-from sim2reason.simulation.engines.exact.equations import TOUCHING, Pair
+from sim2reason.dsl.vectors import Vector, inner
 from sim2reason.simulation.engines.exact.linear import Row
+from sim2reason.simulation.engines.exact.system import TOUCHING
 
 STILL = 1e-9  # m/s, rad/s or m/s²; what is slower rests
 ROUNDING = 1e-12
@@ -30,7 +29,7 @@ def crossing(c: float, b: float, a: float) -> float:
     return 2.0 * c / (sqrt(square) - b) if b < 0.0 else (b + sqrt(square)) / -a
 
 
-def stop(speed: float, acceleration: float) -> float:
+def halt(speed: float, acceleration: float) -> float:
     """When a speed passes through zero, or infinity; a coordinate at rest does not stop."""
     return -speed / acceleration if speed * acceleration < 0.0 else inf
 
@@ -51,13 +50,17 @@ class Approach(NamedTuple):
     @property
     def rate(self) -> float:
         """The rate of change of the gap, m/s."""
-        return dot(self.apart, self.velocity) / hypot(*self.apart)
+        return inner(self.apart, self.velocity) / hypot(*self.apart)
 
     @property
     def second(self) -> float:
         """The second derivative of the gap: r̈ = (D·G + W² − ṙ²)/r, m/s²."""
-        bend = dot(self.velocity, self.velocity) - self.rate**2
-        return (dot(self.apart, self.acceleration) + bend) / hypot(*self.apart)
+        return (inner(self.apart, self.acceleration) + self.bend) / hypot(*self.apart)
+
+    @property
+    def bend(self) -> float:
+        """The square of the speed across the line of centres, m²/s²."""
+        return inner(self.velocity, self.velocity) - self.rate**2
 
     @property
     def touching(self) -> bool:
@@ -69,7 +72,7 @@ class Approach(NamedTuple):
         resting = self.touching and abs(self.rate) <= STILL
         if self._straight():
             r = hypot(*self.apart)
-            pull = dot(self.apart, self.acceleration) / r
+            pull = inner(self.apart, self.acceleration) / r
             return inf if resting else crossing(self.gap, self.rate, pull)
         if self.touching and self.rate < -STILL:
             return 0.0
@@ -78,7 +81,7 @@ class Approach(NamedTuple):
     def _straight(self) -> bool:
         r = hypot(*self.apart)
         return all(
-            dot(w, w) - (dot(self.apart, w) / r) ** 2 <= ROUNDING**2 * (1.0 + dot(w, w))
+            inner(w, w) - (inner(self.apart, w) / r) ** 2 <= ROUNDING**2 * (1.0 + inner(w, w))
             for w in (self.velocity, self.acceleration)
         )
 
@@ -86,27 +89,7 @@ class Approach(NamedTuple):
         """|D + Wτ + Gτ²/2|² − distance², lowest power first."""
         d, w, g = self.apart, self.velocity, self.acceleration
         square = self.gap * (hypot(*d) + self.distance)
-        return [square, 2.0 * dot(d, w), dot(w, w) + dot(d, g), dot(w, g), 0.25 * dot(g, g)]
-
-
-def approach(pair: Pair, q: Row, v: Row, a: Row) -> Approach:
-    """The relative motion of a pair."""
-    apart = _carried(pair.slides, q)
-    start = pair.apart
-    return Approach(
-        (start[0] + apart[0], start[1] + apart[1], start[2] + apart[2]),
-        _carried(pair.slides, v),
-        _carried(pair.slides, a),
-        pair.distance,
-    )
-
-
-def _carried(slides: Steps, values: Row) -> Vector:
-    x = y = z = 0.0
-    for number, axis in slides:
-        value = values[number]
-        x, y, z = x + axis[0] * value, y + axis[1] * value, z + axis[2] * value
-    return (x, y, z)
+        return [square, 2.0 * inner(d, w), inner(w, w) + inner(d, g), inner(w, g), 0.25 * inner(g, g)]
 
 
 def _first_root(coefficients: Row, touching: int) -> float:

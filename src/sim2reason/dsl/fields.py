@@ -1,0 +1,270 @@
+"""Laws of force, and the regions in which they hold: data that any kind of number can be put through.
+
+A law takes a place, a velocity and a time, as floats, arrays or symbols, and `maths`, which knows the root, sine
+and cosine of such numbers.
+"""
+
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeAlias
+
+from sim2reason.dsl.vectors import Tensor, Vector
+
+Number: TypeAlias = Any  # a float, an array or a symbol; arithmetic is all that is asked of it
+Triple: TypeAlias = tuple[Number, Number, Number]
+
+
+class Maths(Protocol):
+    """The functions of one kind of number: the modules `math` and `numpy`, or a tape of symbols."""
+
+    def sqrt(self, x: Number, /) -> Number:
+        """The square root."""
+        ...
+
+    def sin(self, x: Number, /) -> Number:
+        """The sine of an angle, rad."""
+        ...
+
+    def cos(self, x: Number, /) -> Number:
+        """The cosine of an angle, rad."""
+        ...
+
+
+def product(a: Triple, b: Triple) -> Number:
+    """The scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Triple, b: Triple) -> Triple:
+    """The vector product."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def plus(a: Triple, b: Triple) -> Triple:
+    """The sum of two vectors."""
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def minus(a: Triple, b: Triple) -> Triple:
+    """The first vector less the second."""
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def times(factor: Number, a: Triple) -> Triple:
+    """A vector times a number."""
+    return (factor * a[0], factor * a[1], factor * a[2])
+
+
+def applied(tensor: Tensor, vector: Triple) -> Triple:
+    """A symmetric tensor times a vector."""
+    xx, yy, zz, xy, xz, yz = tensor
+    return (product((xx, xy, xz), vector), product((xy, yy, yz), vector), product((xz, yz, zz), vector))
+
+
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """How strong a field is: (value + slope·(axis·r) + rate·t) · cos(frequency·t)."""
+
+    value: float
+    slope: float = 0.0
+    axis: Vector = (1.0, 0.0, 0.0)
+    rate: float = 0.0
+    frequency: float = 0.0  # rad/s
+
+    def at(self, place: Triple, time: Number, maths: Maths) -> Number:
+        """The strength at a place and a time."""
+        found: Number = self.value
+        if self.slope:
+            found = found + self.slope * product(self.axis, place)
+        if self.rate:
+            found = found + self.rate * time
+        return found * maths.cos(self.frequency * time) if self.frequency else found
+
+    @property
+    def steady(self) -> bool:
+        """Whether it does not depend on time."""
+        return self.rate == 0.0 and self.frequency == 0.0
+
+    @property
+    def uniform(self) -> bool:
+        """Whether it is the same everywhere and always."""
+        return self.steady and self.slope == 0.0
+
+
+class Law(Protocol):
+    """A force as a function of place, velocity and time."""
+
+    def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
+        """The force, N."""
+        ...
+
+    def potential(self, place: Triple, maths: Maths) -> Number | None:
+        """The potential energy, J, of a force that has one; else None."""
+        ...
+
+    @property
+    def constant(self) -> bool:
+        """Whether the force never changes."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Push:
+    """A force along one direction, such as that of an electric field on a charge."""
+
+    direction: Vector
+    profile: Profile
+
+    def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
+        """Strength times direction."""
+        del velocity
+        return times(self.profile.at(place, time, maths), self.direction)
+
+    def potential(self, place: Triple, maths: Maths) -> Number | None:
+        """−∫F·dr where the curl is zero: the strength may change along the direction alone, and not in time."""
+        del maths
+        along = product(self.direction, self.profile.axis)
+        if not self.profile.steady or (self.profile.slope and abs(along * along - 1.0) > 1e-12):
+            return None
+        s = product(self.direction, place)
+        return -(self.profile.value + 0.5 * self.profile.slope * along * s) * s
+
+    @property
+    def constant(self) -> bool:
+        """Whether it is uniform."""
+        return self.profile.uniform
+
+
+@dataclass(frozen=True, slots=True)
+class Magnetic:
+    """The force v × B on a unit of charge; the profile holds charge times field, T C."""
+
+    direction: Vector
+    profile: Profile
+
+    def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
+        """Square to velocity and field; it does no work."""
+        return times(self.profile.at(place, time, maths), cross(velocity, self.direction))
+
+    def potential(self, place: Triple, maths: Maths) -> Number | None:
+        """Zero: it does no work."""
+        del place, maths
+        return 0.0
+
+    @property
+    def constant(self) -> bool:
+        """Never."""
+        return False
+
+
+@dataclass(frozen=True, slots=True)
+class Resistance:
+    """Drag: −linear·v − quadratic·|v|·v."""
+
+    linear: float = 0.0  # N s/m
+    quadratic: float = 0.0  # N s²/m²
+
+    def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
+        """Against the velocity."""
+        del place, time
+        factor: Number = -self.linear
+        if self.quadratic:
+            factor = factor - self.quadratic * maths.sqrt(product(velocity, velocity))
+        return times(factor, velocity)
+
+    def potential(self, place: Triple, maths: Maths) -> Number | None:
+        """None: it dissipates."""
+        del place, maths
+        return None
+
+    @property
+    def constant(self) -> bool:
+        """Never."""
+        return False
+
+
+@dataclass(frozen=True, slots=True)
+class Central:
+    """A force strength/rᵖ away from a fixed point; a negative strength attracts."""
+
+    center: Vector
+    strength: float
+    power: int = 2
+
+    def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
+        """Along the line from the centre."""
+        del velocity, time
+        apart = minus(place, self.center)
+        square = product(apart, apart)
+        return times(self.strength / _power(square, self.power + 1, maths), apart)
+
+    def potential(self, place: Triple, maths: Maths) -> Number | None:
+        """Strength / ((p − 1) rᵖ⁻¹), zero at infinity; None for p = 1."""
+        if self.power == 1:
+            return None
+        apart = minus(place, self.center)
+        return self.strength / (self.power - 1) / _power(product(apart, apart), self.power - 1, maths)
+
+    @property
+    def constant(self) -> bool:
+        """Never."""
+        return False
+
+
+def _power(square: Number, power: int, maths: Maths) -> Number:
+    """R to a whole power, from r²."""
+    found: Number = maths.sqrt(square) if power % 2 else 1.0
+    for _ in range(abs(power) // 2):
+        found = found * square
+    return found if power >= 0 else 1.0 / found
+
+
+class Region(Protocol):
+    """Where a force acts: inside, where all margins are positive."""
+
+    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
+        """Distances to the borders, m, positive inside."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class HalfSpace:
+    """All places with normal·r ≥ offset."""
+
+    normal: Vector
+    offset: float
+
+    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
+        """The distance to the plane."""
+        del maths
+        return (product(self.normal, place) - self.offset,)
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A slab or box: low ≤ axis·r ≤ high for each of its axes."""
+
+    sides: tuple[tuple[Vector, float, float], ...]  # (axis, low, high)
+
+    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
+        """The distances to its sides."""
+        del maths
+        found: list[Number] = []
+        for axis, low, high in self.sides:
+            along = product(axis, place)
+            found += [along - low, high - along]
+        return tuple(found)
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """A cylinder of any length: the places within `radius` of an axis through `center`."""
+
+    center: Vector
+    radius: float
+    axis: Vector = (0.0, 0.0, 1.0)
+
+    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
+        """The distance to its border."""
+        apart = minus(place, self.center)
+        along = product(self.axis, apart)
+        return (self.radius - maths.sqrt(product(apart, apart) - along * along),)

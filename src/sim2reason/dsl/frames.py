@@ -1,0 +1,221 @@
+"""Where the parts of a mechanism are and how they move, for any kind of number.
+
+The tree of bodies is walked once, with floats for the geometry at the start, with arrays for all instants of a motion,
+with symbols for equations of motion. Only + − × and the caller's sine and cosine are used. A *point* knows its place,
+its velocity, its acceleration at q̈ = 0 (so that no gradient is ever differentiated), how it moves with each
+coordinate, and how it would move if a body rose from the face that it lies on.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+from typing import NamedTuple
+
+from sim2reason.dsl.fields import Maths, Number, Triple, cross, minus, plus, product, times
+from sim2reason.dsl.mechanism import ZERO, Coordinate, Mechanism, RigidBody
+from sim2reason.dsl.vectors import Vector
+
+Gradient = Mapping[int, Triple]  # by number of a coordinate, or of a face
+Rotation = tuple[Triple, Triple, Triple]  # rows
+
+
+class Point(NamedTuple):
+    """A point of a body; `gradient` by coordinate and `lift` by face hold what is not zero."""
+
+    place: Triple  # m
+    velocity: Triple  # m/s
+    bias: Triple  # its acceleration at q̈ = 0, m/s²
+    gradient: Gradient
+    lift: Gradient
+
+
+class Turning(NamedTuple):
+    """How a body turns: all in room axes."""
+
+    velocity: Triple  # rad/s
+    bias: Triple  # its angular acceleration at q̈ = 0
+    gradient: Gradient
+
+
+class _Step(NamedTuple):
+    """One coordinate on the way from the room to a body, at its present direction."""
+
+    number: int
+    axis: Triple
+    pivot: Triple | None  # a point of the axis of a hinge; None of a slide
+
+
+class Frame(NamedTuple):
+    """The frame of a body at one instant, or at all."""
+
+    origin: Triple
+    rotation: Rotation | None  # None: the axes of the room
+    velocity: Triple
+    bias: Triple
+    spin: Triple | None  # angular velocity; None: it never turns
+    spin_bias: Triple
+    steps: tuple[_Step, ...] = ()
+    lift: Gradient = MappingProxyType({})
+
+    def turned(self, vector: Triple) -> Triple:
+        """A vector of this frame in room axes."""
+        if self.rotation is None:
+            return vector
+        return (product(self.rotation[0], vector), product(self.rotation[1], vector), product(self.rotation[2], vector))
+
+    def unturned(self, vector: Triple) -> Triple:
+        """A vector in room axes in those of this frame."""
+        if self.rotation is None:
+            return vector
+        a, b, c = self.rotation
+        columns = ((a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2]))
+        return (product(columns[0], vector), product(columns[1], vector), product(columns[2], vector))
+
+    def point(self, at: Triple = ZERO) -> Point:
+        """A point fixed in this frame."""
+        arm = self.turned(at)
+        place = plus(self.origin, arm)
+        gradient = {
+            step.number: step.axis if step.pivot is None else cross(step.axis, minus(place, step.pivot))
+            for step in self.steps
+        }
+        velocity, bias = self.carried(arm)
+        return Point(place, velocity, bias, gradient, self.lift)
+
+    def carried(self, arm: Triple) -> tuple[Triple, Triple]:
+        """Velocity and bias of what lies at `arm`, in room axes, from the origin."""
+        if self.spin is None:
+            return self.velocity, self.bias
+        swing = cross(self.spin, arm)
+        return plus(self.velocity, swing), plus(self.bias, plus(cross(self.spin_bias, arm), cross(self.spin, swing)))
+
+    @property
+    def turning(self) -> Turning:
+        """How the frame turns."""
+        gradient = {step.number: step.axis for step in self.steps if step.pivot is not None}
+        return Turning(self.spin or ZERO, self.spin_bias, gradient)
+
+
+ROOM = Frame(ZERO, None, ZERO, ZERO, None, ZERO)
+
+
+class Frames:
+    """The frames of all bodies of a mechanism for given coordinates and their rates."""
+
+    def __init__(self, mechanism: Mechanism, q: Sequence[Number], v: Sequence[Number], maths: Maths) -> None:
+        """`q` and `v` hold a number for each coordinate, in the mechanism's order."""
+        self._mechanism, self._q, self._v, self._maths = mechanism, q, v, maths
+        self._faces = {face.subject: (number, face) for number, face in enumerate(mechanism.faces)}
+        self._frames: dict[str | None, Frame] = {None: ROOM}
+        self._centers: dict[str, Point] = {}
+        self._sites: dict[str, Point] = {}
+        first = 0
+        for body in mechanism.bodies:
+            self._frames[body.name] = self._of(body, first)
+            first += len(body.coordinates)
+
+    def __getitem__(self, body: str | None) -> Frame:
+        """The frame of a body; that of the room for None."""
+        return self._frames[body]
+
+    def center(self, body: str) -> Point:
+        """The centre of mass of a body."""
+        found = self._centers.get(body)
+        if found is None:
+            found = self._centers[body] = self._frames[body].point(self._mechanism.body[body].center)
+        return found
+
+    def site(self, name: str) -> Point:
+        """A site."""
+        found = self._sites.get(name)
+        if found is None:
+            site = self._mechanism.site[name]
+            found = self._sites[name] = self._frames[site.body].point(site.at)
+        return found
+
+    def normal(self, subject: str) -> Triple:
+        """The direction out of the face on which a body lies, in room axes."""
+        face = self._faces[subject][1]
+        carrier = subject if face.turning else self._mechanism.body[subject].parent
+        return self._frames[carrier].turned(face.normal)
+
+    def _of(self, body: RigidBody, first: int) -> Frame:
+        frame = self._frames[body.parent]
+        frame = _shifted(frame, frame.turned(body.at))
+        for number, coordinate in enumerate(body.coordinates, start=first):
+            if coordinate.kind == "slide":
+                frame = self._slid(frame, coordinate, number)
+            else:
+                frame = self._hinged(frame, coordinate, number)
+        found = self._faces.get(body.name)
+        if found is None:
+            return frame
+        number, face = found
+        carrier = frame if face.turning else self._frames[body.parent]
+        lift = {**frame.lift, number: carrier.turned(face.normal)}
+        return Frame(
+            frame.origin,
+            frame.rotation,
+            frame.velocity,
+            frame.bias,
+            frame.spin,
+            frame.spin_bias,
+            frame.steps,
+            lift,
+        )
+
+    def _slid(self, frame: Frame, coordinate: Coordinate, number: int) -> Frame:
+        axis = frame.turned(coordinate.axis)
+        frame = _shifted(frame, times(self._q[number], axis))
+        velocity = plus(frame.velocity, times(self._v[number], axis))
+        bias = frame.bias
+        if frame.spin is not None:
+            bias = plus(bias, times(2.0 * self._v[number], cross(frame.spin, axis)))
+        steps = (*frame.steps, _Step(number, axis, None))
+        return Frame(frame.origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, steps, frame.lift)
+
+    def _hinged(self, frame: Frame, coordinate: Coordinate, number: int) -> Frame:
+        axis = frame.turned(coordinate.axis)
+        whirl = times(self._v[number], axis)
+        if frame.spin is None:
+            spin, spin_bias = whirl, frame.spin_bias
+        else:
+            spin, spin_bias = plus(frame.spin, whirl), plus(frame.spin_bias, cross(frame.spin, whirl))
+        rotation = rotated(frame.rotation, coordinate.axis, self._q[number], self._maths)
+        steps = (*frame.steps, _Step(number, axis, frame.origin))
+        return Frame(frame.origin, rotation, frame.velocity, frame.bias, spin, spin_bias, steps, frame.lift)
+
+
+def _shifted(frame: Frame, arm: Triple) -> Frame:
+    """The frame with its origin at `arm`, in room axes, from the present one."""
+    velocity, bias = frame.carried(arm)
+    origin = plus(frame.origin, arm)
+    return Frame(origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, frame.steps, frame.lift)
+
+
+def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths) -> Rotation:
+    """A rotation after which a turn about `axis`, a unit vector of the rotated frame, follows (Rodrigues)."""
+    c, s = maths.cos(angle), maths.sin(angle)
+    x, y, z = axis
+
+    def entry(i: int, j: int, skew: float) -> Number:
+        both, same = axis[i] * axis[j], 1.0 if i == j else 0.0
+        found: Number = both if same - both == 0.0 else (same - both) * c + both
+        return found + skew * s if skew else found
+
+    turn = (
+        (entry(0, 0, 0.0), entry(0, 1, -z), entry(0, 2, y)),
+        (entry(1, 0, z), entry(1, 1, 0.0), entry(1, 2, -x)),
+        (entry(2, 0, -y), entry(2, 1, x), entry(2, 2, 0.0)),
+    )
+    if rotation is None:
+        return turn
+    columns = tuple((turn[0][j], turn[1][j], turn[2][j]) for j in range(3))
+    rows = [(product(row, columns[0]), product(row, columns[1]), product(row, columns[2])) for row in rotation]
+    return (rows[0], rows[1], rows[2])
+
+
+def start(mechanism: Mechanism) -> Frames:
+    """The geometry at the start of the motion, as if nothing moved."""
+    rest = [0.0] * len(mechanism.coordinates)
+    return Frames(mechanism, rest, rest, math)

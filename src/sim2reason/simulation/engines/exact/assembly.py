@@ -1,0 +1,231 @@
+"""The equations of motion of a mechanism, assembled once for any kind of number.
+
+With floats they are the numbers of one instant, with symbols the formulas of all. Unknowns are the n coordinates and,
+for each of the c contacts, the distance that the body would rise from its face: that distance stays zero, and its row
+of the equations gives the normal force.
+"""
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+from sim2reason.dsl.fields import Maths, Number, Triple, applied, cross, minus, plus, product, times
+from sim2reason.dsl.frames import Frame, Frames, Point
+from sim2reason.dsl.mechanism import Drawn, Elastic, Force, Inextensible, Line, Mechanism, Meeting, Prop
+from sim2reason.dsl.vectors import Tensor
+from sim2reason.simulation.engines.exact.lengths import (
+    ORIGIN,
+    Length,
+    Phase,
+    RowTerms,
+    Separation,
+    constraints,
+    merge,
+    point_row,
+    projected,
+    run_between,
+)
+
+Numbers = list[Number]
+
+
+def of_time(mechanism: Mechanism, phase: Phase, time: Number) -> dict[str, Number]:
+    """The masses of all bodies at a time: those that burn grow lighter."""
+    masses: dict[str, Number] = {body.name: float(body.mass) for body in mechanism.bodies}
+    for burn, burning in zip(mechanism.burns, phase.burning, strict=True):
+        masses[burn.body] = masses[burn.body] - burn.rate * (time if burning else burn.until)
+    return masses
+
+
+class Assembly:
+    """Mass matrix, loads, rows, slips and gaps of a mechanism for given coordinates, rates and time."""
+
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        phase: Phase,
+        state: tuple[Sequence[Number], Sequence[Number], Number],
+        maths: Maths,
+        frames: Frames | None = None,
+    ) -> None:
+        """`state` holds the coordinates, their rates, and the time; `frames` spare the walk where they are known."""
+        self.mechanism, self.phase, self.maths = mechanism, phase, maths
+        self.q, self.v, self.time = state
+        self.n, self.c = len(mechanism.coordinates), len(mechanism.faces)
+        self.frames = frames or Frames(mechanism, self.q, self.v, maths)
+        self.masses = of_time(mechanism, phase, self.time)
+        self.mass: list[Numbers] = [[0.0] * self.n for _ in range(self.n)]
+        self.lifted: list[Numbers] = [[0.0] * self.n for _ in range(self.c)]
+        self.heave: list[Numbers] = [[0.0] * self.c for _ in range(self.c)]
+        self.force: Numbers = [0.0] * self.n
+        self.press: Numbers = [0.0] * self.c
+        for body in mechanism.bodies:
+            self._body(body.name)
+        self._loads()
+
+    # ---- inertia
+
+    def _body(self, name: str) -> None:
+        """M = Σ m JᵀJ + Jᵀ I J, and what its own motion and weight load it with."""
+        frame, point, mass = self.frames[name], self.frames.center(name), self.masses[name]
+        if not (type(mass) is float and mass == 0.0):
+            weight = plus(times(mass, self.mechanism.gravity), times(-mass, point.bias))
+            self._push(point, weight)
+            entries = list(point.gradient.items())
+            for place, (i, axis) in enumerate(entries):
+                row = self.mass[i]
+                for j, other in entries[: place + 1]:
+                    part = product(axis, other)
+                    if not (type(part) is float and part == 0.0):
+                        row[j] = row[j] + mass * part
+            for i, normal in point.lift.items():
+                row = self.lifted[i]
+                for j, other in entries:
+                    row[j] = row[j] + mass * product(normal, other)
+                heave = self.heave[i]
+                for j, other in point.lift.items():
+                    heave[j] = heave[j] + mass * product(normal, other)
+        if frame.spin is not None and any(self.mechanism.body[name].inertia):
+            self._spinning(frame, self.mechanism.body[name].inertia)
+
+    def _spinning(self, frame: Frame, inertia: Tensor) -> None:
+        """Jᵀ I J of the rotation, and −Jᵀ(I α + ω × Iω), in the body's own axes, where I is constant."""
+        turning = frame.turning
+        own = [(number, frame.unturned(axis)) for number, axis in turning.gradient.items()]
+        spin, bias = frame.unturned(turning.velocity), frame.unturned(turning.bias)
+        torque = plus(applied(inertia, bias), cross(spin, applied(inertia, spin)))
+        for place, (i, axis) in enumerate(own):
+            moment = applied(inertia, axis)
+            for j, other in own[: place + 1]:
+                self.mass[i][j] = self.mass[i][j] + product(moment, other)
+            self.force[i] = self.force[i] - product(axis, torque)
+
+    def full_mass(self) -> list[Numbers]:
+        """The mass matrix with both of its halves."""
+        return [[self.mass[max(i, j)][min(i, j)] for j in range(self.n)] for i in range(self.n)]
+
+    # ---- loads
+
+    def _push(self, point: Point, force: Triple) -> None:
+        """Add a force at a point."""
+        for i, axis in point.gradient.items():
+            self.force[i] = self.force[i] + product(axis, force)
+        for i, normal in point.lift.items():
+            self.press[i] = self.press[i] + product(normal, force)
+
+    def _loads(self) -> None:
+        mechanism = self.mechanism
+        for line in mechanism.lines:
+            if isinstance(line.law, Drawn | Elastic):
+                self._pull(line)
+        for number, force in enumerate(mechanism.forces):
+            if all(self.phase.inside[number]):
+                self._field(force)
+        for pair in mechanism.attractions:
+            one, other = self.frames.center(pair.a), self.frames.center(pair.b)
+            apart = minus(other.place, one.place)
+            square = product(apart, apart)
+            distance = self.maths.sqrt(square)
+            strength = pair.constant * self.masses[pair.a] * self.masses[pair.b]
+            pull = times(strength / (distance * _power(distance, square, pair.power)), apart)
+            self._push(one, pull)
+            self._push(other, times(-1.0, pull))
+        for burn, burning in zip(mechanism.burns, self.phase.burning, strict=True):
+            if burning:
+                thrust = self.frames[burn.body].turned(burn.direction)
+                self._push(self.frames.center(burn.body), times(burn.rate * burn.exhaust, thrust))
+
+    def _pull(self, line: Line) -> None:
+        length = self.length(line)
+        tension = self.tension(line, length)
+        for i, part in length.along.items():
+            self.force[i] = self.force[i] - tension * part
+        for i, part in length.lift.items():
+            self.press[i] = self.press[i] - tension * part
+
+    @staticmethod
+    def tension(line: Line, length: Length) -> Number:
+        """The tension that a line's law gives: of a spring, or of what a hand draws."""
+        law = line.law
+        if isinstance(law, Drawn):
+            return law.force
+        assert isinstance(law, Elastic)
+        tension = law.stiffness * (length.value - law.length)
+        return tension + law.damping * length.rate if law.damping else tension
+
+    def _field(self, force: Force) -> None:
+        point = self.frames.center(force.body)
+        self._push(point, force.law.force(point.place, point.velocity, self.time, self.maths))
+
+    # ---- lengths and rows
+
+    def length(self, line: Line) -> Length:
+        """The length of a line: Σ |Δr| + Σ radius·angle."""
+        along: dict[int, Number] = {}
+        lift: dict[int, Number] = {}
+        value: Number = 0.0
+        rate: Number = 0.0
+        bias: Number = 0.0
+        for wheel in line.wheels:
+            number, radius = self.mechanism.number[wheel.coordinate], float(wheel.radius)
+            along[number] = along.get(number, 0.0) + radius
+            value, rate = value + radius * self.q[number], rate + radius * self.v[number]
+        for first, last in pairwise(line.through):
+            one, other = self.frames.site(first), self.frames.site(last)
+            run = run_between(one, other, self.maths)
+            value = value + run.value
+            if run.along or run.lift:
+                rate, bias = rate + run.rate, bias + run.bias
+                merge(along, run.along)
+                merge(lift, run.lift)
+        return Length(value, rate, bias, along, lift)
+
+    def rows(self, starts: Mapping[str, float]) -> list[RowTerms]:
+        """All rows, in the order of `row_kinds`; `starts` has each line's length at the start."""
+        found = [self._line_row(line, starts[line.name]) for line in constraints(self.mechanism)]
+        for foot in self.mechanism.feet:
+            point = self.frames.site(foot.site)
+            down = times(-1.0, foot.normal)
+            gap = product(foot.normal, point.place) - foot.height
+            found.append(point_row(point, down, gap))
+            found.append(point_row(point, foot.along, gap))
+        for meeting, stuck in zip(self.mechanism.meetings, self.phase.stuck, strict=True):
+            if stuck:
+                apart = self.separation(meeting)
+                found.append(RowTerms(apart.along, apart.lift, apart.gap, apart.rate, -apart.bias))
+        return found
+
+    def _line_row(self, line: Line, start: float) -> RowTerms:
+        length = self.length(line)
+        if isinstance(line.law, Prop):
+            along = {i: -part for i, part in length.along.items()}
+            lift = {i: -part for i, part in length.lift.items()}
+            return RowTerms(along, lift, length.value - start, -length.rate, length.bias)
+        reel = line.law.reel if isinstance(line.law, Inextensible) else 0.0
+        slack = line.law.slack if isinstance(line.law, Inextensible) else 0.0
+        spare, rate = slack + start - length.value, length.rate
+        if reel:
+            spare, rate = spare - reel * self.time, rate + reel
+        return RowTerms(length.along, length.lift, spare, rate, -length.bias)
+
+    def separation(self, meeting: Meeting) -> Separation:
+        """How far apart the two of a meeting are, and how that changes."""
+        other = self.frames.center(meeting.b)
+        one = ORIGIN if meeting.a is None else self.frames.center(meeting.a)
+        if meeting.normal is None:
+            run = run_between(one, other, self.maths)
+            return Separation(run.value - meeting.distance, run.rate, run.bias, run.along, run.lift)
+        normal = meeting.normal
+        apart = minus(other.place, one.place)
+        parting = minus(other.velocity, one.velocity)
+        bias = minus(other.bias, one.bias)
+        along, lift = projected(one.gradient, other.gradient, normal), projected(one.lift, other.lift, normal)
+        gap = product(normal, apart) - meeting.distance
+        return Separation(gap, product(normal, parting), product(normal, bias), along, lift)
+
+
+def _power(distance: Number, square: Number, power: float) -> Number:
+    """A distance to a power: a whole one by products, so that symbols need no more than a root."""
+    found: Number = distance if power % 2 else 1.0
+    for _ in range(int(power) // 2):
+        found = found * square
+    return found

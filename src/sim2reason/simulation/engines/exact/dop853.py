@@ -1,0 +1,130 @@
+"""The Runge–Kutta pair of order 8(5, 3) by Dormand and Prince, with its dense output of order 7.
+
+Coefficients: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), code DOP853.
+A step is straight-line code, written once for each number of unknowns: loops over so few of them cost more than the
+arithmetic.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from itertools import chain
+from math import sqrt
+from typing import NamedTuple
+
+from sim2reason.simulation.engines.exact.code import compiled
+from sim2reason.simulation.engines.exact.dop853_table import DENSE, ERROR_3, ERROR_5, NODES, STAGES
+
+Values = tuple[float, ...]
+Rate = Callable[[float, Values], Values]
+Stages = tuple[Values, ...]
+"""The rates of all stages, the last one that at the new point."""
+
+ORDER = 8
+SAFETY, LEAST, MOST = 0.9, 0.2, 8.0  # of the factor by which a step changes
+
+
+class Advance(NamedTuple):
+    """A step that was tried: where it ends, the rates on its way, and its error relative to the tolerance."""
+
+    values: Values
+    stages: Stages
+    error: float
+
+
+def advance(rate: Rate, time: float, values: Values, first: Values, h: float, tolerance: Sequence[float]) -> Advance:
+    """Try a step of `h` from `values`, at which the rate is `first`; `tolerance` is absolute and relative."""
+    new, stages, fifth, third = _stepper(len(values))(rate, time, values, first, h, *tolerance)
+    if fifth == 0.0:
+        return Advance(new, stages, 0.0)
+    return Advance(new, stages, abs(h) * fifth / sqrt((fifth + 0.01 * third) * len(values)))
+
+
+def factor(error: float) -> float:
+    """By how much the next step may be longer."""
+    return MOST if error == 0.0 else min(MOST, max(LEAST, SAFETY * error ** (-1.0 / ORDER)))
+
+
+def dense(rate: Rate, time: float, values: Values, h: float, new: Values, stages: Stages) -> tuple[Values, ...]:
+    """The coefficients of the polynomial over a step, for each unknown: seven, from the lowest power on."""
+    more = _extension(len(values))(rate, time, values, h, stages)
+    return _polynomial(len(values))(h, values, new, stages, more)
+
+
+def interpolated(values: Values, polynomial: tuple[Values, ...], x: float) -> list[float]:
+    """The unknowns at a fraction `x` of the step."""
+    y = 1.0 - x
+    return [
+        start + x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
+        for start, (a, b, c, d, e, f, g) in zip(values, polynomial, strict=True)
+    ]
+
+
+def first_step(rate: Rate, time: float, values: Values, first: Values, tolerance: Sequence[float]) -> float:
+    """A step to begin with: Hairer, Nørsett, Wanner, section II.4."""
+    absolute, relative = tolerance
+    scales = [absolute + relative * abs(value) for value in values]
+    d0, d1 = _norm(values, scales), _norm(first, scales)
+    h = 1e-6 if d0 < 1e-5 or d1 < 1e-5 else 0.01 * d0 / d1
+    ahead = rate(time + h, tuple(value + h * slope for value, slope in zip(values, first, strict=True)))
+    d2 = _norm([b - a for a, b in zip(first, ahead, strict=True)], scales) / h
+    most = max(d1, d2)
+    return min(100.0 * h, (0.01 / most) ** (1.0 / ORDER) if most > 1e-15 else max(1e-6, 1e-3 * h))
+
+
+def _norm(values: Sequence[float], scales: Sequence[float]) -> float:
+    return sqrt(sum((value / scale) ** 2 for value, scale in zip(values, scales, strict=True)) / max(len(scales), 1))
+
+
+# ---- the code of a step
+
+
+def _names(letter: str, size: int) -> str:
+    return "(" + "".join(f"{letter}{i}, " for i in range(size)) + ")"
+
+
+def _sum(weights: Mapping[int, float], unknown: int) -> str:
+    return " + ".join(f"{weight!r} * k{stage}_{unknown}" for stage, weight in weights.items())
+
+
+def _stage(number: int, size: int) -> list[str]:
+    """The line that evaluates one stage."""
+    weights = STAGES[number - 1]
+    values = "".join(f"y{i} + h * ({_sum(weights, i)}), " for i in range(size))
+    return [f"k{number} = rate(t + {NODES[number]!r} * h, ({values}))", f"{_names(f'k{number}_', size)} = k{number}"]
+
+
+@cache
+def _stepper(size: int) -> Callable[..., tuple[Values, Stages, float, float]]:
+    lines = [f"{_names('y', size)} = y", f"{_names('k0_', size)} = k0"]
+    lines += chain.from_iterable(_stage(number, size) for number in range(1, 12))
+    lines += [f"n{i} = y{i} + h * ({_sum(STAGES[11], i)})" for i in range(size)]
+    lines += [f"k12 = rate(t + h, {_names('n', size)})", f"{_names('k12_', size)} = k12", "fifth = third = 0.0"]
+    for i in range(size):
+        lines.append(f"scale = absolute + relative * max(abs(y{i}), abs(n{i}))")
+        lines.append(f"fifth += (({_sum(ERROR_5, i)}) / scale) ** 2")
+        lines.append(f"third += (({_sum(ERROR_3, i)}) / scale) ** 2")
+    lines.append(f"return {_names('n', size)}, {_names('k', 13)}, fifth, third")
+    return compiled("rate, t, y, k0, h, absolute, relative", lines)
+
+
+@cache
+def _extension(size: int) -> Callable[..., Stages]:
+    """The three stages that only dense output needs."""
+    lines = [f"{_names('y', size)} = y", f"{_names('k', 13)} = stages"]
+    lines += [f"{_names(f'k{number}_', size)} = k{number}" for number in range(13)]
+    lines += chain.from_iterable(_stage(number, size) for number in range(13, 16))
+    lines.append("return k13, k14, k15")
+    return compiled("rate, t, y, h, stages", lines)
+
+
+@cache
+def _polynomial(size: int) -> Callable[..., tuple[Values, ...]]:
+    lines = [f"{_names('y', size)} = y", f"{_names('n', size)} = n", f"{_names('k', 16)} = (*stages, *more)"]
+    lines += [f"{_names(f'k{number}_', size)} = k{number}" for number in range(16)]
+    rows: list[str] = []
+    for i in range(size):
+        lines.append(f"d{i} = n{i} - y{i}")
+        high = ", ".join(f"h * ({_sum(weights, i)})" for weights in DENSE)
+        rows.append(f"(d{i}, h * k0_{i} - d{i}, 2.0 * d{i} - h * (k12_{i} + k0_{i}), {high})")
+    lines.append(f"return ({', '.join(rows)},)")
+    return compiled("h, y, n, stages, more", lines)

@@ -1,0 +1,27 @@
+"""What is watched while a mode lasts: one list of margins, positive until something happens."""
+
+from typing import NamedTuple
+
+
+class Margin(NamedTuple):
+    """What is left until something happens.
+
+    kind: ``spare`` of an idle row · ``force`` of a row that acts · ``normal`` force of a contact · ``slip`` speed of
+    one that slides · ``grip`` of one that sticks, on a side · ``gap`` of a meeting · ``reach`` of a straight piece of
+    line · ``limit`` of a coordinate · ``burn`` time of an engine · ``border`` of a region, of a force, on a side.
+    """
+
+    kind: str
+    number: int  # of the row, contact, rough contact, meeting, run, limit, engine or force
+    side: int = 0  # to which a contact begins to slip; which border of a region
+
+
+class Stop(NamedTuple):
+    """How long a mode lasted, and what is due then; nothing if it lasted as long as was asked for."""
+
+    elapsed: float
+    due: tuple[Margin, ...]
+
+
+ENDS = frozenset({"reach", "limit", "normal"})
+"""What ends the motion that is described."""

@@ -1,0 +1,196 @@
+"""One instant of a motion in the making: impacts, then the forces and the mode that they bring about."""
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.simulation.engines.exact.approach import STILL
+from sim2reason.simulation.engines.exact.balance import Balance, Demand, balance
+from sim2reason.simulation.engines.exact.diary import Diary
+from sim2reason.simulation.engines.exact.flow import Flow
+from sim2reason.simulation.engines.exact.formulas import CurvedEquations
+from sim2reason.simulation.engines.exact.glide import SteadyEquations
+from sim2reason.simulation.engines.exact.impulses import Impact, strike
+from sim2reason.simulation.engines.exact.linear import Row
+from sim2reason.simulation.engines.exact.margins import Margin
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.simulation.engines.exact.problem import Mode
+from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, System
+
+REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
+DRIFT = 1e-7  # m or m/s; what integration may leave of a constraint
+
+
+class Settling:
+    """A motion in the making: the present state, what is behind it, and what acts now."""
+
+    def __init__(self, mechanism: Mechanism, duration: float) -> None:
+        """Stand at the start; raises as `System` does."""
+        self.system = System(mechanism)
+        self.steady = None if self.system.changing else SteadyEquations(self.system)
+        self.curved = CurvedEquations(self.system) if self.steady is None else None
+        self.still = STILL if self.curved is None else DRIFT
+        self.mechanism, self.duration = mechanism, duration
+        self.now = 0.0
+        self.q: Row = [0.0] * self.system.size
+        self.v: Row = [float(coordinate.speed) for coordinate in mechanism.coordinates]
+        self.phase = self.system.phase
+        self.kinds = self.system.kinds(self.phase)
+        self.mode = Mode((True,) * len(self.kinds), (0,) * len(self.system.grips))
+        self.due: tuple[Margin, ...] = ()
+        self.segments: list[Segment] = []
+        self.diary = Diary(mechanism)
+
+    def instant(self) -> Instant:
+        """The numbers of the present state."""
+        equations = self.steady or self.curved
+        assert equations is not None
+        return equations.instant(self.now, self.q, self.v, self.phase)
+
+    # -- impacts ---------------------------------------------------------------------------------
+
+    def impact(self, instant: Instant) -> set[int] | None:
+        """Let what collides bounce and what is used up jerk; the rows that snapped, or None at the end."""
+        full = [i for i, spare in enumerate(instant.spare) if spare <= TOUCHING or self.kinds[i].both or self._acts(i)]
+        full = [i for i in full if not self._is_due("force", i)]
+        full = [i for i in full if self.kinds[i].follows < 0 or self.kinds[i].follows in full]
+        snapped = {i for i in full if instant.rates[i] > self.still and not self.kinds[i].both}
+        if self.curved is not None and self.segments:
+            snapped = {i for i in snapped if not self.mode.acting[i] or instant.rates[i] > 1.0}
+        touching = [i for i, near in enumerate(instant.pairs) if near.touching and not self.phase.stuck[i]]
+        hits = [i for i in touching if instant.pairs[i].rate < -STILL]
+        if not snapped and not hits:
+            return snapped
+        if self._crowded(hits, snapped):
+            return None
+        self._strike(instant, full, touching, snapped)
+        return None if self.diary.cut else snapped
+
+    def _strike(self, instant: Instant, full: list[int], touching: list[int], snapped: set[int]) -> None:
+        place = {number: new for new, number in enumerate(full)}
+        impact = Impact(
+            full,
+            [self.kinds[i].both or self._acts(i) or instant.rates[i] > self.still for i in full],
+            touching,
+            tuple(self.kinds[i].both for i in full),
+            tuple(place.get(self.kinds[i].follows, -1) for i in full),
+        )
+        found = strike(self.system, instant, impact, STILL)
+        hits = [i for i in touching if instant.pairs[i].rate < -STILL]
+        self.v = [0.0 if abs(speed) < REST else speed for speed in found.v]
+        self._rest(found.rubbing)
+        for number in hits:
+            names = self.mechanism.meetings[number].names
+            self.diary.record(self.now, "collision", *names)
+            self.diary.struck(self.now, self.system.movable[number], names)
+            if self.mechanism.meetings[number].sticks:
+                self._stick(number)
+        for number in snapped:
+            self.diary.struck(self.now, [f"row {self.kinds[number].name}"], (self.kinds[number].name,))
+        if found.lifted:
+            self.diary.snapped(self.now, self.kinds, snapped)
+            self.diary.lift(self.now, found.lifted)
+
+    def _rest(self, rubbing: tuple[int, ...]) -> None:
+        """A contact that sticks after an impact, along one coordinate, has no speed at all."""
+        for grip, side in zip(self.system.grips, rubbing, strict=True):
+            if side == 0 and grip.coordinate >= 0:
+                self.v[grip.coordinate] = 0.0
+
+    def _stick(self, number: int) -> None:
+        """From now on a pair stays together: one more row."""
+        stuck = tuple(was or i == number for i, was in enumerate(self.phase.stuck))
+        self.phase = self.phase._replace(stuck=stuck)
+        kinds = self.system.kinds(self.phase)
+        first = sum(kind.kind != "stuck" for kind in kinds)
+        self.mode = Mode((*self.mode.acting[:first], *(True for _ in kinds[first:])), self.mode.rubbing)
+        self.kinds = kinds
+
+    def _crowded(self, hits: list[int], snapped: set[int]) -> bool:
+        """End at the earlier hit if a body is hit again too soon, or a string jerks again: two can do so by turns."""
+        names = [name for i in hits for name in self.system.movable[i]]
+        early = self.diary.crowded(self.now, [*names, *(f"row {self.kinds[number].name}" for number in snapped)])
+        if early is None:
+            return False
+        self.now = early
+        self.segments = [segment for segment in self.segments if segment.start <= self.now]
+        return True
+
+    # -- forces ----------------------------------------------------------------------------------
+
+    def settle(self, instant: Instant, snapped: set[int]) -> Balance | None:
+        """Find the forces and note what changed; None at the end."""
+        before = self.mode
+        found = self.balance(instant, snapped)
+        pressing = next((i for i in range(len(instant.pairs)) if self._pressed(instant, i, found.a)), None)
+        ended = bool(found.lifted) or found.loose or pressing is not None
+        if self.segments or snapped:
+            # which strings are slack about a part that nothing holds is as open as how it moves
+            after = found.mode._replace(acting=before.acting) if found.loose else found.mode
+            self.diary.changed(self.now, self.kinds, (before, after), snapped, first=not self.segments)
+            if self.segments:
+                self.diary.rubbed(self.now, self.system.grips, (before, after))
+        if ended and not self.segments:
+            self.append(found, None)
+        self.mode = found.mode
+        if not ended:
+            return found
+        if found.lifted:
+            self.diary.lift(self.now, found.lifted)
+        elif found.loose:
+            self.diary.end(self.now, "indeterminate", *self._unheld(instant))
+        elif pressing is not None:
+            self.diary.end(self.now, "crowd", *self.mechanism.meetings[pressing].names)
+        return None
+
+    def balance(self, instant: Instant, snapped: set[int], *, free: bool = False) -> Balance:
+        """The forces; with what is due decided as it is due, and nothing tight if everything shall be `free`."""
+        rows = range(len(self.kinds))
+        tight = [] if free else [i for i in rows if self.kinds[i].both or self._is_tight(instant, i)]
+        tight = [i for i in tight if self.kinds[i].follows < 0 or self.kinds[i].follows in tight]
+        sliding = [(slip > self._least) - (slip < -self._least) for slip in instant.slips]
+        for number in range(len(sliding)):
+            if self._is_due("slip", number):
+                sliding[number] = 0
+        guess = [0 if self.segments and not side else was for side, was in zip(sliding, self.mode.rubbing, strict=True)]
+        for margin in self.due:
+            if margin.kind == "grip":
+                sliding[margin.number] = guess[margin.number] = margin.side
+        acting = tuple(acts or number in snapped for number, acts in enumerate(self.mode.acting))
+        return balance(self.system, instant, Demand(tight, tuple(sliding), Mode(acting, tuple(guess)), self.kinds))
+
+    @property
+    def _least(self) -> float:
+        """The slip that is none."""
+        return 0.0 if self.curved is None else STILL
+
+    def _is_tight(self, instant: Instant, number: int) -> bool:
+        """Whether a row may act: used up, and not growing."""
+        if self._is_due("force", number):
+            return False
+        if self.curved is not None and self.segments and self.mode.acting[number]:
+            return instant.rates[number] > -DRIFT
+        return instant.spare[number] <= TOUCHING and abs(instant.rates[number]) <= self.still
+
+    def _acts(self, number: int) -> bool:
+        """Whether a row acted until now, so that integration may have left it a little more than nothing."""
+        return bool(self.segments) and self.mode.acting[number]
+
+    def _is_due(self, kind: str, number: int) -> bool:
+        return any(margin.kind == kind and margin.number == number for margin in self.due)
+
+    def _pressed(self, instant: Instant, number: int, a: Row) -> bool:
+        """Whether two bodies that rest against each other are pressed together: hits without number."""
+        near = instant.pairs[number]
+        if self.phase.stuck[number] or not near.touching or abs(near.rate) > STILL:
+            return False
+        return near.second(a) < -STILL
+
+    def append(self, found: Balance, flow: Flow | None) -> None:
+        """Keep how the present segment begins."""
+        self.segments.append(Segment(self.now, self.q, self.v, found, tuple(self.kinds), flow))
+
+    # -- small things ----------------------------------------------------------------------------
+
+    def _unheld(self, instant: Instant) -> tuple[str, ...]:
+        """The massless bodies that may be the ones which nothing holds."""
+        moving = {number for motion in instant.weightless for number, part in enumerate(motion) if part}
+        names = [c.name for number, c in enumerate(self.mechanism.coordinates) if number in moving]
+        return tuple(names)

@@ -1,0 +1,251 @@
+"""A tape records arithmetic once, so that it can be run many times as straight-line code.
+
+Symbols are made by doing arithmetic on them. Constants are folded, and what is computed twice is kept once. Every
+symbol also knows its value at one point, by which a solver may choose its pivots. Numbers become parameters of the
+code, not part of it: mechanisms of one shape share one piece of code.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any, cast
+
+from sim2reason.dsl.fields import Number
+from sim2reason.simulation.engines.exact.code import compiled
+
+Node = tuple[str, int, int]
+DEEPEST = 12  # levels of brackets that a line of code may have
+PLAIN = {0.0: "0.0", 1.0: "1.0", -1.0: "-1.0", 2.0: "2.0", 0.5: "0.5"}  # numbers that stand in the code itself
+
+
+class Symbol:
+    """A number that is known only when the code runs."""
+
+    __slots__ = ("id", "tape")
+
+    def __init__(self, tape: "Tape", number: int) -> None:
+        """The result of the node of that number."""
+        self.tape, self.id = tape, number
+
+    @property
+    def value(self) -> float:
+        """At the point where the tape stands."""
+        return self.tape.values[self.id]
+
+    def __add__(self, other: Number) -> Number:
+        """Zero added leaves it as it is."""
+        return self if type(other) is float and other == 0.0 else self.tape.commuting("+", self, other)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> "Symbol":
+        """A difference from zero."""
+        return self.tape.node("neg", self.id, -1)
+
+    def __sub__(self, other: Number) -> Number:
+        """Zero taken away leaves it as it is."""
+        if type(other) is float and other == 0.0:
+            return self
+        return self.tape.binary("-", self, other)
+
+    def __rsub__(self, other: Number) -> Number:
+        """From zero: its negative."""
+        return -self if type(other) is float and other == 0.0 else self.tape.binary("-", other, self)
+
+    def __mul__(self, other: Number) -> Number:
+        """Zero, one and minus one are folded."""
+        if type(other) is float:
+            if other == 0.0:
+                return 0.0
+            if other == 1.0:
+                return self
+            if other == -1.0:
+                return -self
+        return self.tape.commuting("*", self, other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Number) -> Number:
+        """One is folded."""
+        return self if type(other) is float and other == 1.0 else self.tape.binary("/", self, other)
+
+    def __rtruediv__(self, other: Number) -> Number:
+        """Zero divided is zero."""
+        return 0.0 if type(other) is float and other == 0.0 else self.tape.binary("/", other, self)
+
+
+class Tape:
+    """The record; it also is the `maths` of its symbols."""
+
+    def __init__(self, inputs: Sequence[str]) -> None:
+        """`inputs` name what the code is a function of."""
+        self.nodes: list[Node] = []
+        self.values: list[float] = []
+        self.constants: list[float] = []
+        self._known: dict[Node, int] = {}
+        self._constant: dict[float, int] = {}
+        self.inputs = {name: self.node("input", number, -1) for number, name in enumerate(inputs)}
+        self._names = list(inputs)
+
+    # ---- recording
+
+    def node(self, operation: str, a: int, b: int) -> Symbol:
+        """The symbol of an operation on earlier nodes."""
+        key = (operation, a, b)
+        number = self._known.get(key)
+        if number is None:
+            number = len(self.nodes)
+            self._known[key] = number
+            self.nodes.append(key)
+            self.values.append(0.0 if operation == "input" else self._value(key))
+        return Symbol(self, number)
+
+    def binary(self, operation: str, a: Number, b: Number) -> Symbol:
+        """An operation on two numbers, one of them a symbol."""
+        return self.node(operation, self._id(a), self._id(b))
+
+    def commuting(self, operation: str, a: Number, b: Number) -> Symbol:
+        """The same for one that does not mind the order."""
+        one, other = self._id(a), self._id(b)
+        return self.node(operation, min(one, other), max(one, other))
+
+    def _id(self, number: Number) -> int:
+        if isinstance(number, Symbol):
+            return number.id
+        value = float(number)
+        if value not in self._constant:
+            self._constant[value] = len(self.constants)
+            self.constants.append(value)
+        return self.node("constant", self._constant[value], -1).id
+
+    def sqrt(self, x: Number) -> Number:
+        """The square root."""
+        return self.node("sqrt", x.id, -1) if isinstance(x, Symbol) else math.sqrt(x)
+
+    def sin(self, x: Number) -> Number:
+        """The sine."""
+        return self.node("sin", x.id, -1) if isinstance(x, Symbol) else math.sin(x)
+
+    def cos(self, x: Number) -> Number:
+        """The cosine."""
+        return self.node("cos", x.id, -1) if isinstance(x, Symbol) else math.cos(x)
+
+    # ---- values at one point
+
+    def stand(self, inputs: Sequence[float]) -> None:
+        """Go to a point: give every symbol its value there, NaN where it has none."""
+        values, nodes = self.values, self.nodes
+        for number, value in enumerate(inputs):
+            values[number] = value
+        for number in range(len(self._names), len(nodes)):
+            values[number] = self._value(nodes[number])
+
+    def _value(self, node: Node) -> float:  # noqa: PLR0911 - one line for each operation
+        operation, a, b = node
+        values = self.values
+        match operation:
+            case "*":
+                return values[a] * values[b]
+            case "+":
+                return values[a] + values[b]
+            case "-":
+                return values[a] - values[b]
+            case "constant":
+                return self.constants[a]
+            case "neg":
+                return -values[a]
+            case "/":
+                return values[a] / values[b] if values[b] else math.nan
+            case "sqrt":
+                return math.sqrt(values[a]) if values[a] >= 0.0 else math.nan
+            case "sin":
+                return math.sin(values[a])
+            case _:
+                return math.cos(values[a])
+
+    # ---- code
+
+    def code(
+        self, outputs: Sequence[Number], guards: Sequence[tuple[Symbol, float]] = ()
+    ) -> Callable[[Any], Callable[..., tuple[Any, ...]]]:
+        """What gives, for the functions of a kind of number (`math` or `numpy`), the code of `outputs`.
+
+        The code is a function (t, y) of the first input and of a sequence with all others. A guard is a symbol whose
+        size may not fall below a bound: ArithmeticError if it does.
+        """
+        writer = _Writer(self, [out for out in outputs if isinstance(out, Symbol)] + [guard for guard, _ in guards])
+        lines = [f"{', '.join(self._names[1:])}, = y"] if len(self._names) > 1 else []
+        lines += writer.lines
+        for guard, bound in guards:
+            name, least = writer.name(guard.id), writer.constant(bound)
+            lines.append(f"if -{least} < {name} < {least}: raise ArithmeticError('a pivot is lost')")
+        said = [writer.name(out.id) if isinstance(out, Symbol) else writer.constant(float(out)) for out in outputs]
+        lines.append(f"return ({', '.join(said)}{',' if len(said) == 1 else ''})")
+        names = [f"c{number}" for number in range(len(writer.constants))]
+        make = compiled(f"{self._names[0]}, y", lines, ", ".join(["maths", *names]))
+        constants = list(writer.constants)
+        return lambda maths: make(maths, *constants)
+
+
+class _Writer:
+    """Writes the nodes that some outputs need, in order; what is used once stands where it is used."""
+
+    def __init__(self, tape: Tape, outputs: Sequence[Symbol]) -> None:
+        self._tape = tape
+        self.constants: list[float] = []
+        self._text: dict[int, tuple[str, int]] = {}  # how a node is written, and how deep its brackets are
+        self.lines: list[str] = []
+        uses = self._uses(outputs)
+        kept = {out.id for out in outputs}
+        for number in sorted(uses):
+            self._write(number, single=uses[number] == 1 and number not in kept)
+
+    def _uses(self, outputs: Sequence[Symbol]) -> dict[int, int]:
+        uses: dict[int, int] = {}
+        waiting = [out.id for out in outputs]
+        while waiting:
+            number = waiting.pop()
+            uses[number] = uses.get(number, 0) + 1
+            if uses[number] == 1:
+                operation, a, b = self._tape.nodes[number]
+                if operation not in ("input", "constant"):
+                    waiting += [a] if b < 0 else [a, b]
+        return uses
+
+    def _write(self, number: int, *, single: bool) -> None:
+        operation, a, b = self._tape.nodes[number]
+        if operation == "input":
+            self._text[number] = (list(self._tape.inputs)[a], 0)
+            return
+        if operation == "constant":
+            self._text[number] = (self.constant(self._tape.constants[a]), 0)
+            return
+        depth = 1 + max(self._text[a][1], self._text[b][1] if b >= 0 else 0)
+        if operation in ("sqrt", "sin", "cos"):
+            text = f"maths.{operation}({self._text[a][0]})"
+        elif operation == "neg":
+            text = f"(-{self._text[a][0]})"
+        else:
+            text = f"({self._text[a][0]} {operation} {self._text[b][0]})"
+        if single and depth < DEEPEST:
+            self._text[number] = (text, depth)
+            return
+        name = f"s{len(self.lines)}"
+        self.lines.append(f"{name} = {text}")
+        self._text[number] = (name, 0)
+
+    def name(self, number: int) -> str:
+        """How a node is written."""
+        return self._text[number][0]
+
+    def constant(self, value: float) -> str:
+        """How a number is written: itself if it belongs to the shape, else as a parameter."""
+        if value in PLAIN:
+            return PLAIN[value]
+        if value not in self.constants:
+            self.constants.append(value)
+        return f"c{self.constants.index(value)}"
+
+
+def value_of(number: Number) -> float:
+    """The value of a number, symbol or not."""
+    return number.value if isinstance(number, Symbol) else float(cast("float", number))

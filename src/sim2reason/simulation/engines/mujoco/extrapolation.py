@@ -1,0 +1,58 @@
+"""The midpoint rule, extrapolated to steps of zero length (Gragg, Bulirsch, Stoer).
+
+E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section II.9. Another method than
+that of the exact engine, so that one can't repeat the other's errors.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+
+SEQUENCE = (2, 4, 6, 8, 10)  # substeps
+FEWEST = 1  # the first of them after which a step may be accepted
+SAFETY, LEAST, MOST = 0.85, 0.1, 2.0
+
+Rate = Callable[[float, Array], Array]
+
+
+class Extrapolated(NamedTuple):
+    """Where a step ends, its error relative to the tolerance, and by how much the next one may be longer."""
+
+    values: Array
+    error: float
+    factor: float
+
+
+def extrapolated(rate: Rate, time: float, values: Array, first: Array, h: float, tolerance: float) -> Extrapolated:
+    """A step of `h` from `values`, at which the rate is `first`; its order is as high as the tolerance asks."""
+    table: list[Array] = []
+    error = 0.0
+    for column, substeps in enumerate(SEQUENCE):
+        row = [_midpoint(rate, time, values, first, h, substeps)]
+        for order in range(column):
+            weight = (substeps / SEQUENCE[column - order - 1]) ** 2 - 1.0
+            row.append(row[order] + (row[order] - table[order]) / weight)
+        table = row
+        if column >= FEWEST:
+            scale = tolerance * (1e-2 + np.maximum(np.abs(values), np.abs(row[-1])))
+            apart = (row[-1] - row[-2]) / scale
+            error = float(np.sqrt(np.mean(apart * apart))) if len(values) else 0.0
+            if error <= 1.0:
+                break
+    spare = len(SEQUENCE) - len(table)
+    return Extrapolated(table[-1], error, MOST if spare else _factor(error))
+
+
+def _midpoint(rate: Rate, time: float, values: Array, first: Array, h: float, substeps: int) -> Array:
+    step = h / substeps
+    before, here = values, values + step * first
+    for number in range(1, substeps):
+        before, here = here, before + 2.0 * step * rate(time + number * step, here)
+    return 0.5 * (before + here + step * rate(time + h, here))
+
+
+def _factor(error: float) -> float:
+    return min(MOST, max(LEAST, SAFETY * error ** (-1.0 / (2 * len(SEQUENCE) - 1)))) if error else MOST

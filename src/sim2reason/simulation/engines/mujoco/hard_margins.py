@@ -1,0 +1,96 @@
+"""What is watched while one way of acting lasts: margins, positive until something happens."""
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.simulation.engines.mujoco.hard_model import NEVER, HardModel, Situation
+from sim2reason.simulation.engines.mujoco.hard_modes import Faces, Found, Way, acting, quick, system
+from sim2reason.simulation.engines.mujoco.hard_record import HardRecord
+
+
+class Due(NamedTuple):
+    """What is left until something happens, and what: kind, number, side."""
+
+    kind: str
+    number: int
+    side: int
+    value: float
+
+
+class Acting:
+    """A model in one way of acting: its rates, forces and margins."""
+
+    def __init__(self, model: HardModel, record: HardRecord, situation: Situation, way: Way) -> None:
+        """Nothing is computed before it is asked for."""
+        self.model, self.record, self.situation, self.way = model, record, situation, way
+        self.rate = self._rate()
+
+    def _rate(self) -> Callable[[float, Array], Array]:
+        """The rate of (q, v)."""
+        model, situation, way, n = self.model, self.situation, self.way, self.model.size
+        faces, acts = Faces(model.rises, model.slips, model.friction), acting(way, model.friction)
+
+        def rate(time: float, values: Array) -> Array:
+            model.stand(time, values[:n], values[n:], situation)
+            rows = [model.row(number) for number in acts.rows]
+            held, targets = [row.gradient for row in rows], [row.target for row in rows]
+            matrix, wanted = system(model.inertia(), model.loads(), held, targets, faces, way, acts)
+            found = quick(matrix, wanted)
+            x = found[0][:n] if found is not None else self.forces().x
+            return np.concatenate([values[n:], x])
+
+        return rate
+
+    def forces(self) -> Found:
+        """All forces of the state at which the model stands."""
+        return self.record.forces(self.way)
+
+    def margins(self) -> list[Due]:
+        """All margins of the state at which the model stands."""
+        forces = self.forces()
+        return [*self._rows(forces), *self._faces(forces), *self._places(), *self._switches()]
+
+    def _rows(self, forces: Found) -> Iterator[Due]:
+        for number, row in enumerate(self.model.rows()):
+            if not row.both:
+                acts = self.way.rows[number]
+                yield Due("force" if acts else "spare", number, 0, float(forces.rows[number]) if acts else row.spare)
+
+    def _faces(self, forces: Found) -> Iterator[Due]:
+        model = self.model
+        for number, face in enumerate(model.mechanism.faces):
+            friction, normal = float(model.friction[number]), float(forces.normal[number])
+            if not face.guided:
+                yield Due("normal", number, 0, normal)
+            side = self.way.rubbing[number]
+            if side:
+                yield Due("slip", number, side, side * float(model.slips[number] @ model.v))
+            elif 0.0 < friction < NEVER:
+                held = float(forces.friction[number])
+                yield Due("grip", number, 1, friction * abs(normal) + held)
+                yield Due("grip", number, -1, friction * abs(normal) - held)
+
+    def _places(self) -> Iterator[Due]:
+        model, mechanism = self.model, self.model.mechanism
+        for number, meeting in enumerate(mechanism.meetings):
+            if not self.situation.stuck[number]:
+                yield Due("gap", number, 0, model.separation(meeting)[0])
+        for number, (first, last) in enumerate(self.record.runs):
+            yield Due("reach", number, 0, model.distance(first, last))
+        q = model.q[model.coordinates]
+        for number, coordinate in enumerate(mechanism.coordinates):
+            for side, room in ((-1, q[number] - coordinate.lower), (1, coordinate.upper - q[number])):
+                if np.isfinite(room):
+                    yield Due("limit", number, side, float(room))
+
+    def _switches(self) -> Iterator[Due]:
+        model, mechanism = self.model, self.model.mechanism
+        for number, burning in enumerate(self.situation.burning):
+            if burning:
+                yield Due("burn", number, 0, mechanism.burns[number].until - model.time)
+        for number in range(len(mechanism.forces)):
+            for side, margin in enumerate(model.borders(number)):
+                yield Due("border", number, side, margin if self.situation.inside[number][side] else -margin)

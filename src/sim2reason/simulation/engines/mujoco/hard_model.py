@@ -1,0 +1,297 @@
+"""A mechanism whose equations change, in the library's terms: its mass matrix, bias and Jacobians at any state.
+
+What acts beyond gravity (lines, forces, attraction, engines) is added here from the library's
+Jacobians; nothing of the library's own soft constraints is used.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from sim2reason.dsl.fields import Triple
+from sim2reason.dsl.mechanism import Drawn, Elastic, Inextensible, Line, Mechanism, Meeting, Prop, Rigid
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.hard_specification import HardSpecification
+from sim2reason.simulation.engines.mujoco.specification import mujoco
+
+NEVER = 1e9  # a coefficient of friction that stands for one that never slips
+
+
+@dataclass(frozen=True)
+class Row:
+    """A one-sided row (or one that acts both ways): J·q̈ ≤ target, spare ≥ 0, used up at `rate`."""
+
+    kind: str  # string, rod, prop, foot, hold, stuck
+    name: str
+    gradient: Array  # (joints,)
+    spare: float
+    rate: float
+    target: float
+    follows: int = -1
+
+    @property
+    def both(self) -> bool:
+        """Whether it acts both ways."""
+        return self.kind in ("rod", "hold", "stuck")
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A point: where it is, its velocity, its acceleration at q̈ = 0, and its Jacobian (3, joints)."""
+
+    place: Array
+    velocity: Array
+    bias: Array
+    jacobian: Array
+
+
+@dataclass
+class Situation:
+    """What is switched on or off: forces in regions, engines, pairs that stick together."""
+
+    inside: list[list[bool]]
+    burning: list[bool]
+    stuck: list[bool]
+
+
+class HardModel:
+    """The compiled mechanism, at one state at a time."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        """Compile; SimulationError for what the library refuses."""
+        self.mechanism = mechanism
+        spec = HardSpecification(mechanism)
+        compiled: tuple[Any, Any] = spec.compile()
+        self._model, self._data = compiled
+        self.size = int(self._model.nv)
+        self.index = {c.name: int(spec.joints[c.name].id) for c in mechanism.coordinates}
+        self.coordinates = np.array([self.index[c.name] for c in mechanism.coordinates], dtype=np.intp)
+        self.rises = [int(spec.faces[face.subject].id) for face in mechanism.faces]
+        self._site_id = {name: int(site.id) for name, site in spec.sites.items()}
+        self._body_id = {name: int(body.id) for name, body in spec.bodies.items()}
+        self._carriers = [int(body) for body in self._model.site_bodyid]
+        self._still, self._mass = np.zeros(3), np.zeros((self.size, self.size))
+        self._rowed = [line for line in mechanism.lines if isinstance(line.law, Inextensible | Rigid | Prop)]
+        self.slips = self._slips()
+        self._light = [burn.body for burn in mechanism.burns]
+        self.begin()
+
+    def _slips(self) -> Array:
+        """How the surfaces of each face slip, (faces, joints)."""
+        found = np.zeros((len(self.mechanism.faces), self.size))
+        for number, face in enumerate(self.mechanism.faces):
+            for name, factor in face.slip:
+                found[number, self.index[name]] = factor
+        return found
+
+    # ---- one state
+
+    def begin(self) -> None:
+        """Stand at the start, and note the lengths there."""
+        rest = np.zeros(self.size)
+        start = Situation([], [False] * len(self.mechanism.burns), [False] * len(self.mechanism.meetings))
+        self.stand(0.0, rest, rest, start)
+        self.starts = {line.name: self._length(line)[0] for line in self.mechanism.lines}
+
+    def stand(self, time: float, q: Array, v: Array, situation: Situation) -> None:
+        """Go to a state of the joints."""
+        self.time, self.q, self.v, self._situation = time, q, v, situation
+        self._points: dict[tuple[str, str], Moving] = {}
+        self._data.qpos[:] = q
+        self._data.qvel[:] = v
+        if self._light:
+            self._burn()
+            self._data.qpos[:] = q
+            self._data.qvel[:] = v
+        mujoco.mj_fwdPosition(self._model, self._data)
+        mujoco.mj_fwdVelocity(self._model, self._data)
+
+    def _burn(self) -> None:
+        for burn, burning in zip(self.mechanism.burns, self._situation.burning, strict=True):
+            spent = burn.rate * (self.time if burning or self.time < burn.until else burn.until)
+            self._model.body_mass[self._body_id[burn.body]] = self.mechanism.body[burn.body].mass - spent
+        mujoco.mj_setConst(self._model, self._data)
+
+    def mass(self, body: str) -> float:
+        """The mass of a body now, kg."""
+        return float(self._model.body_mass[self._body_id[body]])
+
+    def inertia(self) -> Array:
+        """The library's mass matrix, (joints, joints)."""
+        if self.size:
+            mujoco.mj_fullM(self._model, self._data, self._mass)
+        return self._mass
+
+    def _moving(self, kind: str, name: str) -> Moving:
+        """A site or a centre of mass."""
+        known = self._points.get((kind, name))
+        if known is not None:
+            return known
+        if kind == "site":
+            number = self._site_id[name]
+            place, carrier = np.array(self._data.site_xpos[number]), self._carriers[number]
+        else:
+            carrier = self._body_id[name]
+            place = np.array(self._data.xipos[carrier])
+        jacobian, dot = np.zeros((3, self.size)), np.zeros((3, self.size))
+        if carrier == 0:  # the room
+            found = self._points[kind, name] = Moving(place, self._still, self._still, jacobian)
+            return found
+        mujoco.mj_jac(self._model, self._data, jacobian, None, place, carrier)
+        mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
+        found = self._points[kind, name] = Moving(place, jacobian @ self.v, dot @ self.v, jacobian)
+        return found
+
+    def site(self, name: str) -> Moving:
+        """A site."""
+        return self._moving("site", name)
+
+    def center(self, name: str) -> Moving:
+        """The centre of mass of a body."""
+        return self._moving("body", name)
+
+    # ---- loads
+
+    def loads(self) -> Array:
+        """All that acts but constraints, (joints,): gravity and inertia by the library, the rest by its Jacobians."""
+        total = -np.array(self._data.qfrc_bias)
+        mechanism = self.mechanism
+        for line in mechanism.lines:
+            if isinstance(line.law, Drawn | Elastic):
+                length, rate, gradient, _ = self._length(line)
+                total -= self.tension(line, length, rate) * gradient
+        for number, force in enumerate(mechanism.forces):
+            if all(self._situation.inside[number]):
+                point = self.center(force.body)
+                pushed = force.law.force(_triple(point.place), _triple(point.velocity), self.time, np)
+                total += np.array([float(part) for part in pushed]) @ point.jacobian
+        for pair in mechanism.attractions:
+            one, other = self.center(pair.a), self.center(pair.b)
+            apart = other.place - one.place
+            distance = float(np.linalg.norm(apart))
+            if distance == 0.0:
+                raise SimulationError(f"{pair.a} and {pair.b} are at one place at {self.time:.6g} s")
+            pull = pair.constant * self.mass(pair.a) * self.mass(pair.b) / distance ** (pair.power + 1.0) * apart
+            total += pull @ (one.jacobian - other.jacobian)
+        for burn, burning in zip(mechanism.burns, self._situation.burning, strict=True):
+            if burning:
+                frame = np.array(self._data.xmat[self._body_id[burn.body]]).reshape(3, 3)
+                thrust = burn.rate * burn.exhaust * (frame @ np.array(burn.direction))
+                total += thrust @ self.center(burn.body).jacobian
+        return total
+
+    @staticmethod
+    def tension(line: Line, length: float, rate: float) -> float:
+        """The tension that a line's law gives."""
+        law = line.law
+        if isinstance(law, Drawn):
+            return law.force
+        assert isinstance(law, Elastic)
+        return law.stiffness * (length - law.length) + law.damping * rate
+
+    # ---- lengths and rows
+
+    def _length(self, line: Line) -> tuple[float, float, Array, float]:
+        """Length, rate, gradient, and second derivative at q̈ = 0."""
+        gradient = np.zeros(self.size)
+        length = bias = 0.0
+        for wheel in line.wheels:
+            gradient[self.index[wheel.coordinate]] += wheel.radius
+            length += wheel.radius * float(self.q[self.index[wheel.coordinate]])
+        for first, last in pairwise(line.through):
+            distance, _, run, bend = _run(self.site(first), self.site(last))
+            length, bias = length + distance, bias + bend
+            gradient += run
+        return length, float(gradient @ self.v), gradient, bias
+
+    def rows(self) -> list[Row]:
+        """All rows: lines, two for each foot, pairs that stick together."""
+        return [self.row(number) for number in range(self.count)]
+
+    @property
+    def count(self) -> int:
+        """How many rows there are."""
+        return len(self._rowed) + 2 * len(self.mechanism.feet) + sum(self._situation.stuck)
+
+    def row(self, number: int) -> Row:
+        """One row."""
+        lines, feet = len(self._rowed), 2 * len(self.mechanism.feet)
+        if number < lines:
+            return self._line_row(self._rowed[number])
+        if number < lines + feet:
+            return self._foot_row((number - lines) // 2, number)
+        stuck = [m for m, held in zip(self.mechanism.meetings, self._situation.stuck, strict=True) if held]
+        meeting = stuck[number - lines - feet]
+        gap, rate, gradient, bias = self.separation(meeting)
+        return Row("stuck", " and ".join(meeting.names), -gradient, gap, -rate, bias)
+
+    def _foot_row(self, index: int, number: int) -> Row:
+        """What keeps a foot above its plane, or, after it, from slipping there."""
+        foot = self.mechanism.feet[index]
+        point, normal = self.site(foot.site), np.array(foot.normal)
+        gap = float(normal @ point.place) - foot.height
+        if number % 2 == len(self._rowed) % 2:
+            down = -normal @ point.jacobian
+            return Row("foot", foot.name, down, gap, float(down @ self.v), float(normal @ point.bias))
+        along = np.array(foot.along)
+        aside = along @ point.jacobian
+        return Row("hold", foot.name, aside, gap, float(aside @ self.v), -float(along @ point.bias), number - 1)
+
+    def _line_row(self, line: Line) -> Row:
+        length, rate, gradient, bias = self._length(line)
+        over = length - self.starts[line.name]
+        if isinstance(line.law, Prop):
+            return Row("prop", line.name, -gradient, over, -rate, bias)
+        if isinstance(line.law, Rigid):
+            return Row("rod", line.name, gradient, -over, rate, -bias)
+        assert isinstance(line.law, Inextensible)
+        spare = line.law.slack - over - line.law.reel * self.time
+        return Row("string", line.name, gradient, spare, rate + line.law.reel, -bias)
+
+    def separation(self, meeting: Meeting) -> tuple[float, float, Array, float]:
+        """The gap of a meeting, its rate, gradient and second derivative at q̈ = 0."""
+        other = self.center(meeting.b)
+        still = np.zeros(3)
+        one = Moving(still, still, still, np.zeros((3, self.size))) if meeting.a is None else self.center(meeting.a)
+        if meeting.normal is None:
+            distance, rate, gradient, bias = _run(one, other)
+            return distance - meeting.distance, rate, gradient, bias
+        normal = np.array(meeting.normal)
+        gradient = normal @ (other.jacobian - one.jacobian)
+        gap = float(normal @ (other.place - one.place)) - meeting.distance
+        return gap, float(gradient @ self.v), gradient, float(normal @ (other.bias - one.bias))
+
+    def borders(self, number: int) -> list[float]:
+        """The margins of the region of a force; none if it acts everywhere."""
+        force = self.mechanism.forces[number]
+        if force.region is None:
+            return []
+        place = _triple(self.center(force.body).place)
+        return [float(margin) for margin in force.region.margins(place, np)]
+
+    def distance(self, first: str, last: str) -> float:
+        """Between two sites, m."""
+        return float(np.linalg.norm(self.site(last).place - self.site(first).place))
+
+    @property
+    def friction(self) -> Array:
+        """Of each face; a large number stands for one that never slips."""
+        return np.array([min(face.friction, NEVER) for face in self.mechanism.faces])
+
+
+def _run(one: Moving, other: Moving) -> tuple[float, float, Array, float]:
+    apart, parting = other.place - one.place, other.velocity - one.velocity
+    distance = float(np.linalg.norm(apart))
+    if distance == 0.0:
+        raise SimulationError("two points of a line have come together")
+    way = apart / distance
+    rate = float(way @ parting)
+    bend = float(way @ (other.bias - one.bias)) + (float(parting @ parting) - rate * rate) / distance
+    return distance, rate, way @ (other.jacobian - one.jacobian), bend
+
+
+def _triple(vector: Array) -> Triple:
+    return (float(vector[0]), float(vector[1]), float(vector[2]))

@@ -1,0 +1,62 @@
+"""A mechanism whose equations change, said with MjSpec: bodies, joints and sites, and no constraint of the library's.
+
+Bodies move by slide and hinge joints. A body on a face has one more slide joint, along the face's normal, which its
+contact keeps closed.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from sim2reason.dsl.mechanism import Mechanism, RigidBody
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.specification import TINY, Element, mujoco
+
+ROUND = 1e-10  # of a body's largest moment of inertia, added to all three: the library checks A + B ≥ C to the last bit
+
+
+class HardSpecification:
+    """The specification under construction; names are numbers, since any text may be a name in a mechanism."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        """Say everything that the library has to know of the mechanism."""
+        self._mechanism = mechanism
+        self.spec: Any = mujoco.MjSpec()
+        self.bodies: dict[str, Element] = {}
+        self.joints: dict[str, Element] = {}
+        self.faces: dict[str, Element] = {}
+        self.sites: dict[str, Element] = {}
+        self.spec.option.gravity = mechanism.gravity
+        off = mujoco.mjtDisableBit
+        self.spec.option.disableflags |= int(off.mjDSBL_CONSTRAINT) | int(off.mjDSBL_CONTACT)
+        for body in mechanism.bodies:
+            self._body(body)
+        for site in mechanism.sites:
+            carrier = self.spec.worldbody if site.body is None else self.bodies[site.body]
+            self.sites[site.name] = carrier.add_site(name=f"s{len(self.sites)}", pos=site.at)
+
+    def compile(self) -> tuple[Any, Any]:
+        """The library's model and data; SimulationError for what it refuses."""
+        try:
+            model = self.spec.compile()
+        except ValueError as error:
+            raise SimulationError(f"MuJoCo does not compile this mechanism: {error}") from error
+        return model, mujoco.MjData(model)
+
+    def _body(self, body: RigidBody) -> None:
+        carrier = self.spec.worldbody if body.parent is None else self.bodies[body.parent]
+        made = self.bodies[body.name] = carrier.add_body(pos=body.at)
+        made.explicitinertial = True
+        made.mass, made.ipos = max(body.mass, TINY if body.coordinates else 0.0), body.center
+        more = max(ROUND * max(body.inertia[:3]), TINY * 1e-3)
+        made.fullinertia = [*(part + more for part in body.inertia[:3]), *body.inertia[3:]]
+        face = self._mechanism.contacts.get(body.name)
+        if face is not None and not face.turning:
+            self.faces[body.name] = self._joint(made, "slide", face.normal)
+        for coordinate in body.coordinates:
+            self.joints[coordinate.name] = self._joint(made, coordinate.kind, coordinate.axis)
+        if face is not None and face.turning:
+            self.faces[body.name] = self._joint(made, "slide", face.normal)
+
+    def _joint(self, body: Element, kind: str, axis: Sequence[float]) -> Element:
+        types = {"slide": mujoco.mjtJoint.mjJNT_SLIDE, "hinge": mujoco.mjtJoint.mjJNT_HINGE}
+        return body.add_joint(name=f"j{len(self.joints) + len(self.faces)}", type=types[kind], axis=axis, limited=0)
