@@ -25,7 +25,7 @@ from sim2reason.errors import UnknownNameError
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.writer import describe
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions import KINDS, MODES
+from sim2reason.questions import KINDS, MODES, MOMENTS, Study
 from sim2reason.questions.prompt import words_of
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.registry import Registry
@@ -34,7 +34,8 @@ from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import ENGINES
 
 REGISTRIES: Mapping[str, Registry[Any]] = {
-    registry.kind: registry for registry in (ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, KINDS, MODES, FILTERS)
+    registry.kind: registry
+    for registry in (ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, KINDS, MODES, MOMENTS, FILTERS)
 }
 MEMBERS = [(kind, name) for kind, registry in REGISTRIES.items() for name in registry]
 SOURCE = Path(sim2reason.__file__).parent
@@ -154,20 +155,20 @@ def test_engines_describe_the_same_motion_at_the_same_times(name: str) -> None:
 @pytest.mark.parametrize("name", list(KINDS))
 def test_kinds_draw_and_say(name: str) -> None:
     kind = KINDS[name]
-    assert list(signature(kind.draw).parameters) == ["trace", "words", "targets", "rng"]
-    assert list(signature(kind.shapes).parameters) == ["ask", "words", "noun"]
+    assert list(signature(kind.draw).parameters) == ["study", "words", "targets", "rng"]
+    assert list(signature(kind.shapes).parameters) == ["query", "words", "noun"]
 
 
 @pytest.mark.parametrize("name", list(MODES))
 def test_modes_ask_every_kind_of_some_scene(name: str) -> None:
     asked = set[str]()
     for scene in [ramp(friction=0.3, speed=2.0), *scenes()]:
-        trace, words = simulate(scene), words_of(describe(scene))
+        study, words = Study(scene, simulate(scene)), words_of(describe(scene))
         for kind in KINDS:
             for seed in range(6):
-                question = MODES[name](trace, words, kind, np.random.default_rng(seed))
+                question = MODES[name](study, words, kind, np.random.default_rng(seed))
                 if question is not None:
-                    asked.add(question.ask.kind)
+                    asked.add(question.query.kind)
                     assert question.mode == name
                     assert parse_unit(question.unit)
     assert asked == set(KINDS)
@@ -178,11 +179,11 @@ def test_filters_give_a_reason_or_none(name: str) -> None:
     found = FILTERS[name]
     assert isinstance(found.needs_witness, bool)
     for scene in scenes():
-        interview = QuestionSearch(scene, 1)
-        words = words_of(interview.description)
-        question = MODES["numeric"](interview.trace, words, "state", np.random.default_rng(2))
+        search = QuestionSearch(scene, 1)
+        words = words_of(search.description)
+        question = MODES["numeric"](search.study, words, "state", np.random.default_rng(2))
         if question is not None:
-            reason = found.reason(Candidate(scene, interview.trace, question, interview.description.text))
+            reason = found.reason(Candidate(search.study, question, search.description.text))
             assert isinstance(reason, str)
             assert "\n" not in reason
 

@@ -128,7 +128,11 @@ def _without(
     """Write a shard again without its duplicates."""
     store.write(out / shard.name, kept)
     requests = [(k, journal.plan.config.request(k)) for k in positions]
-    found = [RefusedPosition.of(k, request, f"same as {double[request.id]}") for k, request in requests if request.id in double]
+    found = [
+        RefusedPosition.of(k, request, f"same as {double[request.id]}")
+        for k, request in requests
+        if request.id in double
+    ]
     everything = tuple(sorted([*shard.duplicates, *found], key=lambda problem: problem.position))
     shard = shard.model_copy(update={"rows": len(kept), "sha256": checksum(out / shard.name), "duplicates": everything})
     journal.note(shard)
