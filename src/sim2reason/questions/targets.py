@@ -1,7 +1,7 @@
 """What can be asked about in a scene: quantities of their subjects, each with its words."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -57,7 +57,7 @@ class Noun:
         return self.phrase in text or (self.how != "" and self.how.partition("{when}")[0].lower() in text.lower())
 
 
-Targets = dict[Target, Noun]
+Targets = Mapping[Target, Noun]
 
 
 def targets(mechanism: Mechanism, words: Words) -> Targets:
@@ -89,16 +89,13 @@ def _of_subject(asked: list[Quantity], mechanism: Mechanism, name: str, phrase: 
             how = _filled(quantity.how, quantity, phrase, ground=ground, when="{when}")
             yield Target(quantity.name, name), Noun(_filled(quantity.magnitude, quantity, phrase) + ground, how)
     signed = [quantity for quantity in asked if quantity.signed]
-    for sense in signed[0].of.senses(mechanism, name) if signed else []:
+    senses = signed[0].of.senses(mechanism, name) if signed else []
+    along = [(sense, quantity) for sense in senses for quantity in signed if quantity.sense is None]
+    own = [(quantity.sense, quantity) for quantity in signed if quantity.sense is not None]
+    for sense, quantity in [*along, *own]:
         component = f"{sense.axis} component of the " if sense.axis else ""
-        for quantity in signed:
-            if quantity.sense is None:
-                said = _filled(quantity.signed, quantity, phrase, component=component)
-                yield Target(quantity.name, name, sense), Noun(said + _ground(quantity, mechanism, name))
-    for quantity in signed:
-        if quantity.sense is not None:
-            said = _filled(quantity.signed, quantity, phrase, component="")
-            yield Target(quantity.name, name, quantity.sense), Noun(said + _ground(quantity, mechanism, name))
+        said = _filled(quantity.signed, quantity, phrase, component=component)
+        yield Target(quantity.name, name, sense), Noun(said + _ground(quantity, mechanism, name))
 
 
 def _filled(template: str, quantity: Quantity, phrase: str, **others: str) -> str:

@@ -1,7 +1,7 @@
 """The kinds of question, one file each: what is asked of a motion, in which sentences, and what the answer is."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite
 from typing import ClassVar, TypeVar
@@ -13,7 +13,7 @@ from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target
+from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 from sim2reason.registry import Registry
 from sim2reason.simulation.channels import Channel
@@ -40,9 +40,7 @@ class Kind(ABC):
     share: ClassVar[float]
 
     @abstractmethod
-    def draw(
-        self, study: Study, words: Words, targets: Mapping[Target, Noun], rng: np.random.Generator
-    ) -> Query | None:
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something to ask about this motion, or None if it offers nothing of this kind."""
 
     @abstractmethod
@@ -54,7 +52,7 @@ class Kind(ABC):
         """All sentences that ask it, the most usual first; `noun` is how its target is called, if it has one."""
 
     @abstractmethod
-    def parsed(self, text: str, study: Study, words: Words, targets: Mapping[Target, Noun]) -> Iterator[Query]:
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """All that a sentence could ask, by the numbers and names that stand in it; `targets` are those it names.
 
         Which one it does ask, `shapes` tells: it must give that sentence, word for word.
@@ -96,7 +94,7 @@ class ValueKind(Kind):
         assert noun is not None
         return asking_then(query, words, noun)
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Mapping[Target, Noun]) -> Iterator[Query]:
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every quantity at every moment that it names."""
         for cls in self.moments():
             for moment in cls.parsed(text, study.trace, words):

@@ -1,14 +1,12 @@
 """What is the quantity when something happens for the first time?"""
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from sim2reason.questions.choices import pick
 from sim2reason.questions.kinds import ValueKind, drawn, kind
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target
+from sim2reason.questions.targets import Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 
@@ -20,9 +18,7 @@ class EventKind(ValueKind):
     name = "event"
     share = 0.35
 
-    def draw(
-        self, study: Study, words: Words, targets: Mapping[Target, Noun], rng: np.random.Generator
-    ) -> Query | None:
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A moment of this motion and a quantity that it bears on, but none that the question tells."""
         found = drawn(self.moments(), study, words, rng)
         if not found:

@@ -1,7 +1,5 @@
 """What is the quantity just after the start?"""
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
@@ -9,7 +7,7 @@ from sim2reason.questions.choices import pick
 from sim2reason.questions.kinds import ValueKind, drawn, kind
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target
+from sim2reason.questions.targets import Targets
 from sim2reason.questions.words import Words
 
 
@@ -20,9 +18,7 @@ class StartKind(ValueKind):
     name = "start"
     share = 0.25
 
-    def draw(
-        self, study: Study, words: Words, targets: Mapping[Target, Noun], rng: np.random.Generator
-    ) -> Query | None:
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A quantity that can differ from zero before anything has moved."""
         mechanism = study.mechanism
         if not (mechanism.strings or mechanism.pulls or mechanism.contacts):

@@ -1,6 +1,6 @@
 """When does something happen for the first time?"""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from sim2reason.questions.kinds import Kind, Measured, by_cause, drawn, kind
 from sim2reason.questions.moments import Happening
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target
+from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 
 
@@ -19,9 +19,7 @@ class TimeToEventKind(Kind):
     name = "time_to_event"
     share = 0.22
 
-    def draw(
-        self, study: Study, words: Words, targets: Mapping[Target, Noun], rng: np.random.Generator
-    ) -> Query | None:
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something that happens in this motion."""
         del targets
         found = [moment for moment in drawn(_happenings(), study, words, rng) if moment.clause(words) is not None]
@@ -51,7 +49,7 @@ class TimeToEventKind(Kind):
             f"determine how long after {since} {clause.statement}.",
         )
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Mapping[Target, Noun]) -> Iterator[Query]:
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Whatever it names that can happen."""
         del targets
         for cls in _happenings():
