@@ -47,6 +47,17 @@ def test_the_usual_function_is_a_few_lines() -> None:
     assert median(len(path.read_text("utf-8").splitlines()) for path in MODULES) <= 120
 
 
+def test_what_questions_are_made_of_has_one_name_each() -> None:
+    places: dict[str, list[Path]] = {}
+    for path in MODULES:
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                places.setdefault(node.name, []).append(path.relative_to(ROOT / "src/sim2reason"))
+    ours = {"quantities", "questions", "filters", "datasets"}
+    twice = {name: found for name, found in places.items() if len(found) > 1}
+    assert not {name: found for name, found in twice.items() if ours & {path.parts[0] for path in found}}
+
+
 def test_every_ignored_rule_is_justified() -> None:
     text = (ROOT / "pyproject.toml").read_text("utf-8")
     block = text[text.index("[tool.ruff.lint]") : text.index("[tool.ruff.lint.pydocstyle]")]

@@ -22,19 +22,26 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import wordings
 from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import UnknownNameError
+from sim2reason.figures.curves import panels
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.writer import describe
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions import KINDS, MODES
+from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Words
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.targets import targets
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.registry import Registry
 from sim2reason.scene_files import dump, load
+from sim2reason.simulation.channels import channels
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import ENGINES
 
 REGISTRIES: Mapping[str, Registry[Any]] = {
-    registry.kind: registry for registry in (ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, KINDS, MODES, FILTERS)
+    registry.kind: registry
+    for registry in (ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, KINDS, MODES, MOMENTS, FILTERS)
 }
 MEMBERS = [(kind, name) for kind, registry in REGISTRIES.items() for name in registry]
 SOURCE = Path(sim2reason.__file__).parent
@@ -139,6 +146,46 @@ def test_quantities_are_read_off_any_motion(name: str) -> None:
     assert seen
 
 
+def told(scene: Scene) -> tuple[Study, Words]:
+    """A scene with its motion, and what questions need to know of its text."""
+    return Study(scene, simulate(scene)), words_of(describe(scene))
+
+
+def varied() -> list[Scene]:
+    """Scenes in which all that is registered today can be asked."""
+    drawn = [sample(recipe, "hard", seed=2, index=index) for recipe in RECIPES for index in range(3)]
+    return [ramp(friction=0.3, speed=2.0), *scenes(), *drawn]
+
+
+def shapes(query: Query, study: Study, words: Words) -> tuple[str, ...]:
+    """All sentences that ask a query, as they stand in a text."""
+    noun = targets(study.mechanism, words)[query.target] if query.target is not None else None
+    return tuple(sentence(shape) for shape in KINDS[query.kind].shapes(query, words, noun))
+
+
+@pytest.mark.parametrize("name", list(QUANTITIES))
+def test_quantities_with_words_are_offered_and_every_phrase_is_parsed_back(name: str) -> None:
+    quantity, offered = QUANTITIES[name], set[bool]()
+    for scene in varied():
+        study, words = told(scene)
+        for target in targets(study.mechanism, words):
+            if target.quantity == name:
+                offered.add(target.signed)
+                query = Query("state", target, AtTime(0.5))
+                assert {parse_question(text, study, words) for text in shapes(query, study, words)} == {query}
+    assert offered == {
+        signed for signed, template in ((False, quantity.magnitude), (True, quantity.signed)) if template
+    }
+
+
+@pytest.mark.parametrize("name", list(QUANTITIES))
+def test_quantities_that_have_a_panel_are_plotted(name: str) -> None:
+    titles = {panel.title for scene in varied() for panel in panels(simulate(scene).state, told(scene)[1].mentions)}
+    assert any(title.startswith(QUANTITIES[name].panel or "nothing") for title in titles) == bool(
+        QUANTITIES[name].panel
+    )
+
+
 @pytest.mark.parametrize("name", list(ENGINES))
 def test_engines_describe_the_same_motion_at_the_same_times(name: str) -> None:
     for scene in scenes():
@@ -154,20 +201,59 @@ def test_engines_describe_the_same_motion_at_the_same_times(name: str) -> None:
 @pytest.mark.parametrize("name", list(KINDS))
 def test_kinds_draw_and_say(name: str) -> None:
     kind = KINDS[name]
-    assert list(signature(kind.draw).parameters) == ["trace", "words", "targets", "rng"]
-    assert list(signature(kind.shapes).parameters) == ["ask", "words", "noun"]
+    assert list(signature(kind.draw).parameters) == ["study", "words", "targets", "rng"]
+    assert list(signature(kind.shapes).parameters) == ["query", "words", "noun"]
+
+
+@pytest.mark.parametrize("name", list(KINDS))
+def test_kinds_have_a_share_and_every_sentence_is_parsed_back(name: str) -> None:
+    kind, asked = KINDS[name], 0
+    assert kind.name == name
+    assert kind.share > 0.0
+    for scene in varied():
+        study, words = told(scene)
+        for seed in range(4):
+            query = kind.draw(study, words, targets(study.mechanism, words), np.random.default_rng(seed))
+            if query is None:
+                continue
+            asked += 1
+            assert query.kind == name
+            assert {parse_question(text, study, words) for text in shapes(query, study, words)} == {query}
+            assert kind.answer(query, study) is not None
+            assert kind.time(query, study) is not None
+            assert parse_unit(kind.measured(query).unit)
+    assert asked
+
+
+@pytest.mark.parametrize("name", list(MOMENTS))
+def test_moments_are_found_and_every_phrase_is_parsed_back(name: str) -> None:
+    cls, found = MOMENTS[name], 0
+    assert cls.kind in KINDS
+    assert sum(other.label == cls.label for other in MOMENTS.values()) == 1, "what items record must tell them apart"
+    for scene in varied():
+        study, words = told(scene)
+        for moment in cls.found(study, words, np.random.default_rng(1)):
+            found += 1
+            assert moment.time(study.trace) == study.time(moment) is not None
+            assert set(moment.subjects) <= set(words.mentions)
+            phrases = moment.phrases(words)
+            assert len(set(phrases)) >= 3
+            assert all(moment in cls.parsed(f"What is it {phrase}?", study.trace, words) for phrase in phrases)
+            assert set(moment.tells) <= {channel for channel, _ in channels(study.mechanism)}
+            assert set(moment.channels) <= {channel for channel, _ in channels(study.mechanism)}
+    assert found
 
 
 @pytest.mark.parametrize("name", list(MODES))
 def test_modes_ask_every_kind_of_some_scene(name: str) -> None:
     asked = set[str]()
     for scene in [ramp(friction=0.3, speed=2.0), *scenes()]:
-        trace, words = simulate(scene), words_of(describe(scene))
+        study, words = Study(scene, simulate(scene)), words_of(describe(scene))
         for kind in KINDS:
             for seed in range(6):
-                question = MODES[name](trace, words, kind, np.random.default_rng(seed))
+                question = MODES[name](study, words, kind, np.random.default_rng(seed))
                 if question is not None:
-                    asked.add(question.ask.kind)
+                    asked.add(question.query.kind)
                     assert question.mode == name
                     assert parse_unit(question.unit)
     assert asked == set(KINDS)
@@ -178,11 +264,11 @@ def test_filters_give_a_reason_or_none(name: str) -> None:
     found = FILTERS[name]
     assert isinstance(found.needs_witness, bool)
     for scene in scenes():
-        interview = QuestionSearch(scene, 1)
-        words = words_of(interview.description)
-        question = MODES["numeric"](interview.trace, words, "state", np.random.default_rng(2))
+        search = QuestionSearch(scene, 1)
+        words = words_of(search.description)
+        question = MODES["numeric"](search.study, words, "state", np.random.default_rng(2))
         if question is not None:
-            reason = found.reason(Candidate(scene, interview.trace, question, interview.description.text))
+            reason = found.reason(Candidate(search.study, question, search.description.text))
             assert isinstance(reason, str)
             assert "\n" not in reason
 

@@ -19,9 +19,13 @@ class Registry(Mapping[str, T], Generic[T]):
     A third party adds members by an entry point in the group ``sim2reason.<kind>`` that names a module.
     """
 
-    def __init__(self, kind: str) -> None:
-        """`kind` is both the plural that people read and the package ``sim2reason.<kind>`` that is walked."""
+    def __init__(self, kind: str, check: Callable[[str, object], None] | None = None) -> None:
+        """`kind` is both the plural that people read and the package ``sim2reason.<kind>`` that is walked.
+
+        `check` takes the name and the member to be added, and raises for one that would do nothing.
+        """
         self.kind = kind
+        self._check = check
         self._members: dict[str, T] = {}
         self._filled = False
 
@@ -31,6 +35,8 @@ class Registry(Mapping[str, T], Generic[T]):
         if known is not None and _origin(known) != _origin(member):
             message = f"{self.kind}: {name!r} is registered twice, by {_origin(known)} and {_origin(member)}"
             raise ValueError(message)
+        if self._check is not None:
+            self._check(name, member)
         self._members[name] = member  # type: ignore[assignment]
         return member
 

@@ -7,6 +7,7 @@ import pytest
 
 from cells import asked
 from sim2reason.dsl.scene import Scene
+from sim2reason.questions import KINDS, Study
 from sim2reason.recipes import DIFFICULTIES, Difficulty
 from sim2reason.simulation.scenes import simulate
 
@@ -32,9 +33,9 @@ def test_hidden_numbers_change_no_answer(recipe: str, difficulty: Difficulty) ->
     for scene, found in islice(hiding, ITEMS):
         other = redrawn(scene, rng)
         assert other != scene
-        trace, ask = simulate(other), found.question.ask
-        time, answer = ask.time(trace), ask.answer(trace)
-        if time is None or answer is None or time > trace.stable_until:
+        study, query = Study(other, simulate(other)), found.question.query
+        time, answer = KINDS[query.kind].time(query, study), KINDS[query.kind].answer(query, study)
+        if time is None or answer is None or time > study.trace.stable_until:
             continue  # with shorter strings the motion ends before
         assert answer == pytest.approx(found.question.answer, rel=CLOSE, abs=1e-12), found.prompt
         compared += 1

@@ -24,7 +24,7 @@ def test_the_answer_follows_from_the_text(recipe: str, difficulty: str) -> None:
         assert item is not None
         understood = parse_prompt(item.prompt, np.random.default_rng(index))
         assert understood.answer == pytest.approx(item.answer.value, rel=0.01), item.prompt
-        assert understood.ask.kind == item.kind
+        assert understood.query.kind == item.kind
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,8 @@ from sim2reason.bodies.wedge import Prism, Wedge
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.mechanism import Drawn, X, Z
+from sim2reason.dsl.mechanism import Drawn as ConstantPull
+from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import MissingExtraError, UnsupportedError
 from sim2reason.figures.arrange import Arranger
@@ -81,7 +82,7 @@ def test_angles_and_forces_stand_in_the_drawing(drawings: list[Drawn]) -> None:
         assert sorted(shown) == sorted(wanted)
         for pull in scene.mechanism.pulls:
             assert any(
-                label.text.endswith(" N") and DrawnIn(float(label.text[:-2])) == pull.law for label in drawn.labels
+                label.text.endswith(" N") and ConstantPull(float(label.text[:-2])) == pull.law for label in drawn.labels
             )
 
 

@@ -9,11 +9,14 @@ from plain_scenes import G, atwood, ramp, table
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.precision import shiftable
-from sim2reason.questions import Moment, Query, Question, Target
-from sim2reason.questions.moments import AtStart, AtTime, Collided, Moved, Stopped
-from sim2reason.simulation.certify import RECORDED, witnessed
+from sim2reason.questions import KINDS, Moment, Query, Question, Study, Target
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.trace import ENGINES
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
 LEFT, RIGHT = "table.pucks.0", "table.pucks.1"
@@ -21,11 +24,12 @@ LEFT, RIGHT = "table.pucks.0", "table.pucks.1"
 
 def candidate(scene: Scene, moment: Moment, target: Target | None, answer: float | None = None) -> Candidate:
     """A question about a scene with its true answer, or another one."""
-    trace = ENGINES[RECORDED](scene.mechanism, np.linspace(0.0, 2.0, 41))
-    ask = Query("state", target, moment)
-    found = ask.answer(trace) if answer is None else answer
+    study = Study.of(scene, np.linspace(0.0, 2.0, 41))
+    query = Query(moment.kind if target else "time_to_event", target, moment)
+    found = KINDS[query.kind].answer(query, study) if answer is None else answer
     assert found is not None
-    return Candidate(scene, trace, Question("numeric", ask, "?", found, target.unit if target else "s"), "a b c")
+    unit = KINDS[query.kind].measured(query).unit
+    return Candidate(study, Question("numeric", query, "?", found, unit), "a b c")
 
 
 def reason(name: str, found: Candidate) -> str:
@@ -66,7 +70,7 @@ def test_what_only_one_engine_vouches_for_goes() -> None:
     tension = Target("tension", "tendon_1")
     found = candidate(atwood(), AtTime(0.5), tension)
     assert reason("agreement", found), "no witness was heard"
-    certificate = witnessed(found.trace)[1]
+    certificate = witnessed(found.study.trace)[1]
     assert not reason("agreement", replace(found, certificate=certificate))
     parted = replace(certificate, until={**certificate.until, Channel("tendon_1", "tension"): 0.4})
     assert "disagree" in reason("agreement", replace(found, certificate=parted))
@@ -76,16 +80,16 @@ def test_what_only_one_engine_vouches_for_goes() -> None:
 
 def test_a_distance_that_only_one_engine_sees_covered_goes() -> None:
     found = candidate(atwood(), Moved(BLOCK, 0.5), None)
-    certificate = witnessed(found.trace)[1]
+    certificate = witnessed(found.study.trace)[1]
     assert not reason("agreement", replace(found, certificate=certificate))
     parted = replace(certificate, until={**certificate.until, Channel(BLOCK, "displacement"): 0.1})
-    assert "how far" in reason("agreement", replace(found, certificate=parted))
+    assert "displacement" in reason("agreement", replace(found, certificate=parted))
 
 
 @pytest.mark.parametrize("after", [True, False])
 def test_what_happens_at_an_event_is_vouched_for_beyond_it(after: bool) -> None:
     found = candidate(table(), Collided(LEFT, RIGHT, after=after), Target("velocity", LEFT), 1.0)
-    certificate = witnessed(found.trace)[1]
+    certificate = witnessed(found.study.trace)[1]
     assert not reason("agreement", replace(found, certificate=certificate))
     until = {**certificate.until, Channel(LEFT, "velocity"): 0.39}  # they meet at 0.40 s
     assert reason("agreement", replace(found, certificate=replace(certificate, until=until)))
@@ -131,4 +135,4 @@ def test_the_witness_is_heard_last_and_the_first_verdict_stands() -> None:
 def test_a_body_that_stops_is_vouched_for() -> None:
     found = candidate(ramp(angle=20.0, friction=0.6, speed=2.0), Stopped("ramp.blocks.0"), None)
     assert found.question.answer == pytest.approx(2.0 / (G * (np.sin(np.pi / 9) + 0.6 * np.cos(np.pi / 9))), rel=1e-9)
-    assert not reason("agreement", replace(found, certificate=witnessed(found.trace)[1]))
+    assert not reason("agreement", replace(found, certificate=witnessed(found.study.trace)[1]))

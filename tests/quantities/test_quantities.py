@@ -63,9 +63,12 @@ def test_the_registry_is_complete() -> None:
 def test_shapes_and_subjects(name: str, state: State) -> None:
     found: Quantity = QUANTITIES[name]
     assert found.name == name
+    assert type(found).__doc__
     assert found.evaluate.__doc__
     subjects = found.subjects(state.mechanism)
-    assert subjects == {"body": ("W", "P", "A", "B"), "string": ("s/1", "s/2", "F"), "contact": ("W", "A")}[found.of]
+    assert (
+        subjects == {"body": ("W", "P", "A", "B"), "string": ("s/1", "s/2", "F"), "contact": ("W", "A")}[found.of.name]
+    )
     for subject in subjects:
         result = found.evaluate(state, subject)
         assert result.shape == ((5, 3) if found.vector else (5,))

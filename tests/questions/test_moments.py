@@ -8,17 +8,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plain_scenes import G, atwood, ramp, table
-from sim2reason.questions.moments import (
-    AtStart,
-    AtTime,
-    Collided,
-    Moved,
-    Stopped,
-    first_crossing,
-    pair,
-    spoken,
-    two_digits,
-)
+from sim2reason.questions import Words
+from sim2reason.questions.crossing import first_crossing
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.spoken import pair, said, say, spoken, two_digits
 from sim2reason.simulation.scenes import simulate
 
 BLOCK = "ramp.blocks.0"
@@ -98,7 +95,7 @@ def test_what_is_no_number_is_not_said(value: float) -> None:
 def test_every_moment_has_three_phrases_in_the_words_of_the_text(released: bool) -> None:
     moments = (AtStart(), AtTime(0.5), Moved(BLOCK, 0.5), Stopped(BLOCK), Collided(*list(NAMES)[1:], after=True))
     for moment in moments:
-        phrases = moment.phrases(NAMES, released=released)
+        phrases = moment.phrases(Words(NAMES, released))
         assert len(set(phrases)) >= 3
         assert all(NAMES[name].split()[-1] in phrase for name in moment.subjects for phrase in phrases)
         if isinstance(moment, AtStart | AtTime):
@@ -109,3 +106,10 @@ def test_two_of_a_kind_are_a_pair() -> None:
     assert pair("puck A", "puck B") == "pucks A and B"
     assert pair("the block", "the wedge") == "the block and the wedge"
     assert pair("block A", "prism W") == "block A and prism W"
+
+
+@given(st.floats(0.01, 900.0), st.sampled_from(["s", "m", "m/s", "m/s^2", "J"]))
+def test_numbers_are_found_again_by_their_unit_alone(value: float, unit: str) -> None:
+    text = f"What is it when A is at {say(value, unit)}?"
+    assert said(text, unit) == [spoken(value)]
+    assert not any(said(text, other) for other in ("s", "m", "m/s", "m/s^2", "J") if other != unit)

@@ -9,8 +9,9 @@ import pytest
 from plain_scenes import G, atwood, ramp, table
 from sim2reason.dsl.scene import Scene
 from sim2reason.prose.writer import describe
-from sim2reason.questions import KINDS, MODES, Query, Words
-from sim2reason.questions.moments import AtStart, AtTime
+from sim2reason.questions import KINDS, MODES, Noun, Query, Study, Words
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets
@@ -20,11 +21,13 @@ MAGNITUDES = ("speed", "magnitude", "distance", "kinetic", "tension", "normal")
 
 
 def offered(scene: Scene) -> dict[str, Target]:
-    return targets(scene.mechanism, words_of(describe(scene)).mentions)
+    """What can be asked about, by the noun phrase that asks for it."""
+    return {noun.phrase: target for target, noun in targets(scene.mechanism, words_of(describe(scene))).items()}
 
 
 def answer(scene: Scene, phrase: str, time: float) -> float:
-    found = Query("state", offered(scene)[phrase], AtTime(time)).answer(simulate(scene))
+    query = Query("state", offered(scene)[phrase], AtTime(time))
+    found = KINDS["state"].answer(query, Study(scene, simulate(scene)))
     assert found is not None
     return found
 
@@ -77,25 +80,25 @@ def test_signed_targets_have_a_sense_and_magnitudes_have_none() -> None:
 def test_every_kind_asks_in_three_shapes_that_end_as_they_begin(kind: str) -> None:
     asked = 0
     for scene in (ramp(speed=2.0), ramp(friction=0.2), atwood(), table()):
-        words, trace = words_of(describe(scene)), simulate(scene)
+        words, study = words_of(describe(scene)), Study(scene, simulate(scene))
+        found = targets(scene.mechanism, words)
         for seed in range(8):
-            ask = KINDS[kind].draw(trace, words, offered(scene), np.random.default_rng(seed))
-            if ask is None:
+            query = KINDS[kind].draw(study, words, found, np.random.default_rng(seed))
+            if query is None:
                 continue
             asked += 1
-            phrase = next((p for p, target in offered(scene).items() if target == ask.target), "")
-            shapes = KINDS[kind].shapes(ask, words, phrase)
+            shapes = KINDS[kind].shapes(query, words, found[query.target] if query.target else None)
             assert len(set(shapes)) >= 3
             assert all(shape[-1] in ".?" and shape.count("?") <= 1 for shape in shapes)
-            assert ask.answer(trace) is not None
+            assert KINDS[kind].answer(query, study) is not None
     assert asked
 
 
 def test_a_sign_is_defined_for_components_alone() -> None:
     signed = next(t for t in offered(ramp()).values() if t.sense and t.quantity == "velocity")
     plain = next(t for t in offered(ramp()).values() if not t.sense and t.quantity == "velocity")
-    assert all("positive" in shape for shape in asking(signed, "the velocity of A", "just after release"))
-    assert not any("positive" in shape for shape in asking(plain, "the speed of A", "just after release"))
+    assert all("positive" in shape for shape in asking(signed, Noun("the velocity of A"), "just after release"))
+    assert not any("positive" in shape for shape in asking(plain, Noun("the speed of A"), "just after release"))
 
 
 def test_verbs_are_drawn_by_quota() -> None:
@@ -108,16 +111,19 @@ def test_verbs_are_drawn_by_quota() -> None:
 
 
 def test_a_mode_asks_what_it_answers() -> None:
-    words, trace = words_of(describe(ramp(speed=2.0))), simulate(ramp(speed=2.0))
+    scene = ramp(speed=2.0)
+    words, study = words_of(describe(scene)), Study(scene, simulate(scene))
     for seed in range(30):
-        question = MODES["numeric"](trace, words, "", np.random.default_rng(seed))
+        question = MODES["numeric"](study, words, "", np.random.default_rng(seed))
         if question is not None:
-            assert question.answer == question.ask.answer(trace)
+            assert question.answer == KINDS[question.query.kind].answer(question.query, study)
             assert question.text[0].isupper()
-            assert bool(question.sign) == (question.ask.target is not None and question.ask.target.signed)
+            assert bool(question.sign) == (question.query.target is not None and question.query.target.signed)
 
 
 def test_an_unknown_time_has_no_answer() -> None:
-    assert Query("state", None, AtTime(99.0)).answer(simulate(ramp())) is None
-    assert Query("start", None, AtStart()).answer(simulate(ramp())) == 0.0
+    study = Study(ramp(), simulate(ramp()))
+    target = next(iter(offered(ramp()).values()))
+    assert KINDS["state"].answer(Query("state", target, AtTime(99.0)), study) is None
+    assert KINDS["time_to_event"].answer(Query("time_to_event", None, AtStart()), study) == 0.0
     assert isinstance(words_of(describe(ramp())), Words)

@@ -18,7 +18,7 @@ def steady(request: Request) -> Made:
     mass = 0.5 + number % 950 / 100
     item = Item(
         id=request.id,
-        prompt=f"RefusedPosition {request.id}: a block of mass {mass:.2f} kg rests. Find its weight.\nAnswer in \\boxed{{}}.",
+        prompt=f"Item {request.id}: a block of mass {mass:.2f} kg rests. Find its weight.\nAnswer in \\boxed{{}}.",
         answer=Answer(value=9.81 * mass, unit="N"),
         mode=request.mode,
         kind="state",

@@ -1,4 +1,4 @@
-"""Query questions about a scene, with their answers."""
+"""Ask questions about a scene, with their answers."""
 
 from collections import Counter
 from pathlib import Path
@@ -9,7 +9,7 @@ import click
 from sim2reason.cli import console, source
 from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
-from sim2reason.questions import MODES
+from sim2reason.questions import KINDS, MODES
 
 EXAMPLE = """\b
 Example:
@@ -26,20 +26,20 @@ WIDTH = 100
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Another seed, other questions.")
 @click.option("--json", "to_json", is_flag=True, help="For a program to read: whole prompts.")
 def command(path: Path, mode: str, count: int, seed: int, *, to_json: bool) -> int:
-    """Query questions about the scene in the file SCENE (- is standard input); only those that pass every filter."""
-    asked, interview = MODES[mode], QuestionSearch(source.scene(path), seed)
+    """Ask questions about the scene in the file SCENE (- is standard input); only those that pass every filter."""
+    asked, search = MODES[mode], QuestionSearch(source.scene(path), seed)
     refused: Counter[str] = Counter()
     found: dict[str, CertifiedQuestion] = {}
     for attempt in range(TRIES * count):
-        asking = interview.ask(asked, generator("ask", mode, seed, attempt), refused)
-        if asking is not None:
-            found.setdefault(asking.question.text, asking)
+        certified = search.ask(asked, generator("ask", mode, seed, attempt), refused)
+        if certified is not None:
+            found.setdefault(certified.question.text, certified)
         if len(found) == count:
             break
     if to_json:
-        console.as_json([_document(asking) for asking in found.values()])
+        console.as_json([_document(certified) for certified in found.values()])
     else:
-        _tell(interview.description.text, list(found.values()))
+        _tell(search.description.text, list(found.values()))
     if len(found) < count:
         said = ", ".join(f"{number} {name}" for name, number in sorted(refused.items()))
         console.explain(f"sim2reason: {len(found)} of {count} questions; refused: {said or 'none'}")
@@ -50,20 +50,20 @@ def _tell(text: str, found: list[CertifiedQuestion]) -> None:
     """The text of the scene, once, and its questions with their answers."""
     for line in text.splitlines():
         click.echo(line if line.startswith("|") else fill(line, WIDTH, break_on_hyphens=False))
-    for number, asking in enumerate(found, start=1):
-        question = asking.question
+    for number, certified in enumerate(found, start=1):
+        question = certified.question
         click.echo(f"\n{number}. {question.text}\n   Answer: {question.answer:.4g} {question.unit}".rstrip())
 
 
-def _document(asking: CertifiedQuestion) -> dict[str, object]:
-    question = asking.question
+def _document(certified: CertifiedQuestion) -> dict[str, object]:
+    question, query = certified.question, certified.question.query
     return {
-        "prompt": asking.prompt,
+        "prompt": certified.prompt,
         "question": question.text,
         "answer": question.answer,
         "unit": question.unit,
         "sign": question.sign,
         "mode": question.mode,
-        "kind": question.ask.kind,
-        "time": question.ask.time(asking.trace),
+        "kind": query.kind,
+        "time": KINDS[query.kind].time(query, certified.study),
     }

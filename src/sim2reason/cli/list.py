@@ -36,7 +36,10 @@ def _rows(registry: "Registry[object]") -> list[tuple[str, str]]:
 
 
 def _summary(member: object) -> str:
-    """What a member says of itself: the facts of a value, the first line of what documents anything else."""
+    """What a member says of itself: its summary, the facts of a value, the first line of what documents it."""
+    said = getattr(member, "summary", None)
+    if isinstance(said, str):
+        return said
     if is_dataclass(member) and not isinstance(member, type):
         facts = [(f.name, getattr(member, f.name)) for f in fields(member) if f.name != "name"]
         return ", ".join(f"{name} {value}" for name, value in facts if isinstance(value, str) and value)

@@ -19,14 +19,12 @@ from sim2reason.datasets.question_search import (
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions import MODES, Moment
-from sim2reason.questions.moments import AtStart, AtTime, Collided, Moved, Stopped
+from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES, known
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
 
 SCENES = 60  # scenes drawn for one item, at most
-EVENTS: dict[type[Moment], str] = {AtStart: "start", Moved: "moved", Collided: "collision", Stopped: "rest"}
 SETTINGS = hashlib.sha256(json.dumps([SCENES, QUESTIONS, DURATION, SAMPLES, SHORTEST]).encode()).hexdigest()[:16]
 
 
@@ -50,23 +48,22 @@ def make(request: Request) -> Made:
 
 def item_of(request: Request, scene: Scene, found: CertifiedQuestion) -> Item:
     """The record of a question that passed."""
-    question, ask_ = found.question, found.question.ask
-    target = ask_.target
-    time = ask_.time(found.trace)
+    question, query = found.question, found.question.query
+    kind = KINDS[query.kind]
     return Item(
         id=request.id,
         prompt=found.prompt,
         answer=Answer(value=question.answer, unit=question.unit, sign=question.sign),
         mode=request.mode,
-        kind=ask_.kind,
+        kind=query.kind,
         recipe=request.recipe,
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
         asked=QueryRecord(
-            subject=target.subject if target else ask_.moment.subjects[0],
-            quantity=target.quantity if target else "time",
-            time=time,
-            event=None if isinstance(ask_.moment, AtTime) else EVENTS[type(ask_.moment)],
+            subject=query.subject,
+            quantity=kind.measured(query).name,
+            time=kind.time(query, found.study),
+            event=query.moment.label if query.moment is not None else None,
         ),
         scene=dump(scene),
         certificate=summary(found.certificate),

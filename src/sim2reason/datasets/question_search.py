@@ -1,4 +1,4 @@
-"""CertifiedQuestion about one scene until a question passes every filter."""
+"""Ask about one scene until a question passes every filter."""
 
 from collections import Counter
 from dataclasses import dataclass, replace
@@ -9,10 +9,9 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate, sift
 from sim2reason.prose.writer import Description, describe
-from sim2reason.questions import Mode, Question
+from sim2reason.questions import Mode, Question, Study
 from sim2reason.questions.prompt import prompt, words_of
-from sim2reason.simulation.certify import RECORDED, Certificate, witnessed
-from sim2reason.simulation.trace import ENGINES, Trace
+from sim2reason.simulation.certify import Certificate, witnessed
 
 DURATION = 2.0  # s
 SAMPLES = 41
@@ -26,7 +25,7 @@ class CertifiedQuestion:
 
     question: Question
     prompt: str
-    trace: Trace
+    study: Study  # its motion is cut where the engines part
     certificate: Certificate
 
 
@@ -39,37 +38,35 @@ class QuestionSearch:
 
     def __init__(self, scene: Scene, wording: int) -> None:
         """`wording` is the seed of the text."""
-        self.scene = scene
-        self.trace = ENGINES[RECORDED](scene.mechanism, np.linspace(0.0, DURATION, SAMPLES))
+        self.study = Study.of(scene, np.linspace(0.0, DURATION, SAMPLES))
         self._wording = wording
 
     @cached_property
     def description(self) -> Description:
         """Its text."""
-        return describe(self.scene, self._wording)
+        return describe(self.study.scene, self._wording)
 
     @cached_property
-    def _told(self) -> tuple[Trace, Certificate]:
+    def _told(self) -> tuple[Study, Certificate]:
         """What the second engine says; heard only if a question gets as far as that."""
-        return witnessed(self.trace)
+        trace, certificate = witnessed(self.study.trace)
+        return Study(self.study.scene, trace), certificate
 
     def ask(
         self, mode: Mode, rng: np.random.Generator, refused: Counter[str], kind: str = ""
     ) -> CertifiedQuestion | None:
         """A question that passes every filter, or None; what was refused is counted by filter in `refused`."""
-        if self.trace.stable_until < SHORTEST:
-            refused[f"unstable: {self.trace.cut}"] += 1
+        if self.study.trace.stable_until < SHORTEST:
+            refused[f"unstable: {self.study.trace.cut}"] += 1
             return None
         description = self.description
         words = words_of(description)
         for _ in range(QUESTIONS):
-            question = mode(self.trace, words, kind, rng)
+            question = mode(self.study, words, kind, rng)
             if question is None:
                 refused["nothing to ask"] += 1
                 continue
-            candidate = Candidate(
-                self.scene, self.trace, question, prompt(description, question, rng), description.sentences
-            )
+            candidate = Candidate(self.study, question, prompt(description, question, rng), description.sentences)
             verdict = sift(candidate, witnessed=False)
             if verdict.keep:
                 verdict = sift(replace(candidate, certificate=self._told[1]), witnessed=True)

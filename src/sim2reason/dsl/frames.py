@@ -8,11 +8,12 @@ coordinate, and how it would move if a body rose from the face that it lies on.
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple
 
 from sim2reason.dsl.fields import Maths, Number, Triple, cross, minus, plus, product, times
-from sim2reason.dsl.mechanism import ZERO, Coordinate, Mechanism, RigidBody
+from sim2reason.dsl.mechanism import ZERO, Coordinate, Line, Mechanism, RigidBody
 from sim2reason.dsl.vectors import Vector
 
 Gradient = Mapping[int, Triple]  # by number of a coordinate, or of a face
@@ -132,6 +133,14 @@ class Frames:
             site = self._mechanism.site[name]
             found = self._sites[name] = self._frames[site.body].point(site.at)
         return found
+
+    def length(self, line: Line) -> Number:
+        """The sum of the distances between the sites of a line, m."""
+        total: Number = 0.0
+        for first, last in pairwise(line.through):
+            apart = minus(self.site(last).place, self.site(first).place)
+            total = total + self._maths.sqrt(product(apart, apart))
+        return total
 
     def normal(self, subject: str) -> Triple:
         """The direction out of the face on which a body lies, in room axes."""

@@ -1,5 +1,6 @@
 """What a plot of a motion shows: curves by quantity, and events in the words of the text."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,11 +9,11 @@ from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.prose.writer import Description
-from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.targets import axes, senses, strings
+from sim2reason.quantities import QUANTITIES, Quantity, ordered
+from sim2reason.quantities.subjects import Subject
+from sim2reason.quantities.subjects.strings import strings
 from sim2reason.simulation.trace import Event, Trace
 
-MOTION = ("displacement", "velocity", "acceleration")
 SAMPLES = 400
 STILL = 1e-9
 FIXED = "a fixed point"
@@ -59,13 +60,10 @@ def motion_curves(trace: Trace, description: Description) -> MotionCurves:
     mentions = {address: description.mention(address) for address in description.scene.bodies}
     duration = float(trace.state.times[-1])
     times = instants(trace, duration)
-    state = trace.sample(times)
-    panels = [_moved(quantity, state, mentions, description) for quantity in MOTION]
-    panels.append(_tensions(state, mentions))
-    kept = tuple(panel for panel in panels if panel.curves)
+    shown = panels(trace.sample(times), mentions)
     marks = [Mark(event.time, told(event, trace.mechanism, mentions)) for event in _worth(trace, duration)]
     marks = [m for n, m in enumerate(marks) if not any(m.text == b.text and m.time - b.time < STILL for b in marks[:n])]
-    return MotionCurves(times, kept, tuple(marks), min(trace.stable_until, duration), trace.cut, duration)
+    return MotionCurves(times, shown, tuple(marks), min(trace.stable_until, duration), trace.cut, duration)
 
 
 def instants(trace: Trace, duration: float) -> Array:
@@ -76,51 +74,45 @@ def instants(trace: Trace, duration: float) -> Array:
     return np.unique(np.concatenate([grid, events, np.nextafter(events, 0.0)]))
 
 
-def _moved(quantity: str, state: State, mentions: dict[str, str], description: Description) -> Panel:
-    found = QUANTITIES[quantity]
-    curves: list[Curve] = []
-    for body in state.mechanism.bodies:
-        if body.name in mentions and axes(state.mechanism, body.name) and not any(body.inertia):
-            name = description.names.letters.get(body.name, "") or mentions[body.name].removeprefix("the ")
-            values = found.evaluate(state, body.name)
-            curves += [Curve(f"{name}{how}", part) for how, part in _parts(values, state, body.name)]
-    return Panel(f"{quantity} ({show_unit(found.unit)})", tuple(curves))
+def panels(state: State, mentions: dict[str, str]) -> tuple[Panel, ...]:
+    """A panel for every quantity that is plotted and that something of the text has; some share one."""
+    found: dict[str, list[Curve]] = {}
+    for quantity in ordered():
+        if quantity.panel:
+            title = f"{quantity.panel} ({show_unit(quantity.unit)})".removesuffix(" ()")
+            found.setdefault(title, []).extend(_curves(quantity, state, mentions))
+    return tuple(Panel(title, tuple(curves)) for title, curves in found.items() if curves)
 
 
-def _parts(values: Array, state: State, body: str) -> list[tuple[str, Array]]:
+def _curves(quantity: Quantity, state: State, mentions: dict[str, str]) -> Iterator[Curve]:
+    """The curves of a quantity, by subjects; where several share a panel, each says its own name."""
+    own = "" if quantity.panel == quantity.name else f", {quantity.name}"
+    for name, phrase in quantity.of.phrases(state.mechanism, mentions).items():
+        if not quantity.present(state.mechanism, name):
+            continue
+        values = quantity.evaluate(state, name)
+        unknown = "" if np.isfinite(values).any() else ": not determined"
+        for how, part in _parts(values, state, quantity.of, name) if quantity.vector else [("", values)]:
+            yield Curve(quantity.of.label(phrase) + own + how + unknown, part)
+
+
+def _parts(values: Array, state: State, subject: Subject, name: str) -> list[tuple[str, Array]]:
     """A vector as signed components, where the text has words for their signs, else as its size."""
-    ways = senses(state.mechanism, body)
+    ways, directions = subject.senses(state.mechanism, name), subject.directions(state.mechanism, name)
     if len(ways) == 2 or (len(ways) == 1 and not ways[0].axis):
         said = [f", {way.axis}" if way.axis else f", {way.positive}" for way in ways]
         return [(how, values @ np.array(way.vector)) for how, way in zip(said, ways, strict=True)]
-    if len(axes(state.mechanism, body)) == 1:
-        along = values @ np.array(axes(state.mechanism, body)[0])
-        return [(", forward", along * _forward(state, body))]
+    if len(directions) == 1:
+        along = values @ np.array(directions[0])
+        return [(", forward", along * _forward(state, name, np.array(directions[0])))]
     return [(", size", np.linalg.norm(values, axis=1))]
 
 
-def _forward(state: State, body: str) -> float:
+def _forward(state: State, body: str, direction: Array) -> float:
     """The sign that makes the first motion of a body positive: no text says which way is right."""
-    moved = QUANTITIES["displacement"].evaluate(state, body) @ np.array(axes(state.mechanism, body)[0])
+    moved = QUANTITIES["displacement"].evaluate(state, body) @ direction
     first = moved[np.abs(moved) > STILL]
     return -1.0 if len(first) and first[0] < 0.0 else 1.0
-
-
-def _tensions(state: State, mentions: dict[str, str]) -> Panel:
-    phrases = strings(state.mechanism, mentions)
-    curves: list[Curve] = []
-    for name, phrase in phrases.items():
-        values = QUANTITIES["tension"].evaluate(state, name)
-        unknown = "" if np.isfinite(values).any() else ": not determined"
-        curves.append(Curve(_short(phrase) + unknown, values))
-    return Panel("tension (N)", tuple(curves))
-
-
-def _short(phrase: str) -> str:
-    """A phrase for a legend: *block A – pulley P*."""
-    ends = phrase.partition(" between ")[2] or phrase
-    said = ends.replace("the axle of ", "axle of ").replace("the ", "").replace(" and ", " – ")
-    return f"{said} (part)" if phrase.startswith("the part") else said
 
 
 def _worth(trace: Trace, duration: float) -> list[Event]:

@@ -32,7 +32,7 @@ REASONS = {
 
 
 def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> None:
-    """Write displacement, velocity, acceleration and tension over time as SVG, PNG or PDF, by the ending of `path`.
+    """Write all quantities that have a panel over time as SVG, PNG or PDF, by the ending of `path`.
 
     Raises:
         MissingExtraError: matplotlib is not installed.

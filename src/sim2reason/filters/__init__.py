@@ -3,19 +3,16 @@
 from dataclasses import dataclass
 from typing import Protocol
 
-from sim2reason.dsl.scene import Scene
-from sim2reason.questions import Question
+from sim2reason.questions import Question, Study
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
-from sim2reason.simulation.trace import Trace
 
 
 @dataclass(frozen=True)
 class Candidate:
     """A question that may become an item, with what it was asked about."""
 
-    scene: Scene
-    trace: Trace  # by the recorded engine
+    study: Study
     question: Question
     prompt: str
     sentences: tuple[str, ...] = ()  # of the scene's text

@@ -1,7 +1,8 @@
 """Drops a question whose answer only one engine vouches for."""
 
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.questions.moments import Collided, Moved, Stopped
+from sim2reason.questions import KINDS
+from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 
 
@@ -12,21 +13,25 @@ class Agreement:
     order = 0
 
     def reason(self, candidate: Candidate) -> str:
-        """The asked channel must be certified at the asked moment; at an event, up to and beyond it."""
-        certificate, ask = candidate.certificate, candidate.question.ask
-        time = ask.time(candidate.trace)
+        """The asked channels must be certified at the asked moment; at an event, up to and beyond it."""
+        certificate, query = candidate.certificate, candidate.question.query
+        kind, moment = KINDS[query.kind], query.moment
+        time = kind.time(query, candidate.study)
         if certificate is None or time is None:
             return "the engines do not agree that the moment comes"
         if time >= certificate.stable_until and time > 0.0:
             return certificate.reason or "the moment comes after the certified stretch"
-        if isinstance(ask.moment, Moved) and not certificate.covers(Channel(ask.moment.body, "displacement"), time):
-            return "the engines disagree on how far the body gets"
-        if ask.target is None:
-            return ""
-        channel = Channel(ask.target.subject, ask.target.quantity)
-        if isinstance(ask.moment, Collided | Stopped):  # the samples right at an event are not compared
-            return "" if certificate.until.get(channel, -1.0) > time else "the engines disagree on what is asked"
-        return "" if certificate.covers(channel, time) else "the engines disagree on what is asked"
+        for channel in moment.channels if moment is not None else ():
+            if not certificate.covers(channel, time):
+                return f"the engines disagree on the {channel.quantity} that the moment hangs on"
+        at_event = moment is not None and moment.event
+        agreed = all(_agreed(certificate, channel, time, at_event=at_event) for channel in kind.channels(query))
+        return "" if agreed else "the engines disagree on what is asked"
+
+
+def _agreed(certificate: Certificate, channel: Channel, time: float, *, at_event: bool) -> bool:
+    """Whether both engines vouch for a channel; the samples right at an event are not compared, those after it are."""
+    return certificate.until.get(channel, -1.0) > time if at_event else certificate.covers(channel, time)
 
 
 FILTERS.add("agreement", Agreement())

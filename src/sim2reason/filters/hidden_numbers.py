@@ -2,14 +2,10 @@
 
 from typing import cast
 
-import numpy as np
-
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene
-from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES
+from sim2reason.questions import KINDS
 
 SAME = 1e-6  # relative
 
@@ -22,16 +18,14 @@ class HiddenNumbers:
 
     def reason(self, candidate: Candidate) -> str:
         """Solve the scene with its strings as short as they may be drawn, and ask again."""
-        answer, ask = candidate.question.answer, candidate.question.ask
-        times = np.array([0.0, float(candidate.trace.state.times[-1])])
-        try:
-            tight = ENGINES[RECORDED](tightest(candidate.scene).mechanism, times)
-        except (SceneError, SimulationError, UnsupportedError):
+        answer, query = candidate.question.answer, candidate.question.query
+        kind, tight = KINDS[query.kind], candidate.study.variant(tightest(candidate.study.scene))
+        if tight is None:
             return "with shorter strings there is no motion"
-        time = ask.time(tight)
-        if time is None or time > tight.stable_until:
+        time = kind.time(query, tight)
+        if time is None or time > tight.trace.stable_until:
             return "with shorter strings the moment does not come"
-        again = ask.answer(tight)
+        again = kind.answer(query, tight)
         return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "an unsaid length matters"
 
 

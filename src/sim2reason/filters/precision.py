@@ -2,14 +2,12 @@
 
 from math import sqrt
 
-import numpy as np
-
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
-from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.errors import SceneError
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES, Trace
+from sim2reason.questions import KINDS, Study
+from sim2reason.simulation.trace import Trace
 
 SHIFT = 1e-3  # relative
 WORST = 20.0  # the condition number κ = √Σ(Δa/a)² / SHIFT
@@ -23,19 +21,18 @@ class Precision:
 
     def reason(self, candidate: Candidate) -> str:
         """Shift each stated number by one part in a thousand and solve again."""
-        answer, ask = candidate.question.answer, candidate.question.ask
+        answer, query, study = candidate.question.answer, candidate.question.query, candidate.study
         if answer == 0.0:
             return "no number of digits is relative to zero"
-        time = ask.time(candidate.trace)
-        before = _story(candidate.trace, time)
+        kind = KINDS[query.kind]
+        before = _story(study.trace, kind.time(query, study))
         total = 0.0
-        for parameter in candidate.scene.parameters:
-            if not shiftable(candidate.scene, parameter):
+        for parameter in study.scene.parameters:
+            if not shiftable(study.scene, parameter):
                 continue
-            shifted = solved(candidate.scene, parameter, candidate.trace)
-            when = ask.time(shifted) if shifted is not None else None
-            new = ask.answer_at(when, shifted) if shifted is not None else None
-            if shifted is None or new is None or _story(shifted, when) != before:
+            other = shifted(study, parameter)
+            new = kind.answer(query, other) if other is not None else None
+            if other is None or new is None or _story(other.trace, kind.time(query, other)) != before:
                 return f"a small shift of {parameter.path} changes the order of events"
             total += ((new - answer) / answer) ** 2
         condition = sqrt(total) / SHIFT
@@ -51,18 +48,14 @@ def shiftable(scene: Scene, parameter: Parameter) -> bool:
     return not (body is not None and body.told_by_word(name))
 
 
-def solved(scene: Scene, parameter: Parameter, trace: Trace) -> Trace | None:
+def shifted(study: Study, parameter: Parameter) -> Study | None:
     """The motion with one number shifted, or None if there is none; shifted down where up is not valid."""
-    times = np.array([0.0, float(trace.state.times[-1])])
     for factor in (1.0 + SHIFT, 1.0 - SHIFT):
         try:
-            shifted = scene.having(parameter.path, (parameter.value or 0.0) * factor)
+            scene = study.scene.having(parameter.path, (parameter.value or 0.0) * factor)
         except (SceneError, ValueError):
             continue
-        try:
-            return ENGINES[RECORDED](shifted.mechanism, times)
-        except (SceneError, SimulationError, UnsupportedError):
-            return None
+        return study.variant(scene)
     return None
 
 

@@ -1,49 +1,118 @@
-"""What can be recorded and asked of a motion, each a function of the state alone."""
+"""What can be recorded, asked and plotted of a motion, each a function of the state alone."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Literal
+from abc import ABC, abstractmethod
+from string import Formatter
+from typing import ClassVar, TypeVar
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.units import parse_unit
+from sim2reason.quantities.subjects import Sense, Subject
 from sim2reason.registry import Registry
 
-Subject = Literal["body", "string", "contact"]
-Evaluate = Callable[[State, str], Array]
 
+class Quantity(ABC):
+    """A quantity of every subject of one kind. All that the library knows of it stands on its class.
 
-@dataclass(frozen=True, slots=True)
-class Quantity:
-    """A quantity of every body, of every string part (pulls among them) or of every resting body."""
+    What it is:
+        name, unit, symbol: the unit is canonical SI, the symbol one letter.
+        of: the kind of subject that it belongs to.
+        vector: whether it has three components, in room coordinates.
 
-    name: str
-    unit: str
-    symbol: str
-    of: Subject
-    vector: bool
-    evaluate: Evaluate  # (state, name of the subject) → (n,), or (n, 3) of a vector, in room coordinates
+    How it is phrased; a quantity without words is recorded, but never asked. Templates name the subject by its
+    slot, ``{body}``:
+        magnitude: the noun phrase of its size.
+        signed: that with a sign; of a vector it is a component, named by ``{component}``.
+        how: a question of its own for its size, with ``{when}`` and ``{ground}``: *how fast is …?*
+        sense: what is positive, where that is not a matter of the subject's directions, as in a gain.
+        grounded: whether it needs *relative to the ground* of a body that rides on another.
+
+    When it is asked:
+        weight: how often, compared with other quantities.
+        needs: what its subject must have and the text must say, such as ``mass``.
+        given: whether the text gives it at the start.
+        immediate: whether it can differ from zero at once.
+
+    How small is nothing:
+        floor: the certificate's smallest scale, in SI units; with `heavy` it is that times the largest mass in kg.
+        least: the smallest answer, in SI units.
+
+    Where it is plotted:
+        panel: the panel, which quantities of one unit may share; empty for none.
+        order: its place in panels and among what is asked of a subject.
+    """
+
+    name: ClassVar[str]
+    unit: ClassVar[str]
+    symbol: ClassVar[str]
+    of: ClassVar[Subject]
+    vector: ClassVar[bool] = False
+    magnitude: ClassVar[str] = ""
+    signed: ClassVar[str] = ""
+    how: ClassVar[str] = ""
+    sense: ClassVar[Sense | None] = None
+    grounded: ClassVar[bool] = False
+    weight: ClassVar[float] = 1.0
+    needs: ClassVar[tuple[str, ...]] = ()
+    given: ClassVar[bool] = False
+    immediate: ClassVar[bool] = False
+    floor: ClassVar[float]
+    heavy: ClassVar[bool] = False
+    least: ClassVar[float] = 1e-3
+    panel: ClassVar[str] = ""
+    order: ClassVar[int] = 100
+
+    def __init_subclass__(cls) -> None:
+        """Refuse a declaration that lacks a fact, or whose words do not fit; TypeError says what is amiss."""
+        missing = [fact for fact in ("name", "unit", "symbol", "of", "floor") if not hasattr(cls, fact)]
+        if missing:
+            raise TypeError(f"{cls.__name__}: it declares no {', '.join(missing)}")
+        parse_unit(cls.unit)  # UnitError for a unit outside the table
+        if not (cls.weight > 0.0 and cls.floor > 0.0):
+            raise TypeError(f"{cls.__name__}: its weight {cls.weight} and its floor {cls.floor} must be positive")
+        cls._check("magnitude", set())
+        cls._check("signed", {"component"} if cls.vector else set())
+        cls._check("how", {"ground", "when"})
+
+    @classmethod
+    def _check(cls, fact: str, beside: set[str]) -> None:
+        """The placeholders of a template are the subject's and those `beside` it, all of them."""
+        template: str = getattr(cls, fact)
+        used = {name for _, name, _, _ in Formatter().parse(template) if name is not None}
+        wanted = {cls.of.slot, *beside}
+        if template and used != wanted:
+            raise TypeError(f"{cls.__name__}: {fact} names {sorted(used)}; it must name {sorted(wanted)}: {template!r}")
+
+    @staticmethod
+    @abstractmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Its values at n instants: (n,), or (n, 3) of a vector, in room coordinates."""
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
         """The names that `evaluate` takes, in the order of the mechanism."""
-        match self.of:
-            case "body":
-                return tuple(mechanism.body)
-            case "string":
-                return tuple(line.name for line in mechanism.lines)
-            case "contact":
-                return tuple(mechanism.contacts)
+        return self.of.names(mechanism)
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Whether there is any of it on one subject, such as friction on a rough face; so by default."""
+        del mechanism, name
+        return True
+
+    @property
+    def summary(self) -> str:
+        """Its facts in one line."""
+        return f"unit {self.unit}, symbol {self.symbol}, of {self.of.name}"
 
 
+Q = TypeVar("Q", bound=Quantity)
 QUANTITIES: Registry[Quantity] = Registry("quantities")
 
 
-def quantity(name: str, *, unit: str, symbol: str, of: Subject, vector: bool = False) -> Callable[[Evaluate], Evaluate]:
-    """Decorate a function of state and subject to make it a quantity."""
-    parse_unit(unit)  # UnitError for a unit outside the table
+def quantity(cls: type[Q]) -> type[Q]:
+    """Enter a quantity under its name."""
+    QUANTITIES.add(cls.name, cls())
+    return cls
 
-    def declare(evaluate: Evaluate) -> Evaluate:
-        QUANTITIES.add(name, Quantity(name, unit, symbol, of, vector, evaluate))
-        return evaluate
 
-    return declare
+def ordered() -> list[Quantity]:
+    """All quantities by kind of subject, each kind's by their order."""
+    return sorted(QUANTITIES.values(), key=lambda found: (found.of.name, found.order))

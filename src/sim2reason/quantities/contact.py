@@ -1,16 +1,46 @@
 """What a face does to the body that lies on it; the body does the opposite to the face."""
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.quantities import quantity
+from sim2reason.quantities import Quantity, quantity
+from sim2reason.quantities.subjects.contacts import Contacts
 
 
-@quantity("normal force", unit="N", symbol="N", of="contact")
-def normal_force(state: State, body: str) -> Array:
-    """The force along the contact's normal on the body that rests, (n,); never negative."""
-    return state.normal[body]
+@quantity
+class NormalForce(Quantity):
+    """The force along the contact's normal on the body that rests."""
+
+    name, unit, symbol = "normal force", "N", "N"
+    of = Contacts()
+    magnitude = "the normal force on {body} from the surface that it rests on"
+    needs = ("mass",)
+    immediate = True
+    floor, heavy = 0.1, True
+    order = 0
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Never negative, (n,)."""
+        return state.normal[subject]
 
 
-@quantity("friction force", unit="N", symbol="f", of="contact")
-def friction_force(state: State, body: str) -> Array:
-    """The force on the body that rests along the direction of its sliding coordinate, with sign, (n,)."""
-    return state.friction[body]
+@quantity
+class FrictionForce(Quantity):
+    """The force on the body that rests along the direction of its sliding coordinate, with sign."""
+
+    name, unit, symbol = "friction force", "N", "f"
+    of = Contacts()
+    magnitude = "the magnitude of the friction force on {body} from the surface that it rests on"
+    needs = ("mass",)
+    immediate = True
+    floor, heavy = 0.1, True
+    order = 1
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Static or kinetic, (n,)."""
+        return state.friction[subject]
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Only a rough face has any."""
+        return mechanism.contacts[name].friction > 0.0

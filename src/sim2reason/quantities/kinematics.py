@@ -2,27 +2,68 @@
 
 from sim2reason.dsl.fields import minus, plus, times
 from sim2reason.dsl.state import Array, State
-from sim2reason.quantities import quantity
+from sim2reason.quantities import Quantity, quantity
+from sim2reason.quantities.subjects.bodies import Bodies
 
 
-@quantity("displacement", unit="m", symbol="s", of="body", vector=True)
-def displacement(state: State, body: str) -> Array:
-    """The displacement of the centre of mass from where it was at the start, (n, 3)."""
-    began = state.began.center(body).place
-    return state.vector(minus(state.frames.center(body).place, began))
+@quantity
+class Displacement(Quantity):
+    """The displacement of the centre of mass from where it was at the start."""
+
+    name, unit, symbol = "displacement", "m", "s"
+    of, vector = Bodies(), True
+    magnitude = "the distance of {body} from its starting point"
+    signed = "the {component}displacement of {body} from its starting point"
+    how = "how far is {body} from its starting point{ground} {when}?"
+    grounded = True
+    weight = 2.0
+    floor = 0.1
+    panel, order = "displacement", 0
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Of the centre of mass, not of the frame, (n, 3)."""
+        return state.vector(minus(state.frames.center(subject).place, state.began.center(subject).place))
 
 
-@quantity("velocity", unit="m/s", symbol="v", of="body", vector=True)
-def velocity(state: State, body: str) -> Array:
-    """The velocity of the centre of mass, (n, 3)."""
-    return state.vector(state.frames.center(body).velocity)
+@quantity
+class Velocity(Quantity):
+    """The velocity of the centre of mass."""
+
+    name, unit, symbol = "velocity", "m/s", "v"
+    of, vector = Bodies(), True
+    magnitude = "the speed of {body}"
+    signed = "the {component}velocity of {body}"
+    how = "how fast is {body} moving{ground} {when}?"
+    grounded = given = True
+    weight = 3.0
+    floor, least = 0.1, 1e-2
+    panel, order = "velocity", 1
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """J q̇ of the centre of mass, (n, 3)."""
+        return state.vector(state.frames.center(subject).velocity)
 
 
-@quantity("acceleration", unit="m/s^2", symbol="a", of="body", vector=True)
-def acceleration(state: State, body: str) -> Array:
-    """The acceleration of the centre of mass, (n, 3): J q̈ and what its path and its carriers bend."""
-    point = state.frames.center(body)
-    total = point.bias
-    for number, way in point.gradient.items():
-        total = plus(total, times(state.a[:, number], way))
-    return state.vector(total)
+@quantity
+class Acceleration(Quantity):
+    """The acceleration of the centre of mass."""
+
+    name, unit, symbol = "acceleration", "m/s^2", "a"
+    of, vector = Bodies(), True
+    magnitude = "the magnitude of the acceleration of {body}"
+    signed = "the {component}acceleration of {body}"
+    grounded = immediate = True
+    weight = 2.0
+    floor, least = 1.0, 1e-2
+    panel, order = "acceleration", 2
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """J q̈ of the centre of mass, and what its path and its carriers bend, (n, 3)."""
+        point = state.frames.center(subject)
+        total = point.bias
+        for number, way in point.gradient.items():
+            total = plus(total, times(state.a[:, number], way))
+        return state.vector(total)

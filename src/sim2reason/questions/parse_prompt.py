@@ -7,11 +7,10 @@ import numpy as np
 
 from sim2reason.errors import TextError
 from sim2reason.parsing import ParsedScene, parse_scene
-from sim2reason.questions import Query, Words
+from sim2reason.questions import KINDS, Query, Study, Words
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import FORMATS
 from sim2reason.simulation.scenes import simulate
-from sim2reason.simulation.trace import Trace
 
 _UNIT = r"(\S{1,12})"
 _FORMS = [re.compile(r"\s" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS]
@@ -22,14 +21,14 @@ class ParsedPrompt:
     """What a prompt means: a scene, its motion, what is asked of it, and the unit of the answer."""
 
     reading: ParsedScene
-    trace: Trace
-    ask: Query
+    study: Study
+    query: Query
     unit: str
 
     @property
     def answer(self) -> float | None:
         """The answer that the text alone leads to."""
-        return self.ask.answer(self.trace)
+        return KINDS[self.query.kind].answer(self.query, self.study)
 
 
 def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPrompt:
@@ -46,12 +45,12 @@ def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPro
         raise TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
     story, question = parts
     reading = parse_scene(story, rng)
-    trace = simulate(reading.scene)
-    words = Words({address: said for said, address in reading.names.items()}, reading.scene.starts_from_rest)
-    ask = parse_question(question, trace, words)
-    if ask is None:
+    study = Study(reading.scene, simulate(reading.scene))
+    words = Words.of(reading.scene, {address: said for said, address in reading.names.items()})
+    query = parse_question(question, study, words)
+    if query is None:
         raise TextError("prompt", f"no question is asked by {question!r}", "ask in the words of the library")
-    return ParsedPrompt(reading, trace, ask, form[1])
+    return ParsedPrompt(reading, study, query, form[1])
 
 
 def _split(text: str) -> tuple[str, str] | None:

@@ -4,12 +4,10 @@ import re
 
 import numpy as np
 
-from sim2reason.questions import Query, Words
-from sim2reason.questions.targets import GAIN, Target
+from sim2reason.questions.query import Query
+from sim2reason.questions.targets import Noun, Target
+from sim2reason.questions.words import Words
 
-FAST = "the speed of "
-FAR = "the distance of "
-FROM_START = " from its starting point"
 QUOTA = {"what": 0.35, "find": 0.3, "how": 0.6, "determine": 0.12, "calculate": 0.08}
 """How often a verb asks, where it can; *how* can ask for little, and makes up for it there."""
 
@@ -23,27 +21,32 @@ def chosen(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
     return shapes[int(rng.choice(len(shapes), p=weights / weights.sum()))]
 
 
-def asking(target: Target, noun: str, when: str) -> tuple[str, ...]:
+def sentence(shape: str) -> str:
+    """A shape as it stands in a text: with a capital."""
+    return shape[0].upper() + shape[1:]
+
+
+def asking(target: Target, noun: Noun, when: str) -> tuple[str, ...]:
     """All ways to ask for a quantity, a magnitude or a component, at a moment."""
-    sense = target.sense
-    if sense is None or sense == GAIN or len(sense.axis) == 1:  # a gain, or an axis of the text, has a sign of its own
-        return (*_special(noun, when), *_plain(noun, when))
-    positive = sense.positive
+    if target.sense is None or target.sense.fixed:
+        how = (noun.how.replace("{when}", when),) if noun.how else ()  # everyday English, where there is any
+        return (*how, *_plain(noun.phrase, when))
+    positive, said = target.sense.positive, noun.phrase
     return (
-        f"taking {positive} as positive, find {noun} {when}.",
-        f"taking {positive} as positive, what is {noun} {when}?",
-        f"what is {noun} {when}, {positive} being positive?",
-        f"with {positive} as positive, determine {noun} {when}.",
-        f"find {noun} {when}, counting {positive} as positive.",
-        *((f"{when}, what is {noun}, if {positive} counts as positive?",) if when[0].isalpha() else ()),
+        f"taking {positive} as positive, find {said} {when}.",
+        f"taking {positive} as positive, what is {said} {when}?",
+        f"what is {said} {when}, {positive} being positive?",
+        f"with {positive} as positive, determine {said} {when}.",
+        f"find {said} {when}, counting {positive} as positive.",
+        *((f"{when}, what is {said}, if {positive} counts as positive?",) if when[0].isalpha() else ()),
     )
 
 
-def asking_then(ask: Query, words: Words, noun: str) -> tuple[str, ...]:
+def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     """All ways to ask for a quantity, in every phrase for its moment."""
-    assert ask.target is not None
-    phrases = ask.moment.phrases(words.mentions, released=words.released)
-    return tuple(shape for when in phrases for shape in asking(ask.target, noun, when))
+    assert query.target is not None
+    assert query.moment is not None
+    return tuple(shape for when in query.moment.phrases(words) for shape in asking(query.target, noun, when))
 
 
 def _plain(noun: str, when: str) -> tuple[str, ...]:
@@ -54,14 +57,3 @@ def _plain(noun: str, when: str) -> tuple[str, ...]:
         f"calculate {noun} {when}.",
         *((f"{when}, what is {noun}?",) if when[0].isalpha() else ()),  # no sentence begins with a number
     )
-
-
-def _special(noun: str, when: str) -> tuple[str, ...]:
-    """Where everyday English has a question word of its own."""
-    if noun.startswith(FAST):
-        body, _, ground = noun.removeprefix(FAST).partition(" relative to")
-        return (f"how fast is {body} moving{' relative to' + ground if ground else ''} {when}?",)
-    if noun.startswith(FAR) and FROM_START in noun:
-        body, _, ground = noun.removeprefix(FAR).partition(FROM_START)
-        return (f"how far is {body}{FROM_START}{ground} {when}?",)
-    return ()

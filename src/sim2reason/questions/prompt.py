@@ -16,7 +16,7 @@ FORMATS = (
 def words_of(description: Description) -> Words:
     """What questions need to know of a text."""
     scene = description.scene
-    return Words({address: description.mention(address) for address in scene.bodies}, scene.starts_from_rest)
+    return Words.of(scene, {address: description.mention(address) for address in scene.bodies})
 
 
 def prompt(description: Description, question: Question, rng: np.random.Generator) -> str:

@@ -26,8 +26,6 @@ EVENTFUL = 1e-3  # and where something does
 NEAR = 1e-4  # of the duration: events that differ by less in time are simultaneous
 CHANGES = frozenset({"collision", "taut", "slack", "stick", "slip"})
 INFORMATIVE = frozenset({"turn"})  # what no mode depends on need not be matched
-FLOORS: Mapping[str, float] = {"m": 0.1, "m/s": 0.1, "m/s^2": 1.0}  # a smaller scale would be rounding's
-HEAVY_FLOOR = 0.1  # the same for what is proportional to mass, times the largest mass
 RECORDED, WITNESS = "exact", "mujoco"
 
 
@@ -206,7 +204,7 @@ class _Table:
         n = values.shape[1] // 2
         ours, theirs = values[:, :n], values[:, n:]
         size = np.sqrt((ours * ours).sum(axis=2))
-        floor = FLOORS.get(quantity.unit, HEAVY_FLOOR * heaviest)
+        floor = quantity.floor * heaviest if quantity.heavy else quantity.floor  # a smaller scale would be rounding's
         scale = max(float(np.nanmax(size[:, self._living], initial=0.0)), floor)
         apart = np.sqrt(((ours - theirs) ** 2).sum(axis=2))[:, self._heard] / scale
         silent = np.isfinite(size[:, self._heard]) & np.isnan(apart)

@@ -1,1 +1,133 @@
-"""The kinds of question, one file each."""
+"""The kinds of question, one file each: what is asked of a motion, in which sentences, and what the answer is."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import isfinite
+from typing import ClassVar, TypeVar
+
+import numpy as np
+
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.phrasing import asking_then
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.words import Words
+from sim2reason.registry import Registry
+from sim2reason.simulation.channels import Channel
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What an answer is: the quantity by name, its unit, and the smallest answer that is one, in that unit."""
+
+    name: str
+    unit: str
+    least: float
+
+
+class Kind(ABC):
+    """One kind of question. All that the library knows of it stands on its class.
+
+    Class data:
+        name: under which it is registered.
+        share: how often it is asked, compared with other kinds; positive, or it could not be registered.
+    """
+
+    name: ClassVar[str]
+    share: ClassVar[float]
+
+    @abstractmethod
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """Something to ask about this motion, or None if it offers nothing of this kind."""
+
+    @abstractmethod
+    def answer(self, query: Query, study: Study) -> float | None:
+        """The value in SI units; None if what is asked about does not come, NaN if the mechanism leaves it open."""
+
+    @abstractmethod
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """All sentences that ask it, the most usual first; `noun` is how its target is called, if it has one."""
+
+    @abstractmethod
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """All that a sentence could ask, by the numbers and names that stand in it; `targets` are those it names.
+
+        Which one it does ask, `shapes` tells: it must give that sentence, word for word.
+        """
+
+    def time(self, query: Query, study: Study) -> float | None:
+        """When all that the answer depends on has happened, s; None if it does not. By default its moment."""
+        return study.time(query.moment) if query.moment is not None else None
+
+    def channels(self, query: Query) -> tuple[Channel, ...]:
+        """What both engines must agree on at that time; by default what is asked about."""
+        return (Channel(query.target.subject, query.target.quantity),) if query.target is not None else ()
+
+    def measured(self, query: Query) -> Measured:
+        """What the answer is; by default the quantity that is asked about."""
+        assert query.target is not None, "a kind that asks for no quantity says what it asks for"
+        found = QUANTITIES[query.target.quantity]
+        return Measured(found.name, found.unit, found.least)
+
+
+class ValueKind(Kind):
+    """What is a quantity at a moment? The moments say which of these kinds they belong to."""
+
+    def moments(self) -> list[type[Moment]]:
+        """The classes of moments at which it asks; UnknownNameError if one names a kind that does not exist."""
+        return [moment for moment in by_cause() if KINDS[moment.kind] is self]
+
+    def answer(self, query: Query, study: Study) -> float | None:
+        """The quantity at the moment, or just before it."""
+        assert query.target is not None
+        assert query.moment is not None
+        time = study.time(query.moment)
+        if time is None:
+            return None
+        return query.target.value(study.trace.sample(np.array([query.moment.side(time)])))
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: what is the speed of A 0.80 s after release?"""
+        assert noun is not None
+        return asking_then(query, words, noun)
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every quantity at every moment that it names."""
+        for cls in self.moments():
+            for moment in cls.parsed(text, study.trace, words):
+                yield from (Query(self.name, target, moment) for target in targets)
+
+
+K = TypeVar("K", bound=Kind)
+M = TypeVar("M", bound=Moment)
+
+
+def check_share(name: str, member: object) -> None:
+    """Refuse what would never be asked, with ValueError."""
+    share = getattr(member, "share", 0.0)
+    if not (share > 0.0 and isfinite(share)):
+        raise ValueError(f"questions.kinds: {name!r} has the share {share}, so it would never be asked; declare one")
+    if getattr(member, "name", "") != name:
+        raise ValueError(f"questions.kinds: {name!r} calls itself {getattr(member, 'name', '')!r}; use one name")
+
+
+KINDS: Registry[Kind] = Registry("questions.kinds", check_share)
+
+
+def kind(cls: type[K]) -> type[K]:
+    """Enter a kind of question under its name."""
+    KINDS.add(cls.name, cls())
+    return cls
+
+
+def by_cause() -> list[type[Moment]]:
+    """All classes of moments: first what the motion brings about, then what a drawn number does."""
+    return sorted(MOMENTS.values(), key=lambda moment: not moment.event)
+
+
+def drawn(classes: list[type[M]], study: Study, words: Words, rng: np.random.Generator) -> list[M]:
+    """The moments of some classes that a motion offers."""
+    return [moment for cls in classes for moment in cls.found(study, words, rng)]

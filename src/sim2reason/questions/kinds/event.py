@@ -2,35 +2,30 @@
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Query, Target, Words
-from sim2reason.questions.choices import happenings, pick
-from sim2reason.questions.moments import Moved
-from sim2reason.questions.phrasing import asking_then
-from sim2reason.simulation.trace import Trace
+from sim2reason.questions.choices import pick
+from sim2reason.questions.kinds import ValueKind, drawn, kind
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Targets
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
 
 
-class EventKind:
-    """A collision, a body that comes to rest, or one that has moved a stated distance."""
+@kind
+class EventKind(ValueKind):
+    """What is the quantity when something happens: a collision, a body that stops, or that has moved so far?"""
 
-    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Query | None:
-        """An event of this motion and a quantity that it bears on."""
-        found = happenings(trace, words, rng)
+    name = "event"
+    share = 0.35
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """A moment of this motion and a quantity that it bears on, but none that the question tells."""
+        found = drawn(self.moments(), study, words, rng)
         if not found:
             return None
         moment = found[int(rng.integers(len(found)))]
-        offered = targets
-        if isinstance(moment, Moved):  # how far it is then, the question itself says
-            offered = {
-                p: t for p, t in offered.items() if not (t.quantity == "displacement" and t.subject == moment.body)
-            }
-        else:
-            offered = {p: t for p, t in offered.items() if t.subject in moment.subjects} or offered
+        offered = [target for target in targets if Channel(target.subject, target.quantity) not in moment.tells]
+        if moment.event:
+            offered = [target for target in offered if target.subject in moment.subjects] or offered
         target = pick(offered, rng)
-        return Query("event", target, moment) if target is not None else None
-
-    def shapes(self, ask: Query, words: Words, noun: str) -> tuple[str, ...]:
-        """As in: what is the speed of B when A is first 0.50 m from its starting point?"""
-        return asking_then(ask, words, noun)
-
-
-KINDS.add("event", EventKind())
+        return Query(self.name, target, moment) if target is not None else None

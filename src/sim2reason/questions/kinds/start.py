@@ -2,28 +2,29 @@
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Query, Target, Words
-from sim2reason.questions.choices import immediate, pick
-from sim2reason.questions.moments import AtStart
-from sim2reason.questions.phrasing import asking_then
-from sim2reason.simulation.trace import Trace
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.choices import pick
+from sim2reason.questions.kinds import ValueKind, drawn, kind
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Targets
+from sim2reason.questions.words import Words
 
 
-class StartKind:
-    """Accelerations and forces at t = 0⁺, which the text does not give."""
+@kind
+class StartKind(ValueKind):
+    """What is an acceleration or a force at t = 0⁺, which the text does not give?"""
 
-    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Query | None:
+    name = "start"
+    share = 0.25
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A quantity that can differ from zero before anything has moved."""
-        del words
-        mechanism = trace.mechanism
+        mechanism = study.mechanism
         if not (mechanism.lines or mechanism.contacts):
             return None  # what only falls has the acceleration that the text gives it
-        target = pick(immediate(targets), rng)
-        return Query("start", target, AtStart()) if target is not None else None
-
-    def shapes(self, ask: Query, words: Words, noun: str) -> tuple[str, ...]:
-        """As in: find the tension in the string just after release."""
-        return asking_then(ask, words, noun)
-
-
-KINDS.add("start", StartKind())
+        target = pick([target for target in targets if QUANTITIES[target.quantity].immediate], rng)
+        found = drawn(self.moments(), study, words, rng)
+        if target is None or not found:
+            return None
+        return Query(self.name, target, found[int(rng.integers(len(found)))])

@@ -1,48 +1,60 @@
 """When does something happen for the first time?"""
 
+from collections.abc import Iterator
+
 import numpy as np
 
-from sim2reason.questions import KINDS, Query, Target, Words
-from sim2reason.questions.choices import happenings
-from sim2reason.questions.moments import Collided, Moved, Stopped, pair, say_metres
-from sim2reason.simulation.trace import Trace
+from sim2reason.questions.kinds import Kind, Measured, by_cause, drawn, kind
+from sim2reason.questions.moments import Happening
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.words import Words
 
 
-class TimeToEventKind:
-    """The time from the start to an event."""
+@kind
+class TimeToEventKind(Kind):
+    """How long after the start does something happen for the first time?"""
 
-    def draw(self, trace: Trace, words: Words, targets: dict[str, Target], rng: np.random.Generator) -> Query | None:
-        """An event of this motion."""
+    name = "time_to_event"
+    share = 0.22
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """Something that happens in this motion."""
         del targets
-        found = [m for m in happenings(trace, words, rng) if not isinstance(m, Collided) or m.after]
-        return Query("time_to_event", None, found[int(rng.integers(len(found)))]) if found else None
+        found = [moment for moment in drawn(_happenings(), study, words, rng) if moment.clause(words) is not None]
+        return Query(self.name, None, found[int(rng.integers(len(found)))]) if found else None
 
-    def shapes(self, ask: Query, words: Words, noun: str) -> tuple[str, ...]:
+    def answer(self, query: Query, study: Study) -> float | None:
+        """The time."""
+        return self.time(query, study)
+
+    def measured(self, query: Query) -> Measured:
+        """A time, of a hundredth of a second at least."""
+        del query
+        return Measured("time", "s", least=1e-2)
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: how long after release is B first 0.50 m from its starting point?"""
         del noun
-        since = "release" if words.released else "t = 0"
-        match ask.moment:
-            case Moved(body, distance):
-                there = f"first {say_metres(distance)} from its starting point"
-                return _shapes(since, "is", words.mentions[body], there, f"{words.mentions[body]} is {there}")
-            case Collided(a, b, _):
-                both = pair(words.mentions[a], words.mentions[b])
-                return _shapes(since, "do", both, "first collide", f"{both} first collide")
-            case Stopped(body):
-                name = words.mentions[body]
-                return _shapes(since, "does", name, "first come to rest", f"{name} first comes to rest")
-            case _:
-                return ()
+        assert isinstance(query.moment, Happening)
+        clause, since = query.moment.clause(words), "release" if words.released else "t = 0"
+        if clause is None:
+            return ()
+        return (
+            f"how long after {since} {clause.question}?",
+            f"what time passes from {since} until {clause.statement}?",
+            f"find the time from {since} until {clause.statement}.",
+            f"what is the time from {since} until {clause.statement}?",
+            f"determine how long after {since} {clause.statement}.",
+        )
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Whatever it names that can happen."""
+        del targets
+        for cls in _happenings():
+            yield from (Query(self.name, None, moment) for moment in cls.parsed(text, study.trace, words))
 
 
-def _shapes(since: str, verb: str, subject: str, happens: str, clause: str) -> tuple[str, ...]:
-    return (
-        f"how long after {since} {verb} {subject} {happens}?",
-        f"what time passes from {since} until {clause}?",
-        f"find the time from {since} until {clause}.",
-        f"what is the time from {since} until {clause}?",
-        f"determine how long after {since} {clause}.",
-    )
-
-
-KINDS.add("time_to_event", TimeToEventKind())
+def _happenings() -> list[type[Happening]]:
+    return [cls for cls in by_cause() if issubclass(cls, Happening)]

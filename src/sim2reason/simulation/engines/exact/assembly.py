@@ -14,7 +14,7 @@ from sim2reason.dsl.mechanism import Drawn, Elastic, Force, Inextensible, Line, 
 from sim2reason.dsl.vectors import Tensor
 from sim2reason.simulation.engines.exact.lengths import (
     ORIGIN,
-    Length,
+    PathLength,
     Phase,
     RowTerms,
     Separation,
@@ -143,7 +143,7 @@ class Assembly:
             self.press[i] = self.press[i] - tension * part
 
     @staticmethod
-    def tension(line: Line, length: Length) -> Number:
+    def tension(line: Line, length: PathLength) -> Number:
         """The tension that a line's law gives: of a spring, or of what a hand draws."""
         law = line.law
         if isinstance(law, Drawn):
@@ -158,7 +158,7 @@ class Assembly:
 
     # ---- lengths and rows
 
-    def length(self, line: Line) -> Length:
+    def length(self, line: Line) -> PathLength:
         """The length of a line: Σ |Δr| + Σ radius·angle."""
         along: dict[int, Number] = {}
         lift: dict[int, Number] = {}
@@ -177,7 +177,7 @@ class Assembly:
                 rate, bias = rate + run.rate, bias + run.bias
                 merge(along, run.along)
                 merge(lift, run.lift)
-        return Length(value, rate, bias, along, lift)
+        return PathLength(value, rate, bias, along, lift)
 
     def rows(self, starts: Mapping[str, float]) -> list[RowTerms]:
         """All rows, in the order of `row_kinds`; `starts` has each line's length at the start."""

@@ -16,7 +16,7 @@ class Phase(NamedTuple):
     stuck: tuple[bool, ...] = ()  # of each meeting
 
 
-class Length(NamedTuple):
+class PathLength(NamedTuple):
     """A length, its rate, its second derivative at q̈ = 0, and its gradient."""
 
     value: Number
@@ -78,14 +78,14 @@ def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
     return found
 
 
-def run_between(one: Point, other: Point, maths: Maths) -> Length:
+def run_between(one: Point, other: Point, maths: Maths) -> PathLength:
     """The distance of two points; only what moves one relative to the other has a gradient."""
     apart = minus(other.place, one.place)
     distance = maths.sqrt(product(apart, apart))
     moving = relative(one.gradient, other.gradient)
     rising = relative(one.lift, other.lift)
     if not moving and not rising:
-        return Length(distance, 0.0, 0.0, {}, {})
+        return PathLength(distance, 0.0, 0.0, {}, {})
     way = times(1.0 / distance, apart)
     along = {i: product(way, axis) for i, axis in moving.items()}
     lift = {i: product(way, normal) for i, normal in rising.items()}
@@ -93,7 +93,7 @@ def run_between(one: Point, other: Point, maths: Maths) -> Length:
     rate = product(way, parting)
     bend = product(way, minus(other.bias, one.bias))
     bias = bend + (product(parting, parting) - rate * rate) / distance
-    return Length(distance, rate, bias, along, lift)
+    return PathLength(distance, rate, bias, along, lift)
 
 
 def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:

@@ -1,0 +1,110 @@
+"""Moments of a motion: a time, the start, or the first time that something happens; one file each."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+import numpy as np
+
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.registry import Registry
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+
+class Moment(ABC):
+    """A point of a motion; a subclass is a frozen dataclass. All that the library knows of it stands on its class.
+
+    Class data:
+        kind: the kind of question that asks for quantities at it.
+        label: what items record as `asked.event`; None for a time that is stated.
+        event: whether it is an event of the engines, which both must see; else its channels must be certified.
+    """
+
+    kind: ClassVar[str]
+    label: ClassVar[str | None]
+    event: ClassVar[bool] = False
+
+    @property
+    def subjects(self) -> tuple[str, ...]:
+        """The bodies that it speaks of; none by default."""
+        return ()
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """What both engines must agree on for it to be certain; nothing by default."""
+        return ()
+
+    @property
+    def stated(self) -> tuple[tuple[float, str], ...]:
+        """The numbers that a question about it says, each with its unit; none by default."""
+        return ()
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """What its own words say, which therefore can't be asked; nothing by default."""
+        return ()
+
+    @classmethod
+    @abstractmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Those of a motion that are worth asking about."""
+
+    @classmethod
+    @abstractmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """All that a sentence could speak of, by the numbers and names that stand in it."""
+
+    @abstractmethod
+    def time(self, trace: Trace) -> float | None:
+        """When it comes, in seconds; None if it does not come while the motion is described."""
+
+    @abstractmethod
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """How a question speaks of it, *when …*."""
+
+    def side(self, time: float) -> float:
+        """The instant at which quantities are read: the moment itself, or just before it."""
+        return time
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """Something that happens, as a question and as a statement: *does A first stop*, *A first stops*."""
+
+    subject: str
+    auxiliary: str
+    asked: str
+    told: str
+
+    @property
+    def question(self) -> str:
+        """After *how long after the start …*."""
+        return f"{self.auxiliary} {self.subject} {self.asked}"
+
+    @property
+    def statement(self) -> str:
+        """After *until …*."""
+        return f"{self.subject} {self.told}"
+
+
+class Happening(Moment):
+    """The first time that something happens, so that it can also be asked when that is."""
+
+    kind = "event"
+
+    @abstractmethod
+    def clause(self, words: Words) -> Clause | None:
+        """What happens; None if when it comes is not to be asked."""
+
+
+def check_facts(name: str, member: object) -> None:
+    """Refuse a moment that leaves a fact of its class open, with ValueError."""
+    missing = [fact for fact in ("kind", "label") if not hasattr(member, fact)]
+    if missing:
+        raise ValueError(f"questions.moments: {name!r} declares no {', '.join(missing)}")
+
+
+MOMENTS: Registry[type[Moment]] = Registry("questions.moments", check_facts)

@@ -1,0 +1,56 @@
+"""A stated time after the start."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from sim2reason.questions.choices import apart
+from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.spoken import said, say, spoken
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Trace
+
+EARLIEST, LATEST = 0.15, 0.95  # of the stretch that can be asked about
+
+
+@MOMENTS.register("at_time")
+@dataclass(frozen=True, slots=True)
+class AtTime(Moment):
+    """A stated time after the start."""
+
+    kind = "state"
+    label = None
+
+    after: float  # s, as spoken
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """A time of two digits, away from events."""
+        del words
+        moment = cls(spoken(rng.uniform(EARLIEST, LATEST) * study.trace.stable_until))
+        return [moment] if moment.time(study.trace) is not None and apart(moment.after, study.trace) else []
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """Every number of seconds."""
+        del trace, words
+        return (cls(number) for number in said(text, "s"))
+
+    @property
+    def stated(self) -> tuple[tuple[float, str], ...]:
+        """The time."""
+        return ((self.after, "s"),)
+
+    def time(self, trace: Trace) -> float | None:
+        """The time itself, while the motion is described."""
+        return self.after if self.after <= trace.stable_until else None
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: 0.80 s after release."""
+        time = say(self.after, "s")
+        if words.released:
+            return (f"{time} after release", f"{time} after the release", f"{time} after the start")
+        return (f"at t = {time}", f"at the time t = {time}", f"at the instant t = {time}")

@@ -1,0 +1,60 @@
+"""A scene under study: its recorded motion, and those of scenes like it."""
+
+from collections.abc import Hashable
+from typing import Protocol, Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.simulation.certify import RECORDED
+from sim2reason.simulation.trace import ENGINES, Trace
+
+
+class Timed(Hashable, Protocol):
+    """What comes at some time of a motion."""
+
+    def time(self, trace: Trace) -> float | None:
+        """When it comes, s; None if it does not."""
+        ...
+
+
+class Study:
+    """A scene with its motion, which all questions and filters about it share; nothing is worked out twice."""
+
+    def __init__(self, scene: Scene, trace: Trace) -> None:
+        """`trace` is the motion of `scene`, as the recorded engine has it."""
+        self.scene, self.trace = scene, trace
+        self._times: dict[Timed, float | None] = {}
+        self._variants: dict[Scene, Study | None] = {}
+
+    @classmethod
+    def of(cls, scene: Scene, times: Array) -> Self:
+        """A scene and its motion, recorded at `times` (n,), s.
+
+        Raises:
+            SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
+        """
+        return cls(scene, ENGINES[RECORDED](scene.mechanism, times))
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """What moves."""
+        return self.trace.mechanism
+
+    def time(self, moment: Timed) -> float | None:
+        """When a moment comes, s; None if it does not come while the motion is described."""
+        if moment not in self._times:
+            self._times[moment] = moment.time(self.trace)
+        return self._times[moment]
+
+    def variant(self, scene: Scene) -> "Study | None":
+        """A changed scene with its motion over the same time; None if there is none."""
+        if scene not in self._variants:
+            try:
+                self._variants[scene] = Study.of(scene, np.array([0.0, float(self.trace.state.times[-1])]))
+            except (SceneError, SimulationError, UnsupportedError):
+                self._variants[scene] = None
+        return self._variants[scene]

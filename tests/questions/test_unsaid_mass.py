@@ -1,0 +1,75 @@
+"""What hangs on a mass that the text does not say is not asked."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from plain_scenes import ramp
+from sim2reason.bodies.plane import Plane
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.template import either
+from sim2reason.prose.writer import describe
+from sim2reason.questions import MODES
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.targets import targets
+
+MASSY = ("momentum", "energy", "force")
+
+
+class Sledge(Body):
+    """A body whose mass does not matter, and is not said."""
+
+    nouns = ("sledge",)
+    lone = ("a {noun}", "a loaded {noun}")
+    named = ("{noun} {letter}", "loaded {noun} {letter}")
+
+
+class SledgeOnSlope(Entity):
+    """It slides down a plane."""
+
+    sledge: Sledge
+    plane: Plane
+
+    says = (
+        either("{sledge} lies on {plane}.", "on {plane} lies {sledge}.", "{plane} carries {sledge}."),
+        either(
+            "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
+            "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
+            "on this plane static and kinetic friction have the coefficient {plane.friction}.",
+        ),
+    )
+
+    def build(self, room: Frame) -> None:
+        uphill, normal = self.plane.directions()
+        room.body("sledge", 1.0).rest(uphill, normal, self.plane.friction)
+
+
+SLOPE = Scene(
+    entities=(Named(name="slope", entity=SledgeOnSlope(sledge=Sledge(), plane=Plane(angle=30.0, friction=0.2))),)
+)
+
+
+def asked(scene: Scene) -> set[str]:
+    """Questions that pass every filter."""
+    search = QuestionSearch(scene, 1)
+    found = (search.ask(MODES["numeric"], np.random.default_rng(seed), Counter()) for seed in range(60))
+    return {certified.question.text for certified in found if certified is not None}
+
+
+def test_no_question_needs_a_mass_that_is_not_said() -> None:
+    said = asked(SLOPE)
+    assert any("the sledge" in text for text in said)
+    assert not [text for text in said if any(word in text for word in MASSY)]
+    assert [text for text in asked(ramp(friction=0.2)) if any(word in text for word in MASSY)]
+
+
+@pytest.mark.parametrize("word", MASSY)
+def test_it_is_not_offered_either(word: str) -> None:
+    for scene, offers in ((SLOPE, False), (ramp(mass=2.0, friction=0.2), True)):
+        nouns = targets(scene.mechanism, words_of(describe(scene))).values()
+        assert any(word in noun.phrase for noun in nouns) == offers
