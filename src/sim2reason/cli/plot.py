@@ -19,11 +19,14 @@ Events are marked, and what is cut off is shaded. Needs: pip install 'sim2reason
 @click.argument("scene", type=click.Path(path_type=Path))
 @click.option("-o", "out", type=console.RESULT, required=True, help="Where to: a .svg, .png or .pdf file.")
 @click.option(
-    "--duration", type=console.Seconds(0.0, 60.0, min_open=True), default=2.0, show_default=True, help="In seconds."
+    "--duration",
+    type=console.Seconds(0.0, 60.0, min_open=True),
+    default=None,
+    help="How long; as long as the scene is worth by default.",
 )
 @click.option("--engine", default="both", show_default=True, help="exact, mujoco, or both: exact, cut where they part.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the wording, as in describe.")
-def command(scene: Path, out: Path, duration: float, engine: str, seed: int) -> None:
+def command(scene: Path, out: Path, duration: float | None, engine: str, seed: int) -> None:
     """Plot the motion of the scene in the file SCENE (- is standard input)."""
     from sim2reason.figures.canvas import check, matplotlib
     from sim2reason.figures.plot import plot

@@ -37,7 +37,12 @@ Summary = dict[str, Any]
 @click.command("simulate", epilog=EXAMPLE)
 @click.argument("path", metavar="SCENE", type=click.Path(path_type=Path, allow_dash=True))
 @click.option("--engine", default="exact", show_default=True, help="One of: sim2reason list engines; or both.")
-@click.option("--duration", type=console.Seconds(1e-6, 1e3), default=2.0, show_default=True, help="Seconds.")
+@click.option(
+    "--duration",
+    type=console.Seconds(1e-6, 1e3),
+    default=None,
+    help="How long; as long as the scene is worth by default.",
+)
 @click.option("--samples", type=click.IntRange(2, 100_001), default=101, show_default=True, help="Rows of a trace.")
 @click.option("--truncate", "by_rule", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
 @click.option("-o", "out", type=console.RESULT, help="Write the trace to this Parquet file.")
@@ -46,7 +51,7 @@ Summary = dict[str, Any]
 def command(
     path: Path,
     engine: str,
-    duration: float,
+    duration: float | None,
     samples: int,
     by_rule: bool,
     out: Path | None,
@@ -73,7 +78,9 @@ def command(
     return 1 if found["cut"] == "certificate" else 0
 
 
-def run(content: str, engine: str, duration: float, samples: int, out: Path | None, by_rule: bool = False) -> Summary:
+def run(
+    content: str, engine: str, duration: float | None, samples: int, out: Path | None, by_rule: bool = False
+) -> Summary:
     """Simulate the scene of a text, in a worker process; write the trace to `out`."""
     from sim2reason.scene_files import load
     from sim2reason.simulation import scenes, trace_files
@@ -92,7 +99,8 @@ def run(content: str, engine: str, duration: float, samples: int, out: Path | No
         trace_files.write_trace(trace, out)
     return {
         "engine": engine,
-        "duration": duration,
+        "duration": float(trace.state.times[-1]),
+        "time_unit": scene.units.time,
         "stable_until": trace.stable_until,
         "cut": trace.cut,
         "events": [{"time": e.time, "kind": e.kind, "subjects": list(e.subjects)} for e in trace.events],
@@ -118,7 +126,14 @@ def _final(trace: "Trace") -> list[Summary]:
     for channel, quantity in channels(trace.mechanism):
         value = quantity.evaluate(state, channel.subject)[0].tolist()
         plain = [_plain(part) for part in value] if quantity.vector else _plain(value)
-        found.append({"subject": channel.subject, "quantity": quantity.name, "unit": quantity.unit, "value": plain})
+        found.append(
+            {
+                "subject": channel.subject,
+                "quantity": quantity.name,
+                "unit": trace.mechanism.units.spell(quantity.unit),
+                "value": plain,
+            }
+        )
     return found
 
 
@@ -127,16 +142,16 @@ def _plain(value: float) -> float | None:
 
 
 def _tell(found: Summary) -> None:
-    until = found["stable_until"]
+    until, unit = found["stable_until"], found["time_unit"]
     rows = [row for row in found["final"] if row["quantity"] in SHOWN]
     rows.sort(key=lambda row: SHOWN.index(row["quantity"]))
-    head = ["subject", "quantity", f"at {until:.6g} s", "unit"]
+    head = ["subject", "quantity", f"at {until:.6g} {unit}", "unit"]
     console.table(head, [[r["subject"], r["quantity"], _number(r["value"]), r["unit"]] for r in rows])
     for event in found["events"]:
-        click.echo(f"{event['time']:.6g} s: {event['kind']} of {', '.join(event['subjects'])}")
+        click.echo(f"{event['time']:.6g} {unit}: {event['kind']} of {', '.join(event['subjects'])}")
     if found["cut"]:
         why = STUCK[found["cut"]][0] if found["cut"] in STUCK else found["cut"]
-        click.echo(f"The motion is followed until {until:.6g} s, not {found['duration']:g} s: {why}")
+        click.echo(f"The motion is followed until {until:.6g} {unit}, not {found['duration']:g} {unit}: {why}")
     if found["certificate"] is not None:
         _tell_certificate(found["certificate"])
 

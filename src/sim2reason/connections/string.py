@@ -9,6 +9,7 @@ from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import (
+    FREE,
     Connection,
     Joint,
     Leg,
@@ -20,10 +21,10 @@ from sim2reason.dsl.connection import (
     SentenceWriter,
     connection,
 )
-from sim2reason.dsl.layout import FREE, opposite
+from sim2reason.dsl.layout import opposite
 from sim2reason.dsl.measures import FreeLength
 from sim2reason.dsl.mechanism import ZERO, Drawn, Inextensible
-from sim2reason.dsl.ports import End, Port, Stop, StringPort
+from sim2reason.dsl.ports import Pass, Port, SitePort, Stop, StringEnd, StringPort
 from sim2reason.dsl.vectors import add, scale
 from sim2reason.errors import SceneError
 
@@ -98,7 +99,7 @@ class String(Connection):
         name = joint.name
         stops = max(joint.stops, reversed_path(joint.stops), key=lambda path: _worth(path[0]))
         first = stops[0]
-        if not isinstance(first.port, End) or not _worth(first):
+        if not isinstance(first.port, StringEnd) or not _worth(first):
             raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
         opening = writer.choose(OPENINGS)
         tied = writer.render(first.port.tied, first.owner)
@@ -111,9 +112,14 @@ class String(Connection):
             if turn is not None:
                 verbs.append(winding(turn, writer.builder) + writer.at(order.pop(0)))
             port = stop.port
-            verbs.append(writer.render(port.arrives if isinstance(port, End) else port.passes, stop.owner))
+            verbs.append(writer.render(clause(port), stop.owner))
         string = called(again=writer.has_said(LIGHT_STRING))
         return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
+
+
+def clause(port: SitePort) -> str:
+    """The verb phrase with which a string comes to a port."""
+    return port.arrives if isinstance(port, StringEnd) else port.passes if isinstance(port, Pass) else ""
 
 
 def called(*, again: bool) -> str:
@@ -124,18 +130,18 @@ def called(*, again: bool) -> str:
 def _worth(stop: Stop) -> int:
     """How well a sentence begins here: best at what moves, not at all at a hand."""
     port = stop.port
-    return bool(port.tied) + bool(port.leaves) if isinstance(port, End) else 0
+    return bool(port.tied) + bool(port.leaves) if isinstance(port, StringEnd) else 0
 
 
 def travelled_sites(stop: Stop, *, first: bool) -> tuple[str, ...]:
     """The sites of a stop in the order of travel; an end is listed from the inside out."""
-    return stop.sites if first or not isinstance(stop.port, End) else stop.sites[::-1]
+    return stop.sites if first or not isinstance(stop.port, StringEnd) else stop.sites[::-1]
 
 
 def reversed_path(stops: Sequence[Stop]) -> tuple[Stop, ...]:
     """The same path from its other end."""
     return tuple(
-        Stop(s.owner, s.port, s.flipped if isinstance(s.port, End) else not s.flipped) for s in reversed(stops)
+        Stop(s.owner, s.port, s.flipped if isinstance(s.port, StringEnd) else not s.flipped) for s in reversed(stops)
     )
 
 
@@ -195,9 +201,9 @@ class SentenceParser(Generic[S]):
 
     def _tied(self, at: int, between: str, state: S) -> Iterator[ParsedSentence[S]]:
         """What it is tied to, and how it leaves there."""
-        for leg in self._routes.legs(state, ()):
+        for leg in self._routes.legs(String, state, ()):
             stop = leg.stops[0]
-            if not isinstance(stop.port, End) or not stop.port.tied:
+            if not isinstance(stop.port, StringEnd) or not stop.port.tied:
                 continue
             for end, then in self._matcher.template(self._text, at, stop.port.tied, stop.owner, leg.state):
                 begin = self._matcher.literal(self._text, end, between)
@@ -215,7 +221,7 @@ class SentenceParser(Generic[S]):
         if leg.stops:
             yield from self._next(at, leg, links, owned, before)
         elif not leg.last:
-            for new in self._routes.legs(leg.state, links):
+            for new in self._routes.legs(String, leg.state, links):
                 yield from self._on(at, new, (*links, new.link), owned, before)
         elif self._text[at:] == self._end:
             yield ParsedSentence(leg.state, links, owned)
@@ -225,7 +231,7 @@ class SentenceParser(Generic[S]):
     ) -> Iterator[ParsedSentence[S]]:
         """The next stop, perhaps behind a pulley that the string brings."""
         stop, rest = leg.stops[0], leg.stops[1:]
-        verb = stop.port.arrives if isinstance(stop.port, End) else stop.port.passes
+        verb = clause(stop.port)
         final = leg.last and not rest
         for end, then in self._verb(at, verb, before, leg.state, stop.owner, final=final):
             yield from self._on(end, replace(leg, stops=rest, state=then), links, owned, verb)

@@ -9,7 +9,6 @@ from pydantic import JsonValue
 from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
 from sim2reason.datasets.plan import Made, Request, versions
 from sim2reason.datasets.question_search import (
-    DURATION,
     QUESTIONS,
     SAMPLES,
     SHORTEST,
@@ -25,7 +24,7 @@ from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
 
 SCENES = 60  # scenes drawn for one item, at most
-SETTINGS = hashlib.sha256(json.dumps([SCENES, QUESTIONS, DURATION, SAMPLES, SHORTEST]).encode()).hexdigest()[:16]
+SETTINGS = hashlib.sha256(json.dumps([SCENES, QUESTIONS, SAMPLES, SHORTEST]).encode()).hexdigest()[:16]
 
 
 def make(request: Request) -> Made:

@@ -13,9 +13,8 @@ from sim2reason.questions import Mode, Question, Study
 from sim2reason.questions.prompt import prompt, words_of
 from sim2reason.simulation.certify import Certificate, witnessed
 
-DURATION = 2.0  # s
 SAMPLES = 41
-SHORTEST = 0.1  # s of usable motion
+SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
 QUESTIONS = 4  # tries
 
 
@@ -38,7 +37,7 @@ class QuestionSearch:
 
     def __init__(self, scene: Scene, wording: int) -> None:
         """`wording` is the seed of the text."""
-        self.study = Study.of(scene, np.linspace(0.0, DURATION, SAMPLES))
+        self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._wording = wording
 
     @cached_property
@@ -56,7 +55,7 @@ class QuestionSearch:
         self, mode: Mode, rng: np.random.Generator, refused: Counter[str], kind: str = ""
     ) -> CertifiedQuestion | None:
         """A question that passes every filter, or None; what was refused is counted by filter in `refused`."""
-        if self.study.trace.stable_until < SHORTEST:
+        if self.study.trace.stable_until < SHORTEST * self.study.scene.horizon:
             refused[f"unstable: {self.study.trace.cut}"] += 1
             return None
         description = self.description

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from math import inf
 
 from sim2reason.dsl.collector import WHEEL_RADIUS, Collector, Rim
-from sim2reason.dsl.fields import Law, Region
+from sim2reason.dsl.fields import Law
 from sim2reason.dsl.mechanism import (
     NO_INERTIA,
     ZERO,
@@ -23,6 +23,7 @@ from sim2reason.dsl.mechanism import (
     Y,
     Z,
 )
+from sim2reason.dsl.regions import Region
 from sim2reason.dsl.vectors import Tensor, Vector, add, inner, outer, unit
 
 __all__ = ["WHEEL_RADIUS", "Builder", "Frame", "Rim"]
@@ -31,9 +32,12 @@ __all__ = ["WHEEL_RADIUS", "Builder", "Frame", "Rim"]
 class Frame:
     """A body under construction, or the room; what is made on it moves with it."""
 
-    def __init__(self, builder: Collector, prefix: str, body: str | None, at: Vector) -> None:
-        """`prefix` goes before every name made here; `at` is where its origin stands in the room."""
+    def __init__(
+        self, builder: Collector, prefix: str, body: str | None, at: Vector, origin: Vector | None = None
+    ) -> None:
+        """`prefix` goes before every name made here; `at` is where it stands in the room, `origin` where its entity does."""
         self._builder, self.prefix, self.name, self.at = builder, prefix, body, at
+        self.origin = at if origin is None else origin
 
     def address(self, name: str) -> str:
         """The full address of a name that is made here."""
@@ -41,7 +45,7 @@ class Frame:
 
     def part(self, name: str, at: Vector = ZERO) -> "Frame":
         """The same body, shifted by `at`, with `name` before all names: room for a part of an entity."""
-        return Frame(self._builder, self.address(name), self.name, add(self.at, at))
+        return Frame(self._builder, self.address(name), self.name, add(self.at, at), self.origin)
 
     def body(
         self, name: str, mass: float = 0.0, *, at: Vector = ZERO, center: Vector = ZERO, inertia: Tensor = NO_INERTIA
@@ -53,7 +57,7 @@ class Frame:
         address, where = self.address(name), add(self.at, at)
         relative = self._builder.relative(self.name, where)
         self._builder.add_body(RigidBody(address, self.name, relative, mass, center, inertia))
-        return Frame(self._builder, self.prefix, address, where)
+        return Frame(self._builder, self.prefix, address, where, self.origin)
 
     def slide(
         self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "slide"
@@ -173,8 +177,9 @@ class Frame:
         self._builder.add_spring(self.address(name), _flat(through), stiffness, length, damping)
 
     def force(self, name: str, law: Law, region: Region | None = None) -> None:
-        """Let a force act on this body at its centre of mass."""
-        self._builder.forces.append(Force(self.address(name), self._own(), law, region))
+        """Let a force act on this body at its centre of mass; law and region count places from the entity's origin."""
+        here = None if region is None else region.moved(self.origin)
+        self._builder.forces.append(Force(self.address(name), self._own(), law.moved(self.origin), here))
 
     def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float, *, sticks: bool = False) -> None:
         """Let two bodies bounce when their centres come within `distance`."""
@@ -229,3 +234,10 @@ class Builder(Collector):
     def room(self, name: str = "", at: Vector = ZERO) -> Frame:
         """The room, for one entity: `name` goes before all its names, `at` is where it stands."""
         return Frame(self, name, None, at)
+
+    def mount(self, name: str, site: str, *, stiff: bool) -> Frame:
+        """The body that carries a site, for an entity that stands there; `stiff`: it can't move on it."""
+        carrier = self.carrier(site)
+        if stiff:
+            self.welded[name] = carrier
+        return Frame(self, name, carrier, self.position(site))

@@ -58,6 +58,7 @@ class Collector:
         self.faces: dict[str, Vector | None] = {}  # by site, the way in which a string must leave it
         self.hands: dict[str, float] = {}  # by site, the force with which a string is drawn in there
         self._rims: dict[tuple[str, str], Rim] = {}
+        self.welded: dict[str, str | None] = {}  # entities that can't move on what carries them, and that
         self._lines: dict[str, Line] = {}
         self._faces: dict[str, Face] = {}
         self.feet: list[Foot] = []
@@ -97,13 +98,17 @@ class Collector:
 
     def add_coordinate(self, coordinate: Coordinate) -> None:
         """Give a body one more way to move, unless it is glued."""
-        if coordinate.body not in self._glued:
-            found = self._bodies[coordinate.body]
+        found = self._bodies[coordinate.body]
+        if coordinate.body not in self._glued and not self._is_welded(found):
             self._bodies[coordinate.body] = replace(found, coordinates=(*found.coordinates, coordinate))
+
+    def _is_welded(self, body: RigidBody) -> bool:
+        owner = body.name.split(".", maxsplit=1)[0]
+        return owner in self.welded and body.parent == self.welded[owner]
 
     def add_face(self, face: Face) -> None:
         """Say that a body lies on its parent, unless it is glued to it."""
-        if face.subject not in self._glued:
+        if face.subject not in self._glued and not self._is_welded(self._bodies[face.subject]):
             self._faces[face.subject] = face
 
     def add_site(self, name: str, body: str | None, where: Vector, faces: Vector | None = None) -> None:

@@ -14,6 +14,7 @@ from sim2reason.dsl.model import Model
 from sim2reason.dsl.ports import Port, Stop
 from sim2reason.registry import Registry
 
+FREE = 2.5  # m of free string between neighbours, so that motions of a second or two have room
 Look = Literal["string", "spring", "rod"]
 """How a connection is drawn: a thin line, a coil, a bar."""
 
@@ -92,8 +93,8 @@ class Leg(Generic[S]):
 class Routes(Protocol[S]):
     """What a connection's sentence may name next."""
 
-    def legs(self, state: S, links: tuple[Link, ...]) -> Iterator[Leg[S]]:
-        """All ways to go on after `links`; without any, all ways to begin."""
+    def legs(self, kind: "type[Connection]", state: S, links: tuple[Link, ...]) -> Iterator[Leg[S]]:
+        """All ways in which a kind of connection can go on after `links`; without any, all ways to begin."""
         ...
 
 
@@ -127,7 +128,20 @@ class Connection(Model):
     key: ClassVar[str] = ""  # its name in scene files
     joins: ClassVar[type[Port]] = Port  # the type of ports between which it can run
     look: ClassVar[Look] = "string"
+    carries: ClassVar[bool] = False  # whether its first end carries the entity at its last one
+    stiff: ClassVar[bool] = False  # and if so, without letting it turn
     links: tuple[Link, ...]
+
+    @classmethod
+    def admits(cls, port: Port, index: int, last: int) -> bool:
+        """Whether its link at `index` may lead to a port."""
+        del index, last
+        return isinstance(port, cls.joins)
+
+    @property
+    def spacing(self) -> float:
+        """How far apart neighbours on it stand, m."""
+        return FREE
 
     def brings(self, joint: "Joint", builder: Builder) -> dict[str, Body]:
         """The bodies that the connection itself brings, by address."""

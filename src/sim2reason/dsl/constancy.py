@@ -3,9 +3,9 @@
 from itertools import pairwise
 from math import hypot
 
-from sim2reason.dsl.fields import Triple, cross, minus, plus, product, times
 from sim2reason.dsl.frames import Frame, Frames, Point
 from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism, Prop, RigidBody
+from sim2reason.dsl.triples import Triple, cross, minus, plus, product, times
 from sim2reason.dsl.vectors import Vector
 
 ALIGNED = 1e-9  # how far two unit vectors may differ and still be called parallel

@@ -10,8 +10,9 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.connection import Inside
 from sim2reason.dsl.model import Model, field_types
-from sim2reason.dsl.ports import Chain, End, Pass, Port, Stop
+from sim2reason.dsl.ports import Attachment, Base, Chain, Mount, Pass, Port, SitePort, Stop, StringEnd
 from sim2reason.dsl.template import Each, Saying, Slot, Word, paths, slots, wordings
+from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.registry import Registry
 
 PORT_TYPES = (Port, Inside)
@@ -37,6 +38,13 @@ class Part(Model):
 
 class Entity(Part):
     """A mechanism that a scene file can name."""
+
+    units: ClassVar[UnitSystem] = SI  # in which its text speaks
+
+    @property
+    def horizon(self) -> float | None:
+        """How long its motion is worth following, in the units of its text: a period, a flight; None for no matter."""
+        return None
 
 
 NAME = r"^[a-z][a-z0-9_]{0,39}$"
@@ -89,7 +97,7 @@ def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> l
     port = ports_of(type(part))[name]
     if isinstance(port, Chain):
         return [stop for inner in port.stops for stop in stops_of(part, inner, address)]
-    assert isinstance(port, End | Pass)
+    assert isinstance(port, SitePort)
     return [Stop(address, port, flipped)]
 
 
@@ -116,9 +124,17 @@ def _clauses(cls: type[Part], port: Port) -> set[str]:
     """What all clauses of a port tell, whichever of them is used."""
     if isinstance(port, Pass):
         return _common(cls, (port.passes,))
-    if isinstance(port, End):
+    if isinstance(port, StringEnd):
         return _common(cls, (port.arrives, *((port.tied + port.leaves,) if port.can_begin else ())))
-    return set()
+    phrase = phrase_of(port)
+    return _common(cls, (phrase,)) if phrase else set()
+
+
+def phrase_of(port: Port) -> str:
+    """What a connection that ends at a port calls it; empty where it has no words."""
+    if isinstance(port, Attachment):
+        return port.tied
+    return port.place if isinstance(port, Mount) else port.held if isinstance(port, Base) else ""
 
 
 def _common(cls: type[Part], templates: tuple[str, ...]) -> set[str]:

@@ -1,63 +1,14 @@
-"""Laws of force, and the regions in which they hold: data that any kind of number can be put through.
+"""Laws of force: data that any kind of number can be put through.
 
 A law takes a place, a velocity and a time, as floats, arrays or symbols, and `maths`, which knows the root, sine
 and cosine of such numbers.
 """
 
-from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias
+from dataclasses import dataclass, replace
+from typing import Protocol, Self
 
-from sim2reason.dsl.vectors import Tensor, Vector
-
-Number: TypeAlias = Any  # a float, an array or a symbol; arithmetic is all that is asked of it
-Triple: TypeAlias = tuple[Number, Number, Number]
-
-
-class Maths(Protocol):
-    """The functions of one kind of number: the modules `math` and `numpy`, or a tape of symbols."""
-
-    def sqrt(self, x: Number, /) -> Number:
-        """The square root."""
-        ...
-
-    def sin(self, x: Number, /) -> Number:
-        """The sine of an angle, rad."""
-        ...
-
-    def cos(self, x: Number, /) -> Number:
-        """The cosine of an angle, rad."""
-        ...
-
-
-def product(a: Triple, b: Triple) -> Number:
-    """The scalar product."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Triple, b: Triple) -> Triple:
-    """The vector product."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def plus(a: Triple, b: Triple) -> Triple:
-    """The sum of two vectors."""
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
-
-
-def minus(a: Triple, b: Triple) -> Triple:
-    """The first vector less the second."""
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def times(factor: Number, a: Triple) -> Triple:
-    """A vector times a number."""
-    return (factor * a[0], factor * a[1], factor * a[2])
-
-
-def applied(tensor: Tensor, vector: Triple) -> Triple:
-    """A symmetric tensor times a vector."""
-    xx, yy, zz, xy, xz, yz = tensor
-    return (product((xx, xy, xz), vector), product((xy, yy, yz), vector), product((xz, yz, zz), vector))
+from sim2reason.dsl.triples import Maths, Number, Triple, cross, minus, product, times
+from sim2reason.dsl.vectors import Vector, add, inner
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +29,10 @@ class Profile:
         if self.rate:
             found = found + self.rate * time
         return found * maths.cos(self.frequency * time) if self.frequency else found
+
+    def moved(self, by: Vector) -> "Profile":
+        """The same profile about another origin."""
+        return replace(self, value=self.value - self.slope * inner(self.axis, by)) if self.slope else self
 
     @property
     def steady(self) -> bool:
@@ -104,6 +59,10 @@ class Law(Protocol):
     @property
     def constant(self) -> bool:
         """Whether the force never changes."""
+        ...
+
+    def moved(self, by: Vector) -> Self:
+        """The same law about another origin."""
         ...
 
 
@@ -133,6 +92,10 @@ class Push:
         """Whether it is uniform."""
         return self.profile.uniform
 
+    def moved(self, by: Vector) -> "Push":
+        """About another origin."""
+        return replace(self, profile=self.profile.moved(by))
+
 
 @dataclass(frozen=True, slots=True)
 class Magnetic:
@@ -154,6 +117,10 @@ class Magnetic:
     def constant(self) -> bool:
         """Never."""
         return False
+
+    def moved(self, by: Vector) -> "Magnetic":
+        """About another origin."""
+        return replace(self, profile=self.profile.moved(by))
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,6 +147,11 @@ class Resistance:
     def constant(self) -> bool:
         """Never."""
         return False
+
+    def moved(self, by: Vector) -> "Resistance":
+        """It is the same everywhere."""
+        del by
+        return self
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,6 +181,10 @@ class Central:
         """Never."""
         return False
 
+    def moved(self, by: Vector) -> "Central":
+        """About another origin."""
+        return replace(self, center=add(self.center, by))
+
 
 def _power(square: Number, power: int, maths: Maths) -> Number:
     """R to a whole power, from r²."""
@@ -216,55 +192,3 @@ def _power(square: Number, power: int, maths: Maths) -> Number:
     for _ in range(abs(power) // 2):
         found = found * square
     return found if power >= 0 else 1.0 / found
-
-
-class Region(Protocol):
-    """Where a force acts: inside, where all margins are positive."""
-
-    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Distances to the borders, m, positive inside."""
-        ...
-
-
-@dataclass(frozen=True, slots=True)
-class HalfSpace:
-    """All places with normal·r ≥ offset."""
-
-    normal: Vector
-    offset: float
-
-    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """The distance to the plane."""
-        del maths
-        return (product(self.normal, place) - self.offset,)
-
-
-@dataclass(frozen=True, slots=True)
-class Box:
-    """A slab or box: low ≤ axis·r ≤ high for each of its axes."""
-
-    sides: tuple[tuple[Vector, float, float], ...]  # (axis, low, high)
-
-    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """The distances to its sides."""
-        del maths
-        found: list[Number] = []
-        for axis, low, high in self.sides:
-            along = product(axis, place)
-            found += [along - low, high - along]
-        return tuple(found)
-
-
-@dataclass(frozen=True, slots=True)
-class Disc:
-    """A cylinder of any length: the places within `radius` of an axis through `center`."""
-
-    center: Vector
-    radius: float
-    axis: Vector = (0.0, 0.0, 1.0)
-
-    def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """The distance to its border."""
-        apart = minus(place, self.center)
-        along = product(self.axis, apart)
-        return (self.radius - maths.sqrt(product(apart, apart) - along * along),)

@@ -12,8 +12,8 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple
 
-from sim2reason.dsl.fields import Maths, Number, Triple, cross, minus, plus, product, times
 from sim2reason.dsl.mechanism import ZERO, Coordinate, Line, Mechanism, RigidBody
+from sim2reason.dsl.triples import Maths, Number, Triple, cross, minus, plus, product, times
 from sim2reason.dsl.vectors import Vector
 
 Gradient = Mapping[int, Triple]  # by number of a coordinate, or of a face
@@ -38,7 +38,7 @@ class Turning(NamedTuple):
     gradient: Gradient
 
 
-class _Step(NamedTuple):
+class Step(NamedTuple):
     """One coordinate on the way from the room to a body, at its present direction."""
 
     number: int
@@ -55,7 +55,7 @@ class Frame(NamedTuple):
     bias: Triple
     spin: Triple | None  # angular velocity; None: it never turns
     spin_bias: Triple
-    steps: tuple[_Step, ...] = ()
+    steps: tuple[Step, ...] = ()
     lift: Gradient = MappingProxyType({})
 
     def turned(self, vector: Triple) -> Triple:
@@ -89,6 +89,11 @@ class Frame(NamedTuple):
             return self.velocity, self.bias
         swing = cross(self.spin, arm)
         return plus(self.velocity, swing), plus(self.bias, plus(cross(self.spin_bias, arm), cross(self.spin, swing)))
+
+    @property
+    def hinges(self) -> tuple[Step, ...]:
+        """The hinges on the way from the room."""
+        return tuple(step for step in self.steps if step.pivot is not None)
 
     @property
     def turning(self) -> Turning:
@@ -180,7 +185,7 @@ class Frames:
         bias = frame.bias
         if frame.spin is not None:
             bias = plus(bias, times(2.0 * self._v[number], cross(frame.spin, axis)))
-        steps = (*frame.steps, _Step(number, axis, None))
+        steps = (*frame.steps, Step(number, axis, None))
         return Frame(frame.origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, steps, frame.lift)
 
     def _hinged(self, frame: Frame, coordinate: Coordinate, number: int) -> Frame:
@@ -191,7 +196,7 @@ class Frames:
         else:
             spin, spin_bias = plus(frame.spin, whirl), plus(frame.spin_bias, cross(frame.spin, whirl))
         rotation = rotated(frame.rotation, coordinate.axis, self._q[number], self._maths)
-        steps = (*frame.steps, _Step(number, axis, frame.origin))
+        steps = (*frame.steps, Step(number, axis, frame.origin))
         return Frame(frame.origin, rotation, frame.velocity, frame.bias, spin, spin_bias, steps, frame.lift)
 
 

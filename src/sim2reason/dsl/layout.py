@@ -1,18 +1,19 @@
 """Where entities stand: each is placed so that the strings from its neighbours run straight."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from math import hypot
+from typing import NamedTuple
 
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.mechanism import ZERO
-from sim2reason.dsl.ports import End, Stop
+from sim2reason.dsl.ports import Stop, StringEnd
 from sim2reason.dsl.vectors import Vector, add, scale
+from sim2reason.errors import SceneError
 
 GAP = 1.0  # m between entities that no straight string aligns; only for looks
-FREE = 2.5  # m of free string between neighbours, so that motions of a second or two have room
 
 
 def opposite(one: Vector | None, other: Vector | None) -> bool:
@@ -20,49 +21,87 @@ def opposite(one: Vector | None, other: Vector | None) -> bool:
     return one is None or other is None or hypot(*add(one, other)) < 1e-9
 
 
+class Neighbours(NamedTuple):
+    """Two sites of different entities that a connection leads from one to the other, and how far apart they stand."""
+
+    one: str
+    other: str
+    spacing: float
+
+
+class Mounted(NamedTuple):
+    """An entity that another one carries: at which of its sites, and whether it can turn there."""
+
+    name: str
+    site: str
+    stiff: bool
+
+
 def placed(
     entities: Sequence[Named],
     connections: Sequence[Connection],
-    gravity: float,
-    glued: Iterable[str],
     stops: Callable[[Connection], list[Stop]],
+    builder: Builder,
 ) -> Builder:
-    """A builder in which all entities are built, each where its strings want it."""
-    neighbours = [pair for connection in connections for pair in _pairs(stops(connection))]
-    offsets: dict[str, Vector] = {}
-    alone: dict[str, Builder] = {}
-    right = 0.0
-    for named in entities:
+    """The builder with all entities built in it, each where its connections want it, those that carry others first."""
+    pairs: list[Neighbours] = []
+    mounted: dict[str, Mounted] = {}
+    for connection in connections:
+        path = stops(connection)
+        if connection.carries:
+            mounted[path[1].owner] = Mounted(path[1].owner, path[0].sites[0], connection.stiff)
+        else:
+            pairs += _pairs(path, connection.spacing)
+    free = [named for named in entities if named.name not in mounted]
+    offsets, alone, right = dict[str, Vector](), dict[str, Builder](), 0.0
+    for named in free:
         scratch = alone[named.name] = Builder()
         named.entity.build(scratch.room(named.name))
         low, high = scratch.extent()
         offsets[named.name] = (right - low, 0.0, 0.0)
         right += high - low + GAP
-    _align(neighbours, offsets, alone)
-    builder = Builder((0.0, 0.0, -gravity), glued)
-    for named in entities:
+    _align([pair for pair in pairs if {_owner(pair.one), _owner(pair.other)} <= offsets.keys()], offsets, alone)
+    for named in free:
         named.entity.build(builder.room(named.name, offsets[named.name]))
+    _mount({named.name: named for named in entities}, mounted, builder)
     return builder
 
 
-def _pairs(stops: list[Stop]) -> list[tuple[str, str]]:
+def _mount(entities: Mapping[str, Named], mounted: Mapping[str, Mounted], builder: Builder) -> None:
+    """Build what is carried, once what carries it is there."""
+    waiting = list(mounted.values())
+    while waiting:
+        ready = [each for each in waiting if _owner(each.site) not in {other.name for other in waiting}]
+        if not ready:
+            raise SceneError("connections", "entities carry each other in a ring", "let one of them stand alone")
+        for each in ready:
+            entities[each.name].entity.build(builder.mount(each.name, each.site, stiff=each.stiff))
+        waiting = [each for each in waiting if each not in ready]
+
+
+def _owner(site: str) -> str:
+    return site.split(".", maxsplit=1)[0]
+
+
+def _pairs(stops: list[Stop], spacing: float) -> list[Neighbours]:
     """Neighbouring sites of different entities along a path: where it leaves one and reaches the next."""
-    found: list[tuple[str, str]] = []
+    found: list[Neighbours] = []
     for one, other in pairwise(stops):
         leaves, reaches = one.sites[-1], _first(other)
-        if leaves.split(".")[0] != reaches.split(".")[0]:
-            found.append((leaves, reaches))
+        if _owner(leaves) != _owner(reaches):
+            found.append(Neighbours(leaves, reaches, spacing))
     return found
 
 
 def _first(stop: Stop) -> str:
-    """The site that a string reaches first: an end is listed from the inside out, so its last."""
-    return stop.sites[-1] if isinstance(stop.port, End) else stop.sites[0]
+    """The site that a connection reaches first: an end is listed from the inside out, so its last."""
+    return stop.sites[-1] if isinstance(stop.port, StringEnd) else stop.sites[0]
 
 
-def _align(pairs: list[tuple[str, str]], offsets: dict[str, Vector], alone: Mapping[str, Builder]) -> None:
+def _align(pairs: list[Neighbours], offsets: dict[str, Vector], alone: Mapping[str, Builder]) -> None:
     """Shift entities, outwards from the first, so that what faces each other does so on one line."""
     done: set[str] = set()
+    both = [*pairs, *(Neighbours(pair.other, pair.one, pair.spacing) for pair in pairs)]
     for first in alone:  # each tree of the forest from its first entity on
         queue = [first]
         while queue:
@@ -70,18 +109,17 @@ def _align(pairs: list[tuple[str, str]], offsets: dict[str, Vector], alone: Mapp
             if here in done:
                 continue
             done.add(here)
-            for one, other in [*pairs, *((b, a) for a, b in pairs)]:
-                name, neighbour = one.split(".")[0], other.split(".")[0]
-                if name == here and neighbour not in done:
-                    _shift(one, other, alone, offsets)
-                    queue.append(neighbour)
+            for pair in both:
+                if _owner(pair.one) == here and _owner(pair.other) not in done:
+                    _shift(pair, alone, offsets)
+                    queue.append(_owner(pair.other))
 
 
-def _shift(fixed: str, moved: str, alone: Mapping[str, Builder], offsets: dict[str, Vector]) -> None:
-    near, far = fixed.split(".", maxsplit=1)[0], moved.split(".", maxsplit=1)[0]
-    here, there = alone[near].faces[fixed], alone[far].faces[moved]
+def _shift(pair: Neighbours, alone: Mapping[str, Builder], offsets: dict[str, Vector]) -> None:
+    near, far = _owner(pair.one), _owner(pair.other)
+    here, there = alone[near].faces[pair.one], alone[far].faces[pair.other]
     if (here is None and there is None) or not opposite(here, there):
         return
     towards = here if here is not None else scale(-1.0, there or ZERO)
-    wanted = add(alone[near].position(fixed), offsets[near], scale(FREE, towards))
-    offsets[far] = add(wanted, scale(-1.0, alone[far].position(moved)))
+    wanted = add(alone[near].position(pair.one), offsets[near], scale(pair.spacing, towards))
+    offsets[far] = add(wanted, scale(-1.0, alone[far].position(pair.other)))

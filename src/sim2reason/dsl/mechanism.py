@@ -9,7 +9,8 @@ from functools import cached_property
 from math import inf
 from typing import Literal
 
-from sim2reason.dsl.fields import Law, Region
+from sim2reason.dsl.fields import Law
+from sim2reason.dsl.regions import Region
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.dsl.vectors import Tensor, Vector
 

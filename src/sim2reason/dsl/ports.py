@@ -1,13 +1,13 @@
-"""Where a string can be tied to an entity, or led through it, and in which words.
+"""Where connections can be joined to an entity, or led through it, and in which words.
 
-Every clause is a verb phrase whose subject is the string, but for `tied`, which names what it is tied to.
-Sites are listed from the inside out; where a string must go from the last one is said by the site itself.
+A string's clauses are verb phrases whose subject is the string, but for `tied`, which names what it is tied to. Sites
+are listed from the inside out; where a string must go from the last one is said by the site itself.
 """
 
 from dataclasses import dataclass, field
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, kw_only=True)
 class Port:
     """What a connection can join to something. Each kind of connection joins one type of port.
 
@@ -15,7 +15,7 @@ class Port:
     """
 
     name: str = field(default="", init=False, compare=False)
-    required: bool = field(default=False, kw_only=True)  # left open, it would change what the text says
+    required: bool = False  # left open, it would change what the text says
 
     def __set_name__(self, owner: type, name: str) -> None:
         """Python tells the attribute's name once, as the class is made."""
@@ -23,16 +23,29 @@ class Port:
         object.__setattr__(self, "name", name)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, kw_only=True)
+class SitePort(Port):
+    """A port at sites of its entity."""
+
+    sites: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Attachment(SitePort):
+    """A point that a spring, a rod or a string can hold; `tied` names what it is on."""
+
+    tied: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class StringPort(Port):
     """A port for strings."""
 
 
-@dataclass(frozen=True, slots=True)
-class End(StringPort):
+@dataclass(frozen=True, kw_only=True)
+class StringEnd(SitePort, StringPort):
     """One end of a string. Without `tied` it is always told last; without `leaves` it is told last if it can be."""
 
-    sites: tuple[str, ...]
     arrives: str
     tied: str = ""
     leaves: str = ""
@@ -43,8 +56,18 @@ class End(StringPort):
         return bool(self.tied)
 
 
-@dataclass(frozen=True, slots=True)
-class Pass(StringPort):
+@dataclass(frozen=True, kw_only=True)
+class End(StringEnd, Attachment):
+    """One end of a string, at something that a spring or a rod can hold as well."""
+
+    def __post_init__(self) -> None:
+        """Refuse an end that nothing names; ValueError."""
+        if not self.tied:
+            raise ValueError("an end must say what a string is tied to there; else it is a StringEnd")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pass(SitePort, StringPort):
     """A place where a string goes on. `sides` name its two directions in files, in the order of `sites`."""
 
     sites: tuple[str, str]
@@ -52,11 +75,26 @@ class Pass(StringPort):
     sides: tuple[str, str] = ("left", "right")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, kw_only=True)
 class Chain(StringPort):
     """A port that consists of others, from the inside out: an end and what the string passes on its way out."""
 
     stops: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mount(SitePort):
+    """A point of a body that can carry another entity; `place` names what it is on."""
+
+    place: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Base(SitePort):
+    """The point by which an entity is carried, its origin; `held` names it."""
+
+    sites: tuple[str, ...] = ()
+    held: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +102,7 @@ class Stop:
     """A port at its place in a scene: `owner` is the address of the entity or part that declares it."""
 
     owner: str
-    port: End | Pass
+    port: SitePort
     flipped: bool = False  # passed from its second side to its first
 
     @property

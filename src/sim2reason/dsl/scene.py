@@ -13,10 +13,12 @@ from sim2reason.dsl.layout import placed
 from sim2reason.dsl.measures import Gravity
 from sim2reason.dsl.mechanism import GRAVITY, Mechanism
 from sim2reason.dsl.model import Model, Parameter, changed, lookup, parameters, rebuilt
-from sim2reason.dsl.ports import Chain, End, Pass, Stop
+from sim2reason.dsl.ports import Chain, Pass, Stop, StringEnd
+from sim2reason.dsl.units import UnitSystem
 from sim2reason.errors import SceneError
 
 MAX_ENTITIES = 8
+HORIZON = 2.0  # s
 
 
 class World(Model):
@@ -59,13 +61,13 @@ class Scene(Model):
         """Every link leads to a port, no port is used twice, and none that must be used stays open."""
         used: set[tuple[str, str]] = set()
         for number, connection in enumerate(self.connections):
-            for link in connection.links:
+            for index, link in enumerate(connection.links):
                 place = f"connections.{number}"
                 ports = outer_ports(type(self.entity(link.entity, place)))
                 if link.port not in ports:
                     known = ", ".join(ports) or "none"
                     raise SceneError(place, f"{link.entity!r} has no port {link.port!r}", f"its ports: {known}")
-                if not isinstance(ports[link.port], connection.joins):
+                if not connection.admits(ports[link.port], index, len(connection.links) - 1):
                     problem = f"a {connection.key} can not be joined to {link}, which is for other connections"
                     raise SceneError(place, problem, f"it takes a {connection.joins.__name__}")
                 if (link.entity, link.port) in used:
@@ -134,10 +136,25 @@ class Scene(Model):
     @cached_property
     def builder(self) -> Builder:
         """The builder with everything in it: where sites are and which way strings must leave them."""
-        builder = placed(self.entities, self.connections, self.world.gravity, self.glued, self.stops)
+        builder = Builder((0.0, 0.0, -self.world.gravity), self.glued, self.units)
+        placed(self.entities, self.connections, self.stops, builder)
         for joint in self.joints.values():
             joint.build(builder)
         return builder
+
+    @property
+    def units(self) -> UnitSystem:
+        """The units in which its text speaks, and its mechanism counts; SceneError if its entities differ on them."""
+        found = {named.entity.units for named in self.entities}
+        if len(found) > 1:
+            names = " and ".join(sorted(units.name for units in found))
+            raise SceneError("entities", f"some speak in {names} units", "let entities of one scene share their units")
+        return found.pop()
+
+    @property
+    def horizon(self) -> float:
+        """How long its motion is followed: as long as the slowest of its entities wants, else 2 s."""
+        return max((h for named in self.entities if (h := named.entity.horizon) is not None), default=HORIZON)
 
     @cached_property
     def mechanism(self) -> Mechanism:
@@ -251,7 +268,7 @@ def reversed_stops(stops: list[Stop]) -> list[Stop]:
 
 def travelled(stops: list[Stop]) -> list[Stop]:
     """The stops of an inner rope; its last port was listed from the inside out, too."""
-    if not isinstance(stops[-1].port, End):
-        inner = next(i for i, stop in enumerate(stops) if i > 0 and isinstance(stop.port, End | Chain))
+    if not isinstance(stops[-1].port, StringEnd):
+        inner = next(i for i, stop in enumerate(stops) if i > 0 and isinstance(stop.port, StringEnd | Chain))
         return [*stops[:inner], *reversed_stops(stops[inner:])]
     return stops

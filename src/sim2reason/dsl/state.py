@@ -8,9 +8,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.fields import Triple, minus, product
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Drawn, Elastic, Line, Mechanism
+from sim2reason.dsl.triples import Triple, minus, product
 
 Array = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, entity
 from sim2reason.dsl.measures import Force
-from sim2reason.dsl.ports import End
+from sim2reason.dsl.ports import StringEnd
 
 
 @entity
@@ -12,7 +12,7 @@ class ConstantForcePuller(Entity):
 
     force: Force
 
-    end = End(sites=("hand",), arrives="ends in a hand that pulls with a steady {force}", required=True)
+    end = StringEnd(sites=("hand",), arrives="ends in a hand that pulls with a steady {force}", required=True)
 
     def build(self, room: Frame) -> None:
         """A fixed point at which the string is drawn in."""

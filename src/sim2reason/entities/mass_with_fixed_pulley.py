@@ -15,7 +15,7 @@ class MassWithFixedPulley(Entity):
     pulley: FixedPulley
 
     over = Pass(sites=("pulley.left", "pulley.right"), passes="passes over {pulley}")
-    tail = Chain(("system.tail", "over"), required=True)
+    tail = Chain(stops=("system.tail", "over"), required=True)
 
     def build(self, room: Frame) -> None:
         """The system's string reaches the left of the rim, the open side leaves its right."""

@@ -79,7 +79,7 @@ def panels(state: State, mentions: dict[str, str]) -> tuple[Panel, ...]:
     found: dict[str, list[Curve]] = {}
     for quantity in ordered():
         if quantity.panel:
-            title = f"{quantity.panel} ({show_unit(quantity.unit)})".removesuffix(" ()")
+            title = f"{quantity.panel} ({show_unit(state.mechanism.units.spell(quantity.unit))})".removesuffix(" ()")
             found.setdefault(title, []).extend(_curves(quantity, state, mentions))
     return tuple(Panel(title, tuple(curves)) for title, curves in found.items() if curves)
 

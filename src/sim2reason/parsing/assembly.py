@@ -23,14 +23,15 @@ def assembled(state: ParseState, rng: np.random.Generator) -> Scene:
         SceneError, ValueError: what is told can't be.
     """
     entities = [Named(name=name, entity=_model(state, name, state.kind(name, Entity), rng)) for name in state.entities]
-    connections = tuple(_connection(joined, rng) for joined in state.joined)
+    connections = tuple(_connection(state, joined, rng) for joined in state.joined)
     told = {path.removeprefix("world."): value for path, value in state.values.items() if path.startswith("world.")}
     return Scene(entities=tuple(entities), connections=connections, world=World.model_validate(told))
 
 
-def _connection(joined: ParsedConnection, rng: np.random.Generator) -> Connection:
-    drawn = {name: _drawn(held, rng) for name, held in field_types(joined.kind).items() if held.hidden and held.drawn}
-    return joined.kind(links=joined.links, **drawn)
+def _connection(state: ParseState, joined: ParsedConnection, rng: np.random.Generator) -> Connection:
+    own = {name: held for name, held in field_types(joined.kind).items() if held.measure is not None}
+    told = {name: _field(state, f"{joined.name}.{name}", joined.kind, held, rng) for name, held in own.items()}
+    return joined.kind(links=joined.links, **told)
 
 
 def _model(state: ParseState, address: str, kind: type[M], rng: np.random.Generator) -> M:

@@ -19,11 +19,11 @@ from math import dist
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.fields import Triple, applied, minus, product
 from sim2reason.dsl.frames import Frames, Gradient, Point, start
 from sim2reason.dsl.mechanism import Line, Mechanism, Meeting
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
+from sim2reason.dsl.triples import Triple, applied, minus, product
 from sim2reason.dsl.vectors import Tensor, Vector
 
 Label = tuple[object, ...]

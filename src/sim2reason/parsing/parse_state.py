@@ -16,6 +16,7 @@ MANY = 8  # members of a variable-length part that a text can count
 class ParsedConnection:
     """A connection that was told, and the ports that it joins."""
 
+    name: str
     kind: type[Connection]
     links: tuple[Link, ...]
 

@@ -120,7 +120,7 @@ class _Grammar:
         for kind in CONNECTIONS.values():
             name = f"{kind.key}_{len(state.joined) + 1}"
             for told in kind.parse(name, place, state, self._matcher, self):
-                then = _joined_on(kind, told)
+                then = _joined_on(name, kind, told)
                 if then is not None:
                     yield from self.scenes(place + 1, then)
 
@@ -135,19 +135,19 @@ class _Grammar:
                 for then in self._matcher.sentence(place, wording, "", here):
                     yield from self._closings(place + 1, index + 1, then)
 
-    def legs(self, state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
+    def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
         """Free ports of entities that were parse_scene, or of new ones that have no lines."""
         passed = {link.entity for link in links}
         for address in state.entities:
             if address not in passed:
-                yield from free_legs(state, address, first=not links)
+                yield from free_legs(kind, state, address, first=not links)
         address = f"e{len(state.entities) + 1}"
-        for kind in self._silent if len(state.entities) < MAX_ENTITIES else ():
-            for then in self._unheard(state, address, kind):
-                yield from free_legs(then, address, first=not links)
+        for silent in self._silent if len(state.entities) < MAX_ENTITIES else ():
+            for then in self._unheard(state, address, silent):
+                yield from free_legs(kind, then, address, first=not links)
 
 
-def _joined_on(kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
+def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
     """What was state, with a connection; None if lines that wait for it came in another order than it goes.
 
     The Writer tells the lines of entities in the order of the links, but a string from the end that makes
@@ -162,7 +162,7 @@ def _joined_on(kind: type[Connection], told: ParsedSentence[ParseState]) -> Pars
             return None
         state = state.renamed(told.owned, told.owned[::-1])
         links = tuple(_turned(state, link) for link in reversed(links))
-    return replace(state, waiting=(), joined=(*state.joined, ParsedConnection(kind, links)))
+    return replace(state, waiting=(), joined=(*state.joined, ParsedConnection(name, kind, links)))
 
 
 def _turned(state: ParseState, link: Link) -> Link:

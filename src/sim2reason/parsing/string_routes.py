@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sim2reason.dsl.connection import Inside, Leg, Link
+from sim2reason.dsl.connection import Connection, Inside, Leg, Link
 from sim2reason.dsl.entity import Part, outer_ports, ports_of
-from sim2reason.dsl.ports import Chain, End, Pass, Stop
+from sim2reason.dsl.ports import Chain, Pass, SitePort, Stop, StringEnd, StringPort
 from sim2reason.dsl.scene import reversed_stops, travelled
 from sim2reason.parsing.parse_state import ParseState
 
@@ -17,8 +17,9 @@ class InnerRoute:
     entity: str
     inner: Inside
 
-    def legs(self, state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
-        """The whole string, from either end."""
+    def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
+        """The whole connection, from either end."""
+        del kind
         if links:
             return
         stops = travelled([stop for port in self.inner.stops for stop in port_stops(state, port, self.entity)])
@@ -35,18 +36,21 @@ def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
     port = ports_of(state.kind(address, Part))[name]
     if isinstance(port, Chain):
         return [stop for inner in port.stops for stop in port_stops(state, inner, address)]
-    return [Stop(address, port)] if isinstance(port, End | Pass) else []
+    return [Stop(address, port)] if isinstance(port, SitePort) else []
 
 
-def free_legs(state: ParseState, address: str, *, first: bool) -> Iterator[Leg[ParseState]]:
-    """The ports of an entity that no string has taken, as a string's beginning or as its next leg."""
+def free_legs(kind: type[Connection], state: ParseState, address: str, *, first: bool) -> Iterator[Leg[ParseState]]:
+    """The ports of an entity that nothing has taken, as a connection's beginning or as its next leg."""
     taken = {(link.entity, link.port) for joined in state.joined for link in joined.links}
     for name in outer_ports(state.kind(address, Part)):
         stops = port_stops(state, name, address)
         if (address, name) in taken or not stops:
             continue
         link = Link(entity=address, port=name)
-        if isinstance(stops[0].port, End):
+        if not issubclass(StringPort, kind.joins) and not issubclass(kind.joins, StringPort):
+            if kind.admits(stops[0].port, 0 if first else 1, 1):
+                yield Leg(link, tuple(stops), last=not first, state=state)
+        elif isinstance(stops[0].port, StringEnd):
             path = stops if first else reversed_stops(stops)
             yield Leg(link, tuple(path), last=not first, state=state)
         elif not first and all(isinstance(stop.port, Pass) for stop in stops):

@@ -2,8 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import hypot
 
+from sim2reason.dsl.frames import Frame, Point, start
+from sim2reason.dsl.mechanism import ZERO
 from sim2reason.dsl.scene import Scene
+
+EVEN = 1e-9  # what is vertical in a level direction
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,12 +50,8 @@ def _has_light_pulleys(scene: Scene) -> bool:
     return _turns(scene) > 1 and not _has_massive_pulley(scene)
 
 
-def _has_strings(scene: Scene) -> bool:
-    return bool(scene.mechanism.lines)
-
-
 def _has_room(scene: Scene) -> bool:
-    return _has_strings(scene) and not scene.mechanism.contacts
+    return _turns(scene) > 0 and not scene.mechanism.contacts
 
 
 def _has_faces(scene: Scene) -> bool:
@@ -62,10 +63,24 @@ def _has_both(scene: Scene) -> bool:
 
 
 def _weighs(scene: Scene) -> bool:
-    """Whether g can matter: something presses on a face, or moves up and down."""
-    mechanism = scene.mechanism
-    upright = any(c.kind == "slide" and abs(c.axis[2]) > 1e-12 for c in mechanism.coordinates)
-    return upright or bool(mechanism.contacts)
+    """Whether g can matter: something presses on a face, or rises and falls as it slides or turns."""
+    mechanism, frames = scene.mechanism, start(scene.mechanism)
+    if mechanism.gravity == ZERO:
+        return False
+    return bool(mechanism.contacts) or any(
+        _rises(frames[body.name], frames.center(body.name)) for body in mechanism.bodies if body.mass > 0.0
+    )
+
+
+def _rises(frame: Frame, center: Point) -> bool:
+    """Whether some coordinate can move a point up or down, now or once others have turned it."""
+    for step in frame.steps:
+        if step.pivot is None:
+            if abs(step.axis[2]) > EVEN or any(abs(hinge.axis[2]) < 1.0 - EVEN for hinge in frame.hinges):
+                return True
+        elif abs(step.axis[2]) < 1.0 - EVEN and hypot(*center.gradient[step.number]) > EVEN:
+            return True
+    return False
 
 
 CLOSINGS: tuple[Closing, ...] = (

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from sim2reason.dsl.fields import applied, product
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.triples import applied, product
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects import Sense

@@ -1,7 +1,7 @@
 """Where bodies are and how they move: of their centres of mass, in room coordinates."""
 
-from sim2reason.dsl.fields import minus, plus, times
 from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.triples import minus, plus, times
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.subjects.bodies import Bodies
 

@@ -11,30 +11,30 @@ from sim2reason.simulation.certify import RECORDED, Certificate
 from sim2reason.simulation.certify import certify as certify_mechanism
 from sim2reason.simulation.trace import ENGINES, Trace
 
-DURATION = 2.0  # s
 SAMPLES = 101
 
 
-def certify(scene: Scene, duration: float = DURATION, samples: int = SAMPLES) -> tuple[Trace, Certificate]:
-    """Simulate a scene for `duration` seconds by both engines and compare: the exact trace and its certificate.
+def certify(scene: Scene, duration: float | None = None, samples: int = SAMPLES) -> tuple[Trace, Certificate]:
+    """Simulate a scene for `duration`, by default its horizon, by both engines and compare: the exact trace and its certificate.
 
     Raises:
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
-    return certify_mechanism(scene.mechanism, _times(duration, samples))
+    return certify_mechanism(scene.mechanism, _times(scene, duration, samples))
 
 
-def simulate(scene: Scene, duration: float = DURATION, engine: str = RECORDED, samples: int = SAMPLES) -> Trace:
-    """Simulate a scene for `duration` seconds by one engine, recorded at equal intervals.
+def simulate(scene: Scene, duration: float | None = None, engine: str = RECORDED, samples: int = SAMPLES) -> Trace:
+    """Simulate a scene for `duration`, by default its horizon, by one engine, recorded at equal intervals.
 
     Raises:
         UnknownNameError: no such engine.
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
-    return ENGINES[engine](scene.mechanism, _times(duration, samples))
+    return ENGINES[engine](scene.mechanism, _times(scene, duration, samples))
 
 
-def _times(duration: float, samples: int) -> Array:
+def _times(scene: Scene, duration: float | None, samples: int) -> Array:
+    duration = scene.horizon if duration is None else duration
     if not (isfinite(duration) and duration > 0.0 and samples > 1):
         problem = f"{duration} s in {samples} samples is no record"
         raise SceneError("duration", problem, "give a positive, finite duration and at least two samples")

@@ -38,10 +38,17 @@ def write_trace(trace: Trace, path: str | Path) -> None:
     A field's metadata name its subject, quantity, unit and axis; the schema's hold the engine and the events.
     """
     arrow, parquet = _arrow()
-    fields, columns = [_field(arrow, "time", {"quantity": "time", "unit": "s"})], [trace.state.times]
+    fields, columns = (
+        [_field(arrow, "time", {"quantity": "time", "unit": trace.mechanism.units.time})],
+        [trace.state.times],
+    )
     for channel, quantity in channels.channels(trace.mechanism):
         values = quantity.evaluate(trace.state, channel.subject)
-        meaning = {"subject": channel.subject, "quantity": channel.quantity, "unit": quantity.unit}
+        meaning = {
+            "subject": channel.subject,
+            "quantity": channel.quantity,
+            "unit": trace.mechanism.units.spell(quantity.unit),
+        }
         for axis, column in zip(AXES, values.T, strict=True) if quantity.vector else (("", values),):
             name = " ".join(filter(None, (channel.subject, channel.quantity, axis)))
             fields.append(_field(arrow, name, {**meaning, "axis": axis}))

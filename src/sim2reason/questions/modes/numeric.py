@@ -20,7 +20,8 @@ def numeric(study: Study, words: Words, kind: str, rng: np.random.Generator) -> 
     target = query.target
     shapes = asked.shapes(query, words, offered[target] if target is not None else None)
     sign = target.sense.positive if target is not None and target.sense is not None else ""
-    return Question("numeric", query, sentence(chosen(shapes, rng)), answer, asked.measured(query).unit, sign)
+    unit = words.units.spell(asked.measured(query).unit)
+    return Question("numeric", query, sentence(chosen(shapes, rng)), answer, unit, sign)
 
 
 def _drawn(rng: np.random.Generator) -> Kind:

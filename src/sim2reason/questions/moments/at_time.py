@@ -36,8 +36,8 @@ class AtTime(Moment):
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
         """Every number of seconds."""
-        del trace, words
-        return (cls(number) for number in said(text, "s"))
+        del trace
+        return (cls(number) for number in said(text, words.units.time))
 
     @property
     def stated(self) -> tuple[tuple[float, str], ...]:
@@ -50,7 +50,7 @@ class AtTime(Moment):
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: 0.80 s after release."""
-        time = say(self.after, "s")
+        time = say(self.after, words.units.time)
         if words.released:
             return (f"{time} after release", f"{time} after the release", f"{time} after the start")
         return (f"at t = {time}", f"at the time t = {time}", f"at the instant t = {time}")

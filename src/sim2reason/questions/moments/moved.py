@@ -49,7 +49,11 @@ class Moved(Happening):
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
         """Every body that is named, with every number of metres."""
-        return (cls(name, distance) for name in named(text, trace.mechanism, words) for distance in said(text, "m"))
+        return (
+            cls(name, distance)
+            for name in named(text, trace.mechanism, words)
+            for distance in said(text, words.units.length)
+        )
 
     @property
     def subjects(self) -> tuple[str, ...]:
@@ -77,7 +81,7 @@ class Moved(Happening):
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the block is first 0.50 m from its starting point."""
-        body, distance = words.mentions[self.body], say(self.distance, "m")
+        body, distance = words.mentions[self.body], say(self.distance, words.units.length)
         return (
             f"when {body} is first {distance} from its starting point",
             f"at the moment when {body} is first {distance} from its starting point",
@@ -86,7 +90,7 @@ class Moved(Happening):
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the block is first 0.50 m from its starting point."""
-        there = f"first {say(self.distance, 'm')} from its starting point"
+        there = f"first {say(self.distance, words.units.length)} from its starting point"
         return Clause(words.mentions[self.body], "is", there, f"is {there}")
 
 

@@ -8,9 +8,9 @@ of the equations gives the normal force.
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
-from sim2reason.dsl.fields import Maths, Number, Triple, applied, cross, minus, plus, product, times
 from sim2reason.dsl.frames import Frame, Frames, Point
 from sim2reason.dsl.mechanism import Drawn, Elastic, Force, Inextensible, Line, Mechanism, Meeting, Prop
+from sim2reason.dsl.triples import Maths, Number, Triple, applied, cross, minus, plus, product, times
 from sim2reason.dsl.vectors import Tensor
 from sim2reason.simulation.engines.exact.lengths import (
     ORIGIN,

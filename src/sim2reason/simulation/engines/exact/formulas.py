@@ -11,7 +11,7 @@ from itertools import chain
 from math import inf
 from typing import Any
 
-from sim2reason.dsl.fields import Number
+from sim2reason.dsl.triples import Number
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.dop853 import Rate
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms

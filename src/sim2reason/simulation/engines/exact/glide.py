@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from math import hypot, inf
 from typing import NamedTuple
 
-from sim2reason.dsl.fields import Triple, minus, times
 from sim2reason.dsl.mechanism import Inextensible, Meeting
+from sim2reason.dsl.triples import Triple, minus, times
 from sim2reason.dsl.vectors import Vector, inner
 from sim2reason.simulation.engines.exact.approach import STILL, Approach, crossing, halt
 from sim2reason.simulation.engines.exact.assembly import Assembly

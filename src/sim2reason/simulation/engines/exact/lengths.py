@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sim2reason.dsl.fields import Maths, Number, Triple, minus, product, times
 from sim2reason.dsl.frames import Gradient, Point
 from sim2reason.dsl.mechanism import Inextensible, Line, Mechanism, Prop, Rigid
+from sim2reason.dsl.triples import Maths, Number, Triple, minus, product, times
 
 
 class Phase(NamedTuple):

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from sim2reason.dsl.fields import Number
+from sim2reason.dsl.triples import Number
 from sim2reason.simulation.engines.exact.linear import NEGLIGIBLE
 from sim2reason.simulation.engines.exact.tape import value_of
 

@@ -8,9 +8,9 @@ from itertools import pairwise
 from math import inf
 
 from sim2reason.dsl.constancy import ALIGNED, changing
-from sim2reason.dsl.fields import Number, Triple, minus, product
 from sim2reason.dsl.frames import Point, start
 from sim2reason.dsl.mechanism import Line, Mechanism, Meeting, Rigid
+from sim2reason.dsl.triples import Number, Triple, minus, product
 from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.simulation.engines.exact.assembly import Assembly, Numbers
 from sim2reason.simulation.engines.exact.lengths import Phase, RowKind, RowTerms, row_kinds

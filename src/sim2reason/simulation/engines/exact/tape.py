@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any, cast
 
-from sim2reason.dsl.fields import Number
+from sim2reason.dsl.triples import Number
 from sim2reason.simulation.engines.exact.code import compiled
 
 Node = tuple[str, int, int]

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from sim2reason.dsl.fields import Triple
 from sim2reason.dsl.mechanism import Drawn, Elastic, Inextensible, Line, Mechanism, Meeting, Prop, Rigid
 from sim2reason.dsl.state import Array
+from sim2reason.dsl.triples import Triple
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.hard_specification import HardSpecification
 from sim2reason.simulation.engines.mujoco.specification import mujoco
