@@ -7,7 +7,7 @@ from textwrap import dedent
 import pytest
 import yaml
 
-from scene_files import drawn
+from scene_files import CLOSERS, KINDS, drawn
 from sim2reason.connections.string import String
 from sim2reason.dsl.connection import Link
 from sim2reason.dsl.entity import ENTITIES, outer_ports, ports_of
@@ -66,14 +66,14 @@ def with_pairs(*pairs: tuple[str, str], free: int = 0) -> str:
     return f"{head}  connections:\n{''.join(said)}{rest[rest.index('  world') :]}"
 
 
-def test_random_scenes_of_all_entities_come_back_equal_in_the_same_bytes() -> None:
+def test_random_scenes_of_the_pinned_entities_come_back_equal_in_the_same_bytes() -> None:
     met: set[str] = set()
     for scene in drawn(180):
         text = dump(scene)
         assert load(text) == scene
         assert dump(load(text)) == text
         met |= {type(named.entity).__name__ for named in scene.entities}
-    assert met == set(ENTITIES)
+    assert met >= {*KINDS, *CLOSERS}
 
 
 def test_any_reader_of_yaml_reads_the_same() -> None:

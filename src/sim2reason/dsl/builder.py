@@ -35,7 +35,7 @@ class Frame:
     def __init__(
         self, builder: Collector, prefix: str, body: str | None, at: Vector, origin: Vector | None = None
     ) -> None:
-        """`prefix` goes before every name made here; `at` is where it stands in the room, `origin` where its entity does."""
+        """`prefix` goes before every name made here; it stands at `at` in the room, and its entity at `origin`."""
         self._builder, self.prefix, self.name, self.at = builder, prefix, body, at
         self.origin = at if origin is None else origin
 

@@ -15,6 +15,9 @@ from sim2reason.dsl.ports import Port, Stop
 from sim2reason.registry import Registry
 
 FREE = 2.5  # m of free string between neighbours, so that motions of a second or two have room
+Told = float | str | None
+"""What a text tells of an address: a number, a word of a choice, or that it is absent."""
+
 Look = Literal["string", "spring", "rod"]
 """How a connection is drawn: a thin line, a coil, a bar."""
 
@@ -60,7 +63,7 @@ class SentenceState(Protocol):
     """What a text has told so far; frozen, so that many readings can be followed at once."""
 
     @property
-    def values(self) -> Mapping[str, float | None]:
+    def values(self) -> Mapping[str, Told]:
         """Numbers by address."""
         ...
 
@@ -72,7 +75,7 @@ class SentenceState(Protocol):
         """With the class of what stands at an address."""
         ...
 
-    def with_value(self, address: str, value: float | None) -> Self | None:
+    def with_value(self, address: str, value: Told) -> Self | None:
         """With a number; None if another one was told before."""
         ...
 

@@ -31,6 +31,14 @@ class Part(Model):
         if any(name == "says" or isinstance(member, PORT_TYPES) for name, member in vars(cls).items()):
             check_lines(cls)
 
+    @classmethod
+    def told_by_word(cls, parameter: str, value: object) -> bool:
+        """Whether a word of its own lines tells a number specially, so that no other line need say it."""
+        words = {name: word for name, word in cls.words.items() if word.parameter == parameter}
+        lines = [wordings(saying) for saying in cls.says]
+        used = {name for name in words for line in lines if all(f"{{{name}}}" in template for template in line)}
+        return any(value in words[name].special for name in used)
+
     def build(self, room: Frame) -> None:
         """Say in the builder's verbs what there is and how it moves."""
         raise NotImplementedError
@@ -146,7 +154,7 @@ def declared_numbers(cls: type[Part]) -> set[str]:
     """The numbers and bodies' numbers that the lines of a class itself have to tell; parts tell their own."""
     found: set[str] = set()
     for name, kind in field_types(cls).items():
-        if kind.measure is not None and not kind.hidden:
+        if (kind.measure is not None or kind.words) and not kind.hidden:
             found.add(name)
         for model in kind.models:
             if issubclass(model, Part):
@@ -170,7 +178,7 @@ def tells(cls: type[Part], slot: Slot) -> set[str]:
     kind = field_types(cls).get(head)
     if kind is None:
         raise TypeError(f"{cls.__name__}: a line names {slot.path!r}, which is not declared")
-    if kind.measure is not None and not rest:
+    if (kind.measure is not None or kind.words) and not rest:
         return {head}
     told: set[str] = set()
     for model in kind.models:

@@ -106,6 +106,7 @@ Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", d
 Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-2.0, 2.0)]
 Length = Annotated[float, LEAST, Le(1e3), Measure("length", "m", r"\ell"), Range(0.5, 2.0)]
 FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
+Height = Annotated[float, LEAST, Le(1e4), Measure("height", "m", "h"), Range(1.0, 5.0)]
 Stiffness = Annotated[float, LEAST, Le(1e6), Measure("stiffness", "N/m", "k"), Range(20.0, 250.0)]
 Restitution = Annotated[float, Ge(0), Le(1), Measure("restitution", "", "e", decimals=2), Range(0.3, 0.95)]
 Gravity = Annotated[float, Ge(0), Le(100), Measure("gravity", "m/s^2", "g")]

@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from sim2reason.dsl.body import Body
-from sim2reason.dsl.connection import Connection
+from sim2reason.dsl.connection import Connection, Told
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.model import FieldType, M, Model, field_types
 from sim2reason.dsl.scene import Scene, World
@@ -48,13 +48,16 @@ def _field(state: ParseState, address: str, kind: type[Model], held: FieldType, 
     if held.hidden:
         return _drawn(held, rng)
     if address in state.values:
-        return state.values[address] if held.measure is not None else _index(state.values[address])
+        told = state.values[address]
+        return told if held.measure is not None or held.words else _index(told)
     if held.count is not None:
         return _several(state, address, held, rng)
     if held.models and not (held.optional and _is_silent(state, address)):
         return _model(state, address, state.kinds.get(address, held.models[0]), rng)
     if held.optional:
         return None
+    if held.words and isinstance(usual := kind.model_fields[address.rpartition(".")[2]].default, str):
+        return usual
     what = held.measure.name if held.measure is not None else address.rpartition(".")[2]
     raise TextError("text", f"the {what} of a {kind.__name__} is not told", "say it")
 
@@ -65,7 +68,7 @@ def _drawn(held: FieldType, rng: np.random.Generator) -> float:
     return held.measure.draw(rng, held.drawn.low, held.drawn.high)
 
 
-def _index(value: float | None) -> int | None:
+def _index(value: Told) -> int | None:
     return None if value is None else int(value)
 
 

@@ -1,14 +1,14 @@
 """When two readings are one: the same motions of the same named bodies, whatever entities they are made of.
 
-Motions follow from masses, from the forces that are given, and from how bodies, strings and faces depend on
-the coordinates. Coordinates themselves are a matter of taste, so they are eliminated: with rows r, each the
-gradient of something that has a meaning (a body's place, a string's length, the rise of a body from its
-face), and the kinetic energy K of unit masses added to all bodies, the products r·K⁻¹·s do not depend on the
-choice of coordinates, nor on hidden lengths. They are compared together with the labels of the rows, up to
-the order of those that have no name in the text.
+Motions follow from masses, from the forces that are given, and from how bodies, lines and faces depend on the
+coordinates. Coordinates themselves are a matter of taste, so they are eliminated: with rows r, each the gradient of
+something that has a meaning (a body's place, a string's length, the rise of a body from its face), and the kinetic
+energy K of unit masses added to all bodies, the products r·K⁻¹·s do not depend on the choice of coordinates, nor on
+hidden lengths, nor on where in the room a part of the scene stands. They are compared together with the labels of the
+rows, up to the order of those that have no name in the text.
 
-That presumes that gradients never change. Of other mechanisms all is compared that their motion follows from: how each
-body stands, moves and bends its path at the start, and the laws of all that acts between which points.
+Where gradients change, they are compared at several places on the way, together with what changes beside them: how
+paths bend, how springs pull and fields push.
 """
 
 import math
@@ -19,102 +19,55 @@ from math import dist
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import Frames, Gradient, Point, start
-from sim2reason.dsl.mechanism import Line, Mechanism, Meeting
+from sim2reason.dsl.frames import Frames, Point, start
+from sim2reason.dsl.mechanism import ZERO, Elastic, Foot, Force, Line, Mechanism, Meeting, RigidBody, X, Y, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
-from sim2reason.dsl.triples import Triple, applied, minus, product
-from sim2reason.dsl.vectors import Tensor, Vector
+from sim2reason.dsl.triples import applied, minus, product
+from sim2reason.dsl.vectors import Tensor
 
 Label = tuple[object, ...]
 Signature = tuple[object, ...]
 ROUNDS = 3  # of refining labels by their neighbours
+STAGES = (0.0, 0.37, -0.23)  # at which changing mechanisms are compared: m, rad or s from the start
 
 
 def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
     """What two scenes have in common if they mean the same; `names` is what bodies are called, by address."""
     mechanism = scene.mechanism
-    frames = start(mechanism)
-    if changing(mechanism, frames):
-        return _Curved(mechanism, names).signature()
-    rows = _Rows(mechanism, frames)
+    stages = STAGES if changing(mechanism, start(mechanism)) else STAGES[:1]
+    return (mechanism.gravity, mechanism.units.name, *(_compared(mechanism, names, stage) for stage in stages))
+
+
+def _compared(mechanism: Mechanism, names: Mapping[str, str], stage: float) -> tuple[object, ...]:
+    """All rows at one stage, and what has no row."""
+    rows = _Rows(mechanism, names, stage)
     for body in mechanism.bodies:
-        rows.body(body.name, names.get(body.name, ""))
+        rows.body(body)
     for line in mechanism.lines:
         rows.line(line)
     for number, face in enumerate(mechanism.faces):
-        rows.rise(("face", round(face.friction, 9)), number)
-    hits = sorted(rows.hit(hit, names) for hit in mechanism.meetings)
-    return (mechanism.gravity, tuple(hits), rows.refined())
-
-
-class _Curved:
-    """The facts from which the motion of a changing mechanism follows, in an order of their own."""
-
-    def __init__(self, mechanism: Mechanism, names: Mapping[str, str]) -> None:
-        self._mechanism, self._names = mechanism, names
-        speeds = [coordinate.speed for coordinate in mechanism.coordinates]
-        self._frames = Frames(mechanism, [0.0] * len(speeds), speeds, math)
-        first = mechanism.bodies[0].name
-        self._origin = self._frames.center(first).place
-
-    def signature(self) -> Signature:
-        """All facts; where the scene stands in the room is none."""
-        mechanism = self._mechanism
-        facts: list[str] = [repr(mechanism.gravity), mechanism.units.name]
-        facts += [repr(("body", *self._body(body.name))) for body in mechanism.bodies]
-        facts += [repr(("line", line.law, *self._line(line))) for line in mechanism.lines]
-        facts += [repr(("face", self._called(f.subject), f.normal, round(f.friction, 9))) for f in mechanism.faces]
-        facts += [repr(("force", self._called(f.body), *self._law(f.law, f.region))) for f in mechanism.forces]
-        for pair in mechanism.attractions:
-            facts.append(repr(("attraction", sorted((self._called(pair.a), self._called(pair.b))), pair.constant)))
-        facts += [repr(("burn", self._called(b.body), b.rate, b.exhaust, b.until)) for b in mechanism.burns]
-        for meeting in mechanism.meetings:
-            both = sorted(map(self._called, meeting.names))
-            facts.append(repr(("meeting", both, meeting.distance, meeting.restitution, meeting.normal)))
-        return tuple(sorted(facts))
-
-    def _called(self, body: str) -> str:
-        return self._names.get(body, "")
-
-    def _body(self, name: str) -> tuple[object, ...]:
-        body, point = self._mechanism.body[name], self._frames.center(name)
-        place = minus(point.place, self._origin)
-        moves = _vectors(point.gradient) if body.coordinates or point.gradient else ()
-        inertia = tuple(round(part, 9) for part in body.inertia) if self._frames[name].spin else ()
-        return (self._called(name), body.mass, inertia, *map(_rounded3, (place, point.velocity, point.bias)), moves)
-
-    def _line(self, line: Line) -> tuple[object, ...]:
-        sites = [self._mechanism.site[name] for name in line.through]
-        places = [_rounded3(minus(self._frames.site(site.name).place, self._origin)) for site in sites]
-        carriers = [self._called(site.body or "") for site in sites]
-        ends = list(zip(places, carriers, strict=True))
-        return tuple(min(ends, ends[::-1])), len(line.wheels)
-
-    def _law(self, law: object, region: object) -> tuple[object, ...]:
-        return (repr(law), repr(region))
-
-
-def _vectors(gradient: Gradient) -> tuple[object, ...]:
-    """The plane or line in which a point can move, as a projection: no coordinates show in it."""
-    rows = np.array([list(way) for way in gradient.values()]).reshape(-1, 3)
-    shadow = rows.T @ np.linalg.pinv(rows @ rows.T) @ rows if len(rows) else np.zeros((3, 3))
-    return tuple(float(round(x, 7) + 0.0) for x in shadow.ravel())
-
-
-def _rounded3(vector: Triple) -> tuple[float, ...]:
-    return tuple(_rounded(part) for part in vector)
+        rows.rise(("face", _rounded(face.friction), face.guided, face.turning), number)
+    for foot in mechanism.feet:
+        rows.foot(foot)
+    loads = sorted([*map(rows.hit, mechanism.meetings), *map(rows.push, mechanism.forces), *rows.pairs()], key=repr)
+    return (tuple(loads), rows.refined())
 
 
 class _Rows:
     """Rows with labels over all coordinates and all rises."""
 
-    def __init__(self, mechanism: Mechanism, frames: Frames) -> None:
-        self._mechanism, self._frames = mechanism, frames
-        self._n = len(mechanism.coordinates)
+    def __init__(self, mechanism: Mechanism, names: Mapping[str, str], stage: float) -> None:
+        self._mechanism, self._names, self._time = mechanism, names, stage
+        speeds = [coordinate.speed for coordinate in mechanism.coordinates]
+        self._n = len(speeds)
+        self._frames = Frames(mechanism, [stage] * self._n, speeds, math)
         self._width = self._n + len(mechanism.faces)
         self._labels: list[Label] = []
         self._rows: list[Array] = []
+
+    def _called(self, address: str | None) -> str:
+        return self._names.get(address or "", "")
 
     def _add(self, label: Label, row: Array) -> None:
         self._labels.append(label)
@@ -129,36 +82,60 @@ class _Rows:
             found[:, self._n + number] += normal
         return found
 
-    def _hinge(self, name: str) -> int | None:
-        """The number of a body's own hinge, or None."""
-        own = (c for c in self._mechanism.body[name].coordinates if c.kind == "hinge")
-        return next((self._mechanism.number[c.name] for c in own), None)
-
-    def body(self, name: str, called: str) -> None:
-        """Its place and its start; it has three rows, and one more if it turns."""
-        body, spread = self._mechanism.body[name], self._spread(self._frames.center(name))
-        began = spread[:, : self._n] @ self._speeds()
+    def body(self, body: RigidBody) -> None:
+        """Its place, its start and how its path bends; it has three rows, and more if it turns."""
+        point, called = self._frames.center(body.name), self._called(body.name)
+        spread = self._spread(point)
         for axis in range(3):
-            self._add(("body", called, axis, body.mass, _rounded(began[axis])), spread[axis])
-        hinge = self._hinge(name)
-        if hinge is not None:
-            row = np.zeros(self._width)
-            row[hinge] = np.sqrt(_about(body.inertia, self._mechanism.coordinates[hinge].axis))
+            bent = (_rounded(point.velocity[axis]), _rounded(point.bias[axis]))
+            self._add(("body", called, axis, body.mass, *bent), spread[axis])
+        for row in self._turns(body):
             self._add(("turn", called), row)
+        for burn in self._mechanism.burns:
+            if burn.body == body.name:
+                thrust = self._frames[body.name].turned(burn.direction)
+                label = ("burn", called, burn.rate, burn.exhaust, burn.until)
+                self._add(label, np.array(thrust) @ spread)
 
-    def hit(self, hit: Meeting, names: Mapping[str, str]) -> tuple[str, str, str]:
-        """Two bodies that may bounce: what they are called, how they bounce, and how far apart they start."""
-        one, other = sorted((hit.a or "", hit.b), key=lambda address: names.get(address, ""))
-        places = [self._frames.center(name).place if name else (0.0, 0.0, 0.0) for name in (one, other)]
+    def _turns(self, body: RigidBody) -> list[Array]:
+        """How its angular velocity depends on the rates, times the root of its inertia; only what is not zero."""
+        frame = self._frames[body.name]
+        if frame.spin is None or not any(body.inertia):
+            return []
+        own = np.zeros((3, self._width))
+        for number, axis in frame.turning.gradient.items():
+            own[:, number] = frame.unturned(axis)
+        return [row for row in _root(body.inertia) @ own if np.abs(row).max() > 0.0]
+
+    def hit(self, hit: Meeting) -> Label:
+        """Two bodies that may bounce: what they are called, how they bounce, and how far apart they are."""
+        one, other = sorted((hit.a or "", hit.b), key=self._called)
+        places = [self._frames.center(name).place if name else ZERO for name in (one, other)]
         apart = minus(places[1], places[0])
-        numbers = [_rounded(number) for number in (hit.distance, hit.restitution, *apart)]
-        return names.get(one, ""), names.get(other, ""), repr(numbers)
+        if hit.normal is not None:
+            along = product(hit.normal, apart)
+            apart = (along, 0.0, 0.0) if hit.a is not None else (abs(along) - hit.distance, 0.0, 0.0)
+        numbers = [_rounded(number) for number in (hit.distance, hit.restitution, hit.sticks, *apart)]
+        return "hit", self._called(one), self._called(other), repr(numbers)
 
-    def _speeds(self) -> Array:
-        return np.array([coordinate.speed for coordinate in self._mechanism.coordinates] or [0.0])[: self._n]
+    def push(self, force: Force) -> Label:
+        """A force that is given: what it is here, and how far its borders are."""
+        point = self._frames.center(force.body)
+        found = force.law.force(point.place, point.velocity, self._time, math)
+        borders = () if force.region is None else force.region.margins(point.place, math)
+        return "force", self._called(force.body), *map(_rounded, (*found, *borders))
+
+    def pairs(self) -> list[Label]:
+        """The bodies that attract each other, and how far apart they are."""
+        found: list[Label] = []
+        for pair in self._mechanism.attractions:
+            distance = dist(self._frames.center(pair.a).place, self._frames.center(pair.b).place)
+            both = sorted((self._called(pair.a), self._called(pair.b)))
+            found.append(("attraction", *both, pair.constant, pair.power, _rounded(distance)))
+        return found
 
     def line(self, line: Line) -> None:
-        """The length of a string, or of one that is drawn in with a force."""
+        """The length of a string, a rod or a spring, or of what is drawn in with a force."""
         row = np.zeros(self._width)
         for wheel in line.wheels:
             row[self._mechanism.number[wheel.coordinate]] += wheel.radius
@@ -168,7 +145,15 @@ class _Rows:
             if distance > 0.0:
                 apart = np.array(minus(other.place, one.place))
                 row += apart / distance @ (self._spread(other) - self._spread(one))
-        self._add(("line", line.law), row)
+        stretch = self._frames.length(line) - line.law.length if isinstance(line.law, Elastic) else 0.0
+        self._add(("line", line.law, _rounded(stretch)), row)
+
+    def foot(self, foot: Foot) -> None:
+        """An edge that may stand on a plane: the two ways that it can't go then."""
+        point = self._frames.site(foot.site)
+        gap = product(foot.normal, point.place) - foot.height
+        for way in (foot.normal, foot.along):
+            self._add(("foot", _rounded(gap)), np.array(way) @ self._spread(point))
 
     def rise(self, label: Label, number: int) -> None:
         """The rise of a body from its face."""
@@ -195,16 +180,17 @@ class _Rows:
         """The mass matrix, a unit mass being added to every body."""
         total = np.zeros((self._width, self._width))
         for body in self._mechanism.bodies:
-            spread, hinge = self._spread(self._frames.center(body.name)), self._hinge(body.name)
+            spread = self._spread(self._frames.center(body.name))
             total += (body.mass + 1.0) * spread.T @ spread
-            if hinge is not None:
-                total[hinge, hinge] += _about(body.inertia, self._mechanism.coordinates[hinge].axis)
+            for row in self._turns(body):
+                total += np.outer(row, row)
         return total
 
 
-def _about(inertia: Tensor, axis: Vector) -> float:
-    """The moment of inertia about an axis."""
-    return float(product(axis, applied(inertia, axis)))
+def _root(inertia: Tensor) -> Array:
+    """The symmetric root of a tensor of inertia, (3, 3)."""
+    values, axes = np.linalg.eigh(np.array([applied(inertia, axis) for axis in (X, Y, Z)]))
+    return axes * np.sqrt(np.maximum(values, 0.0)) @ axes.T
 
 
 def _near(products: Array, labels: list[object]) -> tuple[object, ...]:

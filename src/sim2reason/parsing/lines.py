@@ -109,15 +109,14 @@ def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseSta
     """What may be so if a line stays unsaid: something absent that it needs, or a number that a word tells."""
     kind = state.kind(address, Part)
     for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
-        if path in kind.words:
-            continue
+        path = kind.words[path].parameter if path in kind.words else path  # noqa: PLW2901 - what the word depends on
         where = f"{address}.{path}"
         held = field_types(kind).get(path)
         if held is not None and held.optional:
             absent = state.with_value(where, None) if where not in state.letters else None
             if absent is not None:
                 yield absent
-        elif _by_word(state, where):
+        elif kind.told_by_word(path, state.values.get(where)) or _by_word(state, where):
             yield state
 
 

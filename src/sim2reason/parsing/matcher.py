@@ -26,6 +26,7 @@ class Thing:
 
     measure: Measure | None = None
     word: Word | None = None
+    choices: tuple[str, ...] = ()
     several: bool = False
     models: tuple[type[Model], ...] = ()
 
@@ -129,6 +130,11 @@ class Matcher:
         thing = thing_at(state, address)
         if thing.measure is not None:
             yield from self.number(text, at, address, thing.measure, state)
+        elif thing.choices:
+            for choice in thing.choices:
+                then = state.with_value(address, choice)
+                if then is not None:
+                    yield from self._just(text, at, choice, then)
         elif thing.word is not None:
             yield from self._word(text, at, thing.word, address.rpartition(".")[0], state)
         elif thing.several:
@@ -260,7 +266,7 @@ def thing_at(state: ParseState, address: str) -> Thing:
             return Thing(word=model.words[step])
         if step in field_types(model):
             kind = field_types(model)[step]
-            return Thing(kind.measure, None, kind.count is not None, kind.models)
+            return Thing(kind.measure, None, kind.words, kind.count is not None, kind.models)
     raise KeyError(address)
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sim2reason.dsl.body import Body
-from sim2reason.dsl.connection import Connection, Link
+from sim2reason.dsl.connection import Connection, Link, Told
 from sim2reason.dsl.model import M, Model
 from sim2reason.prose.naming import Names, letter_at
 
@@ -26,7 +26,7 @@ class ParseState:
     """Facts by address, as the scene will have them; `script` lists the wordings that were met, in order."""
 
     kinds: Mapping[str, type[Model]]
-    values: Mapping[str, float | None] = field(default_factory=dict[str, float | None])  # None: absent
+    values: Mapping[str, Told] = field(default_factory=dict[str, Told])  # None: absent
     counts: Mapping[str, tuple[int, int]] = field(default_factory=dict[str, tuple[int, int]])  # least and most
     letters: Mapping[str, str] = field(default_factory=dict[str, str])  # in the order of introduction
     nouns: Mapping[type[Body], str] = field(default_factory=dict[type[Body], str])
@@ -44,7 +44,7 @@ class ParseState:
         """With the class of what stands at an address."""
         return replace(self, kinds={**self.kinds, address: kind})
 
-    def with_value(self, address: str, value: float | None) -> "ParseState | None":
+    def with_value(self, address: str, value: Told) -> "ParseState | None":
         """With a number, or None if another one was told before."""
         if address in self.values:
             return self if self.values[address] == value else None

@@ -158,12 +158,17 @@ class Writer:
     def is_said(self, template: str, part: Part) -> bool:
         """Whether a sentence is said: not if it needs something absent, or a number that a word has told."""
         for slot in slots(template):
-            if slot.kind != "path" or "*" in slot.path or slot.path in type(part).words:
+            if slot.kind != "path" or "*" in slot.path:
                 continue
-            held = resolved(part, slot.path)
+            word = type(part).words.get(slot.path)
+            held = resolved(part, word.parameter if word is not None else slot.path)
             if held is None:
                 return False
+            if word is not None:
+                continue
             owner, _, name = slot.path.rpartition(".")
+            if not owner and type(part).told_by_word(name, held):
+                return False
             body = resolved(part, owner) if owner else part
             if isinstance(body, Body) and name in field_types(type(body)) and body.told_by_word(name):
                 return False
@@ -205,11 +210,17 @@ class Writer:
             return f"{self.names.noun(resolved(part, slot.path)[0])}s"
         if slot.kind == "member":
             return self._mention(f"{address}.{slot.text}.{resolved(part, slot.path)}", start=start)
-        where = canonical(part, slot.path)
+        return self._named(slot, part, address, start=start)
+
+    def _named(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
+        """What stands for a name in a template: a word, a choice, a number or a body."""
         words = type(part).words if isinstance(part, Part) else {}
         if slot.path in words:
             word = words[slot.path]
             return self._word(word, lookup(part, word.parameter), lambda inner: self.render(inner, address))
+        if isinstance(choice := resolved(part, slot.path), str):
+            return choice
+        where = canonical(part, slot.path)
         return self.at(f"{address}.{where}" if address else where, start=start)
 
     def _word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:

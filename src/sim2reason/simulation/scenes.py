@@ -15,7 +15,7 @@ SAMPLES = 101
 
 
 def certify(scene: Scene, duration: float | None = None, samples: int = SAMPLES) -> tuple[Trace, Certificate]:
-    """Simulate a scene for `duration`, by default its horizon, by both engines and compare: the exact trace and its certificate.
+    """Simulate a scene for `duration`, by default its horizon, by both engines: the exact trace and its certificate.
 
     Raises:
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.

@@ -1,0 +1,77 @@
+"""A pendulum: a bob on a string or on a light rod, in a vertical plane."""
+
+from math import cos, pi, radians, sin, sqrt
+from typing import Annotated, Self
+
+from annotated_types import Ge, Le
+from pydantic import model_validator
+
+from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.hanger import Cord, LightRod
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import Measure, Range, Speed
+from sim2reason.dsl.mechanism import GRAVITY, X, Y, Z
+from sim2reason.dsl.template import Word, either
+
+Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
+PERIODS = 1.5  # of a small swing that the motion is followed for
+
+
+@entity
+class Pendulum(Entity):
+    """A bob that hangs from a fixed point and starts somewhere on its circle, at rest or along it."""
+
+    bob: Ball
+    hanger: Cord | LightRod
+    angle: Deflection
+    speed: Speed | None = None
+
+    words = {
+        "start": Word(
+            "angle",
+            {0.0: "{bob} hangs straight down"},
+            "{hanger}{hanger.taut} makes an angle of {angle} with the downward vertical",
+        ),
+        "sent": Word("angle", {0.0: "horizontally"}, "downwards along its arc"),
+    }
+    says = (
+        either(
+            "{bob} hangs from a fixed point by {hanger}.",
+            "{hanger} joins {bob} to a fixed point.",
+            "from a fixed point {bob} hangs on {hanger}.",
+        ),
+        either(
+            "at first {start}.",
+            "at the start {start}.",
+            "to begin with, {start}.",
+        ),
+        either(
+            "{bob} is sent off {sent} at {speed}.",
+            "{bob} is given a speed of {speed} {sent}.",
+            "{bob} is launched {sent} with a speed of {speed}.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _swings(self) -> Self:
+        if self.angle == 0.0 and self.speed is None:
+            raise ValueError("angle, speed: the bob hangs at rest; give it a speed, or an angle that is not zero")
+        return self
+
+    @property
+    def horizon(self) -> float:
+        """A period and a half of a small swing on Earth, s."""
+        return PERIODS * 2.0 * pi * sqrt(self.hanger.length / GRAVITY)
+
+    def build(self, room: Frame) -> None:
+        """On a rod it turns about the point; on a string it moves in the plane, held by the string alone."""
+        length, angle, speed = self.hanger.length, radians(self.angle), self.speed or 0.0
+        place = (length * sin(angle), 0.0, -length * cos(angle))
+        room.site("point")
+        if isinstance(self.hanger, LightRod):
+            room.body("bob", self.bob.mass, center=place).hinge(Y, speed / length)
+            return
+        bob = room.body("bob", self.bob.mass, at=place)
+        bob.slide(X, -speed * cos(angle), name="across").slide(Z, -speed * sin(angle), name="rise").site("hook")
+        room.string("hanger", room.address("point"), room.address("hook"))

@@ -1,0 +1,79 @@
+"""A ball that is thrown, and bounces on level ground."""
+
+from math import cos, radians, sin, sqrt
+from typing import Annotated, Literal, Self
+
+from annotated_types import Ge, Le
+from pydantic import model_validator
+
+from sim2reason.bodies.ball import Ball
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import Height, Measure, Range, Restitution, Speed
+from sim2reason.dsl.mechanism import GRAVITY, X, Z
+from sim2reason.dsl.template import Word, either
+
+Elevation = Annotated[float, Ge(0), Le(90), Measure("elevation", "deg", r"\theta", decimals=0), Range(10.0, 80.0)]
+FLIGHTS = 2.2  # times the first flight that the motion is followed for
+
+
+@entity
+class Projectile(Entity):
+    """A ball thrown from a height at an angle; each time it lands it rebounds with a part of its vertical speed."""
+
+    ball: Ball
+    height: Height
+    speed: Speed
+    angle: Elevation
+    side: Literal["above", "below"] = "above"
+    restitution: Annotated[Restitution, Range(0.3, 0.95)] | None = None
+
+    words = {
+        "way": Word(
+            "angle",
+            {0.0: "horizontally", 90.0: "straight up"},
+            "at an angle of {angle} {side} the horizontal",
+        ),
+        "bounce": Word(
+            "restitution",
+            {1.0: "its whole vertical speed", 0.0: "no vertical speed"},
+            "{restitution} times its vertical speed",
+        ),
+    }
+    says = (
+        either(
+            "from a point {height} above level ground {ball} is thrown at {speed} {way}; x points forward, y straight up.",
+            "{ball} is thrown with a speed of {speed} {way} from a point {height} above level ground; x points forward, y straight up.",
+            "at a height of {height} above level ground {ball} is launched {way} at {speed}; x points forward and y straight up.",
+        ),
+        either(
+            "each time it lands, it keeps its horizontal velocity and rebounds with {bounce}.",
+            "the ground is smooth, and at each landing {ball} rebounds with {bounce}.",
+            "whenever {ball} lands, it rebounds with {bounce}, its horizontal velocity unchanged.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _thrown(self) -> Self:
+        if self.side == "below" and self.angle in (0.0, 90.0):
+            raise ValueError("side: a ball thrown horizontally or straight up is not thrown below the horizontal")
+        return self
+
+    @property
+    def _rise(self) -> float:
+        """The vertical velocity at the start, m/s."""
+        return self.speed * sin(radians(self.angle)) * (1.0 if self.side == "above" else -1.0)
+
+    @property
+    def horizon(self) -> float:
+        """A little more than two flights from where it is thrown to the ground, s."""
+        return FLIGHTS * (self._rise + sqrt(self._rise**2 + 2.0 * GRAVITY * self.height)) / GRAVITY
+
+    def build(self, room: Frame) -> None:
+        """A small body that meets the ground; without a restitution its flight ends there."""
+        ball = room.body("ball", self.ball.mass, at=(0.0, 0.0, self.height))
+        ball.slide(X, self.speed * cos(radians(self.angle)), name="x")
+        lowest = float("-inf") if self.restitution is not None else -self.height
+        ball.slide(Z, self._rise, limits=(lowest, float("inf")), name="y")
+        if self.restitution is not None:
+            room.bump(room, ball, Z, 0.0, self.restitution)
