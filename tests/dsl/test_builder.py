@@ -66,7 +66,7 @@ def test_a_hand_pulls_the_last_part_of_a_string() -> None:
     room = builder.room()
     room.body("block", 1.0, at=(-0.05, 0.0, -1.0)).slide(Z).site("hook")
     room.hand("hand", 5.0)
-    room.pull("rope", "hook", room.pulley("pulley", mass=1.0), "hand", force=builder.hands["hand"])
+    room.pull("rope", "hook", room.pulley("pulley", mass=1.0), "hand", force=5.0)
     mechanism = builder.finish()
     assert [string.name for string in mechanism.strings] == ["rope/1"]
     assert [(pull.name, pull.law) for pull in mechanism.pulls] == [("rope/2", Drawn(5.0))]

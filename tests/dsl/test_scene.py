@@ -138,7 +138,7 @@ def test_rings_and_doubled_names_are_refused() -> None:
 def test_two_hands_on_one_string_are_refused() -> None:
     hands = {"one": ConstantForcePuller(force=1.0), "two": ConstantForcePuller(force=2.0)}
     string = String.between(("one", ConstantForcePuller.end), ("bight", UNDER), ("two", ConstantForcePuller.end))
-    with pytest.raises(SceneError, match="two hands"):
+    with pytest.raises(SceneError, match="both ends"):
         scene((string,), bight=BIGHT, **hands).check()
 
 

@@ -2,6 +2,7 @@
 
 from typing import Any, ClassVar, TypeVar
 
+from sim2reason.dsl.looks import BodyLook
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.template import Word, slots
 from sim2reason.registry import Registry
@@ -11,8 +12,8 @@ class Body(Model):
     """The base of all bodies. A subclass declares its numbers as fields and its words as class data.
 
     `lone` introduces the only one of its series, `named` one that has a letter, `listed` one inside a
-    list that begins with the plural noun. All ways to introduce a body say the same numbers; what they
-    leave out, the entity's lines must say.
+    list that begins with the plural noun, `alike` all of such a list at once, after their letters, where their
+    numbers agree. All ways to introduce a body say the same numbers; what they leave out, the entity's lines must say.
     """
 
     nouns: ClassVar[tuple[str, ...]] = ()
@@ -20,15 +21,21 @@ class Body(Model):
     lone: ClassVar[tuple[str, ...]] = ()
     named: ClassVar[tuple[str, ...]] = ()
     listed: ClassVar[str] = ""
+    alike: ClassVar[str] = ""
     words: ClassVar[dict[str, Word]] = {}
     symbols: ClassVar[dict[str, str]] = {}  # where a number's symbol is not that of its measure
+
+    @property
+    def look(self) -> BodyLook | None:
+        """How a drawing shows it; None where its class declares nothing, and a drawing says so."""
+        return None
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         """Refuse a body whose words and numbers do not fit; TypeError says what is amiss."""
         if not cls.nouns:
             return
-        introductions = [*cls.lone, *cls.named] + ([cls.listed] if cls.listed else [])
+        introductions = [*cls.lone, *cls.named, *filter(None, (cls.listed, cls.alike))]
         if len(cls.lone) < 2 or (cls.letters and len(cls.named) < 2):
             raise TypeError(f"{cls.__name__}: a body needs at least two ways to be introduced")
         said = {template: cls.says_in(template) for template in introductions}

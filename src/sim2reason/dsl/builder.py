@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from math import inf
 
-from sim2reason.dsl.collector import WHEEL_RADIUS, Collector, Rim
+from sim2reason.dsl.collector import WHEEL_RADIUS, Axes, Collector, Rim
 from sim2reason.dsl.fields import Law
 from sim2reason.dsl.mechanism import (
     NO_INERTIA,
@@ -12,6 +12,7 @@ from sim2reason.dsl.mechanism import (
     Burn,
     Coordinate,
     Drawn,
+    Elastic,
     Face,
     Foot,
     Force,
@@ -26,7 +27,7 @@ from sim2reason.dsl.mechanism import (
 from sim2reason.dsl.regions import Region
 from sim2reason.dsl.vectors import Tensor, Vector, add, inner, outer, unit
 
-__all__ = ["WHEEL_RADIUS", "Builder", "Frame", "Rim"]
+__all__ = ["WHEEL_RADIUS", "Axes", "Builder", "Frame", "Rim"]
 
 
 class Frame:
@@ -59,6 +60,11 @@ class Frame:
         self._builder.add_body(RigidBody(address, self.name, relative, mass, center, inertia))
         return Frame(self._builder, self.prefix, address, where, self.origin)
 
+    def turned(self, axes: Axes) -> "Frame":
+        """Say where this body's own axes point at the start; nothing but a drawing asks."""
+        self._builder.turned[self._own()] = axes
+        return self
+
     def slide(
         self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "slide"
     ) -> "Frame":
@@ -82,10 +88,11 @@ class Frame:
         friction: float = 0.0,
         speed: float = 0.0,
         limits: tuple[float, float] = (-inf, inf),
+        name: str = "slide",
     ) -> "Frame":
         """Lay it on its parent's face: it slides along `along` and is pressed along `normal`."""
-        self.slide(along, speed, limits)
-        self._builder.add_face(Face(self._own(), unit(normal), ((f"{self.name}.slide", 1.0),), friction))
+        self.slide(along, speed, limits, name)
+        self._builder.add_face(Face(self._own(), unit(normal), ((f"{self.name}.{name}", 1.0),), friction))
         return self
 
     def roll(
@@ -130,7 +137,13 @@ class Frame:
     def hand(self, name: str, force: float) -> "Frame":
         """Mark a point at which a hand draws whatever string ends there with a constant force."""
         self.site(name)
-        self._builder.hands[self.address(name)] = force
+        self._builder.drawing[self.address(name)] = Drawn(force)
+        return self
+
+    def winch(self, name: str, speed: float) -> "Frame":
+        """Mark a point at which whatever string ends there is taken in with a constant speed, m/s, from t = 0 on."""
+        self.site(name)
+        self._builder.drawing[self.address(name)] = Inextensible(reel=speed)
         return self
 
     def pulley(
@@ -154,9 +167,12 @@ class Frame:
         self.body(name, mass, at=at, inertia=disc_inertia(mass, radius)).hinge(Y)
         return self._builder.add_pulley(address, Rim(left, right, f"{address}.hinge", radius))
 
-    def string(self, name: str, *through: str | Rim, slack: float = 0.0) -> None:
-        """Stretch a string from end to end through sites, by address; a pulley stands for its rim, left to right."""
-        self._builder.add_line(self.address(name), _flat(through), Inextensible(slack))
+    def string(self, name: str, *through: str | Rim, slack: float = 0.0, reel: float = 0.0) -> None:
+        """Stretch a string from end to end through sites, by address; a pulley stands for its rim, left to right.
+
+        It has `slack`, m, to spare at the start and is taken in at `reel`, m/s.
+        """
+        self._builder.add_line(self.address(name), _flat(through), Inextensible(slack, reel))
 
     def pull(self, name: str, *through: str | Rim, force: float) -> None:
         """Like `string`, but its last stop is a hand that draws it in with a constant force."""
@@ -175,6 +191,10 @@ class Frame:
     ) -> None:
         """Join sites by a light spring of a natural length, m, by default that which it has at the start."""
         self._builder.add_spring(self.address(name), _flat(through), stiffness, length, damping)
+
+    def buffer(self, name: str, a: str, b: str, stiffness: float, length: float) -> None:
+        """Put a light spring at a site that pushes another one away once that is nearer than its natural length, m."""
+        self._builder.add_line(self.address(name), (a, b), Elastic(stiffness, length, acts="pushes"))
 
     def force(self, name: str, law: Law, region: Region | None = None) -> None:
         """Let a force act on this body at its centre of mass; law and region count places from the entity's origin."""
@@ -202,10 +222,13 @@ class Frame:
         """Let it eject mass at `rate`, kg/s, with a speed relative to it, until a time, s; thrust along `direction`."""
         self._builder.burns.append(Burn(self._own(), rate, exhaust, until, unit(direction)))
 
-    def stand(self, name: str, at: Vector, along: Vector, normal: Vector) -> None:
-        """Let a point of this body be a foot that may stand on the plane of the room through it as it is now."""
+    def stand(self, name: str, at: Vector, along: Vector, normal: Vector, on: Vector | None = None) -> None:
+        """Let a point of this body be a foot that may stand on a plane of the room, through `on` if that is given.
+
+        By default the plane goes through the foot as it is now; `on` is counted from where the body's frame stands.
+        """
         self.site(name, at)
-        where = self._builder.position(self.address(name))
+        where = self._builder.position(self.address(name)) if on is None else add(self.at, on)
         self._builder.feet.append(Foot(self.address(name), self.address(name), normal, along, inner(normal, where)))
 
     @property
@@ -233,11 +256,13 @@ class Builder(Collector):
 
     def room(self, name: str = "", at: Vector = ZERO) -> Frame:
         """The room, for one entity: `name` goes before all its names, `at` is where it stands."""
+        self.origins[name] = at
         return Frame(self, name, None, at)
 
     def mount(self, name: str, site: str, *, stiff: bool) -> Frame:
         """The body that carries a site, for an entity that stands there; `stiff`: it can't move on it."""
-        carrier = self.carrier(site)
+        carrier, where = self.carrier(site), self.position(site)
+        self.origins[name] = where
         if stiff:
             self.welded[name] = carrier
-        return Frame(self, name, carrier, self.position(site))
+        return Frame(self, name, carrier, where)

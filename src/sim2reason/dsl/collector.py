@@ -11,10 +11,12 @@ from sim2reason.dsl.mechanism import (
     Attraction,
     Burn,
     Coordinate,
+    Drawn,
     Elastic,
     Face,
     Foot,
     Force,
+    Inextensible,
     Line,
     LineLaw,
     Mechanism,
@@ -27,6 +29,8 @@ from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.dsl.vectors import Vector, add, scale
 from sim2reason.errors import SceneError
 
+Axes = tuple[Vector, Vector, Vector]
+"""Where the x, y and z axes of a body point in the room: unit vectors at right angles."""
 WHEEL_RADIUS = 0.05  # m; of a pulley that nobody gave one, so only for looks
 
 
@@ -56,7 +60,9 @@ class Collector:
         self._origin: dict[str | None, Vector] = {None: ZERO}
         self._sites: dict[str, Site] = {}
         self.faces: dict[str, Vector | None] = {}  # by site, the way in which a string must leave it
-        self.hands: dict[str, float] = {}  # by site, the force with which a string is drawn in there
+        self.drawing: dict[str, Drawn | Inextensible] = {}  # by site, the law of a string that is drawn in there
+        self.origins: dict[str, Vector] = {}  # by entity, where it stands in the room; only for looks
+        self.turned: dict[str, Axes] = {}  # by body, where its own axes point at the start; only for looks
         self._rims: dict[tuple[str, str], Rim] = {}
         self.welded: dict[str, str | None] = {}  # entities that can't move on what carries them, and that
         self._lines: dict[str, Line] = {}
@@ -97,8 +103,10 @@ class Collector:
         self._origin[body.name] = add(self._origin[body.parent], body.at)
 
     def add_coordinate(self, coordinate: Coordinate) -> None:
-        """Give a body one more way to move, unless it is glued."""
+        """Give a body one more way to move, unless it is glued; SceneError for one that is welded and told to move."""
         found = self._bodies[coordinate.body]
+        if self._is_welded(found) and coordinate.speed != 0.0:
+            raise SceneError(coordinate.body, "it is welded and can not move at the start", "leave out how it starts")
         if coordinate.body not in self._glued and not self._is_welded(found):
             self._bodies[coordinate.body] = replace(found, coordinates=(*found.coordinates, coordinate))
 

@@ -18,8 +18,8 @@ FREE = 2.5  # m of free string between neighbours, so that motions of a second o
 Told = float | str | None
 """What a text tells of an address: a number, a word of a choice, or that it is absent."""
 
-Look = Literal["string", "spring", "rod"]
-"""How a connection is drawn: a thin line, a coil, a bar."""
+Look = Literal["string", "spring", "rod", "pivot", "weld"]
+"""How a connection is drawn: a thin line, a coil, a bar; a ring or a square where two bodies meet."""
 
 
 class Link(Model):

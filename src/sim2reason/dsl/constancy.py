@@ -3,9 +3,10 @@
 from itertools import pairwise
 from math import hypot
 
-from sim2reason.dsl.frames import Frame, Frames, Point
+from sim2reason.dsl.frames import BodyFrame, Frames
 from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism, Prop, RigidBody
-from sim2reason.dsl.triples import Triple, cross, minus, plus, product, times
+from sim2reason.dsl.points import Point
+from sim2reason.dsl.triples import Triple, cross, minus, times
 from sim2reason.dsl.vectors import Vector
 
 ALIGNED = 1e-9  # how far two unit vectors may differ and still be called parallel
@@ -45,7 +46,7 @@ def _turning_body(mechanism: Mechanism, frames: Frames, body: RigidBody) -> str:
     return ""
 
 
-def _swung(frame: Frame, point: Point) -> list[Triple]:
+def _swung(frame: BodyFrame, point: Point) -> list[Triple]:
     return [point.gradient[step.number] for step in frame.steps if step.pivot is not None]
 
 
@@ -60,17 +61,21 @@ def _parallel(one: Vector, other: Vector) -> bool:
 def _bending(line: Line, frames: Frames) -> str:
     """A line that turns as its sites move."""
     for first, last in pairwise(line.through):
-        one, other = frames.site(first), frames.site(last)
-        apart = minus(other.place, one.place)
-        length = hypot(*apart)
-        if length == 0.0:
+        if frames.site(first).place == frames.site(last).place:
             continue
-        for number in one.gradient.keys() | other.gradient.keys():
-            way = minus(other.gradient.get(number, _NONE), one.gradient.get(number, _NONE))
-            along = product(way, apart) / length
-            if hypot(*plus(way, times(-along / length, apart))) > ALIGNED:
+        run = frames.distance(first, last)
+        for number, moved in run.moved.items():
+            if hypot(*minus(moved, times(run.along[number], run.way))) > ALIGNED:
                 return f"{line.name} bends"
     return ""
 
 
-_NONE = (0.0, 0.0, 0.0)
+def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Triple | None:
+    """The unit vector from one site to another where it never turns, since only slides along it move them."""
+    run = frames.distance(first, last)
+    for number, moved in run.moved.items():
+        if not _moved(moved):
+            continue
+        if mechanism.coordinates[number].kind == "hinge" or not _parallel(moved, run.way):
+            return None
+    return run.way

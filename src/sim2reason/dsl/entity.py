@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from functools import cache
-from typing import Annotated, Any, ClassVar, TypeVar
+from typing import Annotated, Any, ClassVar, TypeVar, cast
 
 from pydantic import ConfigDict, Field, SerializeAsAny
 
@@ -11,7 +11,7 @@ from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.connection import Inside
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.ports import Attachment, Base, Chain, Mount, Pass, Port, SitePort, Stop, StringEnd
-from sim2reason.dsl.template import Each, Saying, Slot, Word, paths, slots, wordings
+from sim2reason.dsl.template import Each, PartLines, Saying, Slot, Word, paths, slots, wordings
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.registry import Registry
 
@@ -35,7 +35,7 @@ class Part(Model):
     def told_by_word(cls, parameter: str, value: object) -> bool:
         """Whether a word of its own lines tells a number specially, so that no other line need say it."""
         words = {name: word for name, word in cls.words.items() if word.parameter == parameter}
-        lines = [wordings(saying) for saying in cls.says]
+        lines = [wordings(saying) for saying in cls.says if not isinstance(saying, PartLines)]
         used = {name for name in words for line in lines if all(f"{{{name}}}" in template for template in line)}
         return any(value in words[name].special for name in used)
 
@@ -48,11 +48,17 @@ class Entity(Part):
     """A mechanism that a scene file can name."""
 
     units: ClassVar[UnitSystem] = SI  # in which its text speaks
+    schematic: ClassVar[bool] = False  # drawn with strings and faces as long as looks best, else to scale
 
     @property
     def horizon(self) -> float | None:
         """How long its motion is worth following, in the units of its text: a period, a flight; None for no matter."""
         return None
+
+    @property
+    def clocked(self) -> bool:
+        """Whether its text says what happens at t = 0, so that a start from rest is no release."""
+        return False
 
 
 NAME = r"^[a-z][a-z0-9_]{0,39}$"
@@ -116,9 +122,9 @@ def check_lines(cls: type[Part]) -> None:
     roped = {stop for inner in inside(cls).values() for stop in inner.stops}
     told: set[str] = set()
     for saying in cls.says:
-        told |= _common(cls, wordings(saying))
-        if isinstance(saying, Each) and saying.field not in cls.model_fields:
+        if isinstance(saying, Each | PartLines) and saying.field not in cls.model_fields:
             raise TypeError(f"{cls.__name__}: a line for each {saying.field!r}, which is not declared")
+        told |= _common(cls, wordings(saying))
     for name, port in ports_of(cls).items():
         heard = _clauses(cls, port)
         if name in required | chained | roped:
@@ -126,6 +132,15 @@ def check_lines(cls: type[Part]) -> None:
     unsaid = {path for path in declared_numbers(cls) if path not in told}
     if unsaid:
         raise TypeError(f"{cls.__name__}: no line tells {', '.join(sorted(unsaid))}")
+
+
+def parts_at(part: Part, field: str) -> dict[str, Part]:
+    """The parts that a field holds, one or several, each by its path from the part that holds them."""
+    held: Any = getattr(part, field)
+    several = isinstance(held, tuple)
+    members = cast("tuple[Any, ...]", held) if several else (held,)
+    found = {f"{field}.{index}" if several else field: member for index, member in enumerate(members)}
+    return {path: member for path, member in found.items() if isinstance(member, Part)}
 
 
 def _clauses(cls: type[Part], port: Port) -> set[str]:
@@ -147,7 +162,7 @@ def phrase_of(port: Port) -> str:
 
 def _common(cls: type[Part], templates: tuple[str, ...]) -> set[str]:
     told = [set[str]().union(*(tells(cls, slot) for slot in slots(template))) for template in templates]
-    return set[str].intersection(*told)
+    return set[str].intersection(*told) if told else set()
 
 
 def declared_numbers(cls: type[Part]) -> set[str]:
@@ -174,7 +189,7 @@ def tells(cls: type[Part], slot: Slot) -> set[str]:
         return {".".join(step for step in slot.path.split(".") if step != "*")}
     head, *rest = [step for step in slot.path.split(".") if step not in ("first", "last", "*")]
     if head in cls.words and not rest:
-        return {cls.words[head].parameter} | _word_paths(cls.words[head])
+        return {cls.words[head].parameter} | _word_paths(cls.words[head]) | _common(cls, _texts(cls.words[head]))
     kind = field_types(cls).get(head)
     if kind is None:
         raise TypeError(f"{cls.__name__}: a line names {slot.path!r}, which is not declared")
@@ -186,8 +201,13 @@ def tells(cls: type[Part], slot: Slot) -> set[str]:
     return told
 
 
+def _texts(word: Word) -> tuple[str, ...]:
+    """All that a word can say."""
+    return (*word.special.values(), *((word.otherwise,) if word.otherwise else ()))
+
+
 def _word_paths(word: Word) -> set[str]:
-    return {path for text in (*word.special.values(), word.otherwise) for path in paths(text)}
+    return {path for text in _texts(word) for path in paths(text)}
 
 
 def _told_by_body(cls: type[Part], head: str, model: type[Model], rest: list[str], *, whole: bool) -> set[str]:

@@ -7,27 +7,17 @@ coordinate, and how it would move if a body rose from the face that it lies on.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import ZERO, Coordinate, Line, Mechanism, RigidBody
+from sim2reason.dsl.points import Distance, Gradient, Point, distance
 from sim2reason.dsl.triples import Maths, Number, Triple, cross, minus, plus, product, times
 from sim2reason.dsl.vectors import Vector
 
-Gradient = Mapping[int, Triple]  # by number of a coordinate, or of a face
 Rotation = tuple[Triple, Triple, Triple]  # rows
-
-
-class Point(NamedTuple):
-    """A point of a body; `gradient` by coordinate and `lift` by face hold what is not zero."""
-
-    place: Triple  # m
-    velocity: Triple  # m/s
-    bias: Triple  # its acceleration at q̈ = 0, m/s²
-    gradient: Gradient
-    lift: Gradient
 
 
 class Turning(NamedTuple):
@@ -46,7 +36,7 @@ class Step(NamedTuple):
     pivot: Triple | None  # a point of the axis of a hinge; None of a slide
 
 
-class Frame(NamedTuple):
+class BodyFrame(NamedTuple):
     """The frame of a body at one instant, or at all."""
 
     origin: Triple
@@ -76,6 +66,8 @@ class Frame(NamedTuple):
         """A point fixed in this frame."""
         arm = self.turned(at)
         place = plus(self.origin, arm)
+        if self.spin is None:
+            return Point(place, self.velocity, self.bias, {step.number: step.axis for step in self.steps}, self.lift)
         gradient = {
             step.number: step.axis if step.pivot is None else cross(step.axis, minus(place, step.pivot))
             for step in self.steps
@@ -102,25 +94,28 @@ class Frame(NamedTuple):
         return Turning(self.spin or ZERO, self.spin_bias, gradient)
 
 
-ROOM = Frame(ZERO, None, ZERO, ZERO, None, ZERO)
+ROOM = BodyFrame(ZERO, None, ZERO, ZERO, None, ZERO)
 
 
 class Frames:
     """The frames of all bodies of a mechanism for given coordinates and their rates."""
 
-    def __init__(self, mechanism: Mechanism, q: Sequence[Number], v: Sequence[Number], maths: Maths) -> None:
-        """`q` and `v` hold a number for each coordinate, in the mechanism's order."""
-        self._mechanism, self._q, self._v, self._maths = mechanism, q, v, maths
+    def __init__(
+        self, mechanism: Mechanism, q: Sequence[Number], v: Sequence[Number], maths: Maths, *, still: bool = False
+    ) -> None:
+        """`q` and `v` hold a number for each coordinate, in the mechanism's order; `still` says that all are zero."""
+        self._mechanism, self._q, self._v, self._maths, self._still = mechanism, q, v, maths, still
         self._faces = {face.subject: (number, face) for number, face in enumerate(mechanism.faces)}
-        self._frames: dict[str | None, Frame] = {None: ROOM}
+        self._frames: dict[str | None, BodyFrame] = {None: ROOM}
         self._centers: dict[str, Point] = {}
         self._sites: dict[str, Point] = {}
+        self._distances: dict[tuple[str, str], Distance] = {}
         first = 0
         for body in mechanism.bodies:
             self._frames[body.name] = self._of(body, first)
             first += len(body.coordinates)
 
-    def __getitem__(self, body: str | None) -> Frame:
+    def __getitem__(self, body: str | None) -> BodyFrame:
         """The frame of a body; that of the room for None."""
         return self._frames[body]
 
@@ -139,6 +134,13 @@ class Frames:
             found = self._sites[name] = self._frames[site.body].point(site.at)
         return found
 
+    def distance(self, first: str, last: str) -> Distance:
+        """From one site to another; ZeroDivisionError where they coincide and can part."""
+        found = self._distances.get((first, last))
+        if found is None:
+            found = self._distances[first, last] = distance(self.site(first), self.site(last), self._maths)
+        return found
+
     def length(self, line: Line) -> Number:
         """The sum of the distances between the sites of a line, m."""
         total: Number = 0.0
@@ -153,9 +155,10 @@ class Frames:
         carrier = subject if face.turning else self._mechanism.body[subject].parent
         return self._frames[carrier].turned(face.normal)
 
-    def _of(self, body: RigidBody, first: int) -> Frame:
+    def _of(self, body: RigidBody, first: int) -> BodyFrame:
         frame = self._frames[body.parent]
-        frame = _shifted(frame, frame.turned(body.at))
+        if body.at != ZERO:
+            frame = _shifted(frame, frame.turned(body.at))
         for number, coordinate in enumerate(body.coordinates, start=first):
             if coordinate.kind == "slide":
                 frame = self._slid(frame, coordinate, number)
@@ -167,7 +170,7 @@ class Frames:
         number, face = found
         carrier = frame if face.turning else self._frames[body.parent]
         lift = {**frame.lift, number: carrier.turned(face.normal)}
-        return Frame(
+        return BodyFrame(
             frame.origin,
             frame.rotation,
             frame.velocity,
@@ -178,18 +181,22 @@ class Frames:
             lift,
         )
 
-    def _slid(self, frame: Frame, coordinate: Coordinate, number: int) -> Frame:
+    def _slid(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
+        if self._still:
+            return _stepped(frame, Step(number, axis, None), frame.spin)
         frame = _shifted(frame, times(self._q[number], axis))
         velocity = plus(frame.velocity, times(self._v[number], axis))
         bias = frame.bias
         if frame.spin is not None:
             bias = plus(bias, times(2.0 * self._v[number], cross(frame.spin, axis)))
         steps = (*frame.steps, Step(number, axis, None))
-        return Frame(frame.origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, steps, frame.lift)
+        return BodyFrame(frame.origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, steps, frame.lift)
 
-    def _hinged(self, frame: Frame, coordinate: Coordinate, number: int) -> Frame:
+    def _hinged(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
+        if self._still:
+            return _stepped(frame, Step(number, axis, frame.origin), ZERO)
         whirl = times(self._v[number], axis)
         if frame.spin is None:
             spin, spin_bias = whirl, frame.spin_bias
@@ -197,14 +204,20 @@ class Frames:
             spin, spin_bias = plus(frame.spin, whirl), plus(frame.spin_bias, cross(frame.spin, whirl))
         rotation = rotated(frame.rotation, coordinate.axis, self._q[number], self._maths)
         steps = (*frame.steps, Step(number, axis, frame.origin))
-        return Frame(frame.origin, rotation, frame.velocity, frame.bias, spin, spin_bias, steps, frame.lift)
+        return BodyFrame(frame.origin, rotation, frame.velocity, frame.bias, spin, spin_bias, steps, frame.lift)
 
 
-def _shifted(frame: Frame, arm: Triple) -> Frame:
+def _stepped(frame: BodyFrame, step: Step, spin: Triple | None) -> BodyFrame:
+    """The frame after a coordinate that is zero."""
+    steps = (*frame.steps, step)
+    return BodyFrame(frame.origin, frame.rotation, frame.velocity, frame.bias, spin, frame.spin_bias, steps, frame.lift)
+
+
+def _shifted(frame: BodyFrame, arm: Triple) -> BodyFrame:
     """The frame with its origin at `arm`, in room axes, from the present one."""
     velocity, bias = frame.carried(arm)
     origin = plus(frame.origin, arm)
-    return Frame(origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, frame.steps, frame.lift)
+    return BodyFrame(origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, frame.steps, frame.lift)
 
 
 def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths) -> Rotation:
@@ -232,4 +245,4 @@ def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths
 def start(mechanism: Mechanism) -> Frames:
     """The geometry at the start of the motion, as if nothing moved."""
     rest = [0.0] * len(mechanism.coordinates)
-    return Frames(mechanism, rest, rest, math)
+    return Frames(mechanism, rest, rest, math, still=True)

@@ -46,8 +46,8 @@ def placed(
     """The builder with all entities built in it, each where its connections want it, those that carry others first."""
     pairs: list[Neighbours] = []
     mounted: dict[str, Mounted] = {}
-    for connection in connections:
-        path = stops(connection)
+    paths = [(connection, stops(connection)) for connection in connections]
+    for connection, path in paths:
         if connection.carries:
             mounted[path[1].owner] = Mounted(path[1].owner, path[0].sites[0], connection.stiff)
         else:
@@ -60,11 +60,22 @@ def placed(
         low, high = scratch.extent()
         offsets[named.name] = (right - low, 0.0, 0.0)
         right += high - low + GAP
+    for _, path in paths:
+        _check_sites(path, alone)
     _align([pair for pair in pairs if {_owner(pair.one), _owner(pair.other)} <= offsets.keys()], offsets, alone)
     for named in free:
         named.entity.build(builder.room(named.name, offsets[named.name]))
     _mount({named.name: named for named in entities}, mounted, builder)
     return builder
+
+
+def _check_sites(path: Sequence[Stop], alone: Mapping[str, Builder]) -> None:
+    """Refuse a stop at an optional part that its entity does not have; SceneError."""
+    for stop in path:
+        known = alone.get(_owner(stop.owner))
+        if known is not None and any(site not in known.faces for site in stop.sites):
+            remedy = "leave the connection out, or give the part that it leads to"
+            raise SceneError(stop.owner, f"there is nothing at its port {stop.port.name!r}", remedy)
 
 
 def _mount(entities: Mapping[str, Named], mounted: Mapping[str, Mounted], builder: Builder) -> None:

@@ -5,10 +5,11 @@ One line declares a number; validation, sampling, prose, symbols and the schema 
     Mass = Annotated[float, Ge(1e-6), Measure("mass", "kg", "m"), Range(0.5, 10)]
 """
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from math import floor, isfinite, log10
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 from annotated_types import Ge, Le, Lt
@@ -31,10 +32,37 @@ class Range:
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """How many members a variable-length part may be drawn with, both ends included."""
+    """How many members a variable-length part may be drawn with, both ends included; `alike`: all of one class."""
 
     low: int
     high: int
+    alike: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Chance:
+    """How often something optional is drawn where no recipe says so; without it, it never is."""
+
+    likelihood: float
+
+    def __post_init__(self) -> None:
+        """Refuse what is no probability."""
+        if not 0.0 <= self.likelihood <= 1.0:
+            raise ValueError(f"not a chance: {self.likelihood}")
+
+
+@dataclass(frozen=True, slots=True)
+class Sized:
+    """Marks a variable-length part that has as many members as the fields before it demand."""
+
+    by: Callable[[Mapping[str, Any]], int]
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """Marks an index: that of a member of a field beside it, or beside the part that has the index."""
+
+    field: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,14 +96,15 @@ class Measure:
         return max(0, 1 - floor(log10(abs(float(f"{value:.1e}")))))
 
     def round(self, value: float) -> float:
-        """`value` as it is spoken, so that what is said is what is simulated."""
-        return round(value, self.places(value)) + 0.0
+        """`value` as it is spoken, so that what is said is what is simulated; of a large one, three digits."""
+        digits = 2 - floor(log10(abs(value))) if value else 0
+        return round(value, min(self.places(value), digits)) + 0.0
 
     def say(self, value: float) -> str:
         """`value` and its unit as prose has them: ``2.0 kg``, ``30°``; a true minus sign."""
         if value == 0.0:
             return join_unit("0", self.unit)
-        rounded = self.round(value)
+        rounded = round(value, self.places(value))
         text = repr(value) if abs(rounded - value) > 1e-12 * max(1.0, abs(value)) else f"{value:.{self.places(value)}f}"
         return join_unit(text.replace("-", "\N{MINUS SIGN}"), self.unit)
 
@@ -108,5 +137,7 @@ Length = Annotated[float, LEAST, Le(1e3), Measure("length", "m", r"\ell"), Range
 FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell"), Range(2.0, 4.0), Hidden()]
 Height = Annotated[float, LEAST, Le(1e4), Measure("height", "m", "h"), Range(1.0, 5.0)]
 Stiffness = Annotated[float, LEAST, Le(1e6), Measure("stiffness", "N/m", "k"), Range(20.0, 250.0)]
+NaturalLength = Annotated[float, LEAST, Le(1e3), Measure("natural length", "m", r"\ell_0"), Range(0.2, 1.0)]
+Damping = Annotated[float, LEAST, Le(1e6), Measure("damping constant", "N*s/m", "b"), Range(0.2, 3.0)]
 Restitution = Annotated[float, Ge(0), Le(1), Measure("restitution", "", "e", decimals=2), Range(0.3, 0.95)]
 Gravity = Annotated[float, Ge(0), Le(100), Measure("gravity", "m/s^2", "g")]

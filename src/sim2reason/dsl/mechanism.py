@@ -104,11 +104,20 @@ class Prop:
 
 @dataclass(frozen=True, slots=True)
 class Elastic:
-    """A light spring: its tension is stiffness·(length − natural length) + damping·rate."""
+    """A light spring: its tension is stiffness·(length − natural length) + damping·rate.
+
+    One that only pushes is a buffer, that may be left; one that only pulls is an elastic cord, that may go slack.
+    """
 
     stiffness: float  # N/m
     length: float  # natural, m
     damping: float = 0.0  # N s/m
+    acts: Literal["both", "pushes", "pulls"] = "both"
+
+    @property
+    def side(self) -> float:
+        """The sign of the extension at which it acts; 0 for any."""
+        return {"both": 0.0, "pushes": -1.0, "pulls": 1.0}[self.acts]
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,6 +257,11 @@ class Mechanism:
     def pulls(self) -> tuple[Line, ...]:
         """The lines that a hand draws in."""
         return tuple(line for line in self.lines if isinstance(line.law, Drawn))
+
+    @cached_property
+    def half_springs(self) -> tuple[tuple[Line, Elastic], ...]:
+        """The springs that act only one way, each with its law."""
+        return tuple((line, line.law) for line in self.lines if isinstance(line.law, Elastic) and line.law.side)
 
     @cached_property
     def contacts(self) -> dict[str, Face]:

@@ -1,15 +1,16 @@
 """Frozen values with declared parameters: how they are walked, changed and drawn."""
 
 import types
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Literal, TypeVar, Union, cast, get_args, get_origin
+from typing import Annotated, Any, Literal, Self, TypeGuard, TypeVar, Union, cast, get_args, get_origin
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 
-from sim2reason.dsl.measures import Count, Hidden, Measure, Range
+from sim2reason.dsl.measures import Chance, Count, Hidden, Measure, Member, Range, Sized
+from sim2reason.dsl.relations import relations, unfitting
 from sim2reason.errors import SceneError
 
 
@@ -24,6 +25,28 @@ class Model(BaseModel):
         validate_default=True,
         revalidate_instances="never",
     )
+
+    @classmethod
+    def variants(cls) -> "tuple[type[Model], ...]":
+        """What a field of this type may hold: this class; an open base says which classes are registered under it."""
+        return (cls,)
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """Values to take in place of some that were `drawn`, where no range of a single one says what fits together.
+
+        None by default. What a recipe has chosen stays as it is.
+        """
+        del drawn, rng
+        return {}
+
+    @model_validator(mode="after")
+    def _relations_hold(self) -> Self:
+        """Counts that follow from other fields do, and indices lead to members; ValueError says which does not."""
+        broken = unfitting(self, relations(type(self), field_types))
+        if broken:
+            raise ValueError(broken)
+        return self
 
 
 NOTHING, LOOK = "there is no such thing in the scene", "list the scene's parameters"
@@ -52,6 +75,9 @@ class FieldType:
     optional: bool
     models: tuple[type[Model], ...]
     words: tuple[str, ...]  # of a Literal
+    member: str = ""  # the field whose members it counts, of an index
+    size: Callable[[Mapping[str, Any]], int] | None = None  # how many members it has, where other fields demand it
+    chance: float | None = None  # of something optional to be drawn
 
 
 def _flatten(annotation: Any) -> Iterator[Any]:  # annotations are untyped by nature
@@ -71,6 +97,10 @@ def _flatten(annotation: Any) -> Iterator[Any]:  # annotations are untyped by na
         yield annotation
 
 
+def _is_model(leaf: object) -> TypeGuard[type[Model]]:
+    return isinstance(leaf, type) and issubclass(leaf, Model)
+
+
 @cache
 def field_types(model: type[Model]) -> dict[str, FieldType]:
     """The fields of a model class by name; a later `Range` of one field replaces an earlier one."""
@@ -83,8 +113,11 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
             count=next((leaf for leaf in leaves if isinstance(leaf, Count)), None),
             hidden=any(isinstance(leaf, Hidden) for leaf in leaves),
             optional=any(leaf is type(None) for leaf in leaves),
-            models=tuple(leaf for leaf in leaves if isinstance(leaf, type) and issubclass(leaf, Model)),
+            models=tuple(kind for leaf in leaves if _is_model(leaf) for kind in leaf.variants()),
             words=tuple(leaf for leaf in leaves if isinstance(leaf, str)),
+            member=next((leaf.field for leaf in leaves if isinstance(leaf, Member)), ""),
+            size=next((leaf.by for leaf in leaves if isinstance(leaf, Sized)), None),
+            chance=next((leaf.likelihood for leaf in leaves if isinstance(leaf, Chance)), None),
         )
     return found
 
@@ -140,8 +173,8 @@ REDRAWS = 20
 Choice = Range | Count | tuple[str, ...] | float | int | bool | None
 Choices = Mapping[str, Choice]
 """How a recipe narrows a draw, by field name or by the name of a measure: a `Range` or `Count` to draw from,
-a tuple of class names to pick a part from (one named twice is picked twice as often), a fixed value, or a chance
-between 0 and 1 that an optional thing is there."""
+a tuple of class names to pick a part from, or of words (one named twice is picked twice as often), a fixed value, or
+a chance between 0 and 1 that an optional thing is there."""
 
 
 def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object] | None = None) -> M:
@@ -153,39 +186,68 @@ def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapp
     Raises:
         SceneError: a number has no range, or nothing valid was drawn within the budget.
     """
+    return _accepted(model, rng, choices, given or {}, {})
+
+
+def _accepted(
+    model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object], around: Mapping[str, Any]
+) -> M:
+    """A value that its validators accept; `around` has what was drawn of whatever will hold it."""
     refused = ""
     for _ in range(REDRAWS):
         try:
-            return _drawn(model, rng, choices, given or {})
+            return _drawn(model, rng, choices, given, around)
         except ValidationError as error:
             refused = error.errors()[0]["msg"]
     raise SceneError(model.__name__, f"nothing valid in {REDRAWS} draws: {refused}", "widen a range")
 
 
-def _drawn(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object]) -> M:
-    values: dict[str, object] = dict(given)
+def _drawn(
+    model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object], around: Mapping[str, Any]
+) -> M:
+    values, absent = dict(given), dict[str, object]()
     for name, kind in field_types(model).items():
         if name in values:
             continue
         info = model.model_fields[name]
         if kind.optional or not info.is_required():
             chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")
+            chance = kind.chance if chance is None else chance
             if chance is None and not kind.optional:
                 chance = 1.0 if kind.drawn or kind.models else 0.0
             if rng.random() >= float(chance or 0.0):  # type: ignore[arg-type]
+                absent[name] = info.get_default(call_default_factory=True)
                 continue
-        values[name] = _draw_field(model, name, kind, rng, choices)
-    return model(**values)
+        values[name] = _draw_field(model, name, rng, choices, {**around, **absent, **values})
+    return model(**values | _kept(model, model.fitted(values, rng), choices, given))
+
+
+def _kept(
+    model: type[Model], fitted: Mapping[str, object], choices: Choices, given: Mapping[str, object]
+) -> dict[str, object]:
+    """What was fitted, without what was given or chosen; how many there are is no choice of what they are."""
+    types, free = field_types(model), fitted.keys() - given.keys()
+    chosen = {name: _chosen(model, name, types[name], choices) for name in free}
+    return {name: fitted[name] for name in fitted if name in free and isinstance(chosen[name], Count | None)}
+
+
+def _chosen(model: type[Model], name: str, kind: FieldType, choices: Choices) -> Choice:
+    """What a recipe has chosen for a field."""
+    return _choice(choices, f"{model.__name__}.{name}", name, *((kind.measure.name,) if kind.measure else ()))
 
 
 def _choice(choices: Choices, *names: str) -> Choice:
     return next((choices[name] for name in names if name in choices), None)
 
 
-def _draw_field(model: type[Model], name: str, kind: FieldType, rng: np.random.Generator, choices: Choices) -> object:
+def _draw_field(
+    model: type[Model], name: str, rng: np.random.Generator, choices: Choices, known: Mapping[str, Any]
+) -> object:
+    """A value for a field, with what is `known` of the fields before it."""
+    kind = field_types(model)[name]
+    picks = _chosen(model, name, kind, choices)
     if kind.measure is not None:
-        found = _choice(choices, f"{model.__name__}.{name}", name, kind.measure.name)
-        found = kind.drawn if found is None else found  # a choice of 0.0 is a choice
+        found = kind.drawn if picks is None else picks  # a choice of 0.0 is a choice
         if isinstance(found, Range):
             return kind.measure.draw(rng, found.low, found.high)
         if isinstance(found, float | int):
@@ -193,15 +255,23 @@ def _draw_field(model: type[Model], name: str, kind: FieldType, rng: np.random.G
         remedy = "declare a Range or let the recipe choose"
         raise SceneError(f"{model.__name__}.{name}", "has no range to be drawn from", remedy)
     if kind.words:
-        return kind.words[int(rng.integers(len(kind.words)))]
-    picks = _choice(choices, f"{model.__name__}.{name}", name)
+        words = picks if isinstance(picks, tuple) else kind.words
+        return words[int(rng.integers(len(words)))]
+    if kind.member:
+        return int(rng.integers(max(len(known[kind.member]), 1)))  # one that nothing has is refused, and drawn again
     names = picks if isinstance(picks, tuple) else tuple(held.__name__ for held in kind.models)
     allowed = [held for name in names for held in kind.models if held.__name__ == name]
+
+    def one() -> Model:
+        return _accepted(allowed[int(rng.integers(len(allowed)))], rng, choices, {}, known)
+
     count = picks if isinstance(picks, Count) else kind.count
-    if kind.count is not None and count is not None:
-        size = int(rng.integers(count.low, count.high + 1))
-        return tuple(draw(allowed[int(rng.integers(len(allowed)))], rng, choices) for _ in range(size))
-    return draw(allowed[int(rng.integers(len(allowed)))], rng, choices)
+    if kind.count is None or count is None:
+        return one()
+    size = kind.size(known) if kind.size is not None else int(rng.integers(count.low, count.high + 1))
+    if kind.count.alike:
+        allowed = [allowed[int(rng.integers(len(allowed)))]]
+    return tuple(one() for _ in range(size))
 
 
 def rebuilt(value: M, **fields: object) -> M:

@@ -16,6 +16,8 @@ class Port:
 
     name: str = field(default="", init=False, compare=False)
     required: bool = False  # left open, it would change what the text says
+    unless: str = ""  # the field of its entity that, where it is there, takes the port's place
+    needs: str = ""  # the optional field of its entity that is given where the port is used, and only there
 
     def __set_name__(self, owner: type, name: str) -> None:
         """Python tells the attribute's name once, as the class is made."""
@@ -61,9 +63,11 @@ class End(StringEnd, Attachment):
     """One end of a string, at something that a spring or a rod can hold as well."""
 
     def __post_init__(self) -> None:
-        """Refuse an end that nothing names; ValueError."""
+        """Refuse an end that nothing names, and one whose string turns a corner, which no spring does; ValueError."""
         if not self.tied:
             raise ValueError("an end must say what a string is tied to there; else it is a StringEnd")
+        if len(self.sites) > 1:
+            raise ValueError("an end is one point; where a string leads on round a corner, it is a StringEnd")
 
 
 @dataclass(frozen=True, kw_only=True)

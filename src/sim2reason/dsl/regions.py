@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import Protocol, Self
 
-from sim2reason.dsl.triples import Maths, Number, Triple, minus, product
+from sim2reason.dsl.triples import Maths, Number, Triple, minus, product, times
 from sim2reason.dsl.vectors import Vector, add, inner
 
 
@@ -37,7 +37,7 @@ class HalfSpace:
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class BoxRegion:
     """A slab or box: low ≤ axis·r ≤ high for each of its axes."""
 
     sides: tuple[tuple[Vector, float, float], ...]  # (axis, low, high)
@@ -51,13 +51,13 @@ class Box:
             found += [along - low, high - along]
         return tuple(found)
 
-    def moved(self, by: Vector) -> "Box":
+    def moved(self, by: Vector) -> "BoxRegion":
         """Elsewhere."""
-        return Box(tuple((axis, low + inner(axis, by), high + inner(axis, by)) for axis, low, high in self.sides))
+        return BoxRegion(tuple((axis, low + inner(axis, by), high + inner(axis, by)) for axis, low, high in self.sides))
 
 
 @dataclass(frozen=True, slots=True)
-class Disc:
+class DiscRegion:
     """A cylinder of any length: the places within `radius` of an axis through `center`."""
 
     center: Vector
@@ -68,8 +68,9 @@ class Disc:
         """The distance to its border."""
         apart = minus(place, self.center)
         along = product(self.axis, apart)
-        return (self.radius - maths.sqrt(product(apart, apart) - along * along),)
+        aside = minus(apart, times(along, self.axis))
+        return (self.radius - maths.sqrt(product(aside, aside)),)
 
-    def moved(self, by: Vector) -> "Disc":
+    def moved(self, by: Vector) -> "DiscRegion":
         """Elsewhere."""
         return replace(self, center=add(self.center, by))

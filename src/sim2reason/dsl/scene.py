@@ -13,8 +13,9 @@ from sim2reason.dsl.layout import placed
 from sim2reason.dsl.measures import Gravity
 from sim2reason.dsl.mechanism import GRAVITY, Mechanism
 from sim2reason.dsl.model import Model, Parameter, changed, lookup, parameters, rebuilt
-from sim2reason.dsl.ports import Chain, Pass, Stop, StringEnd
+from sim2reason.dsl.ports import Chain, Pass, Port, Stop, StringEnd
 from sim2reason.dsl.units import UnitSystem
+from sim2reason.dsl.vacancies import idle_fields, vacated
 from sim2reason.errors import SceneError
 
 MAX_ENTITIES = 8
@@ -70,6 +71,7 @@ class Scene(Model):
                 if not connection.admits(ports[link.port], index, len(connection.links) - 1):
                     problem = f"a {connection.key} can not be joined to {link}, which is for other connections"
                     raise SceneError(place, problem, f"it takes a {connection.joins.__name__}")
+                self._check_place(ports[link.port], link, place)
                 if (link.entity, link.port) in used:
                     raise SceneError(place, f"port {link} is used twice", "use each port once")
                 used.add((link.entity, link.port))
@@ -78,6 +80,19 @@ class Scene(Model):
             for port, declared in outer_ports(type(named.entity)).items():
                 if declared.required and (named.name, port) not in used:
                     raise SceneError(f"entities.{named.name}", f"its port {port!r} is open", "connect it to something")
+            for field, port in idle_fields(named, used):
+                problem = f"{field} only matters to what is joined to its port {port!r}, which is open"
+                raise SceneError(f"entities.{named.name}", problem, f"leave {field} out, or connect the port")
+
+    def _check_place(self, port: Port, link: Link, place: str) -> None:
+        """Where optional fields decide whether a port is there."""
+        held = self.entity(link.entity)
+        if port.needs and getattr(held, port.needs) is None:
+            problem = f"{link} needs {port.needs}, which {link.entity!r} leaves out"
+            raise SceneError(place, problem, f"give {port.needs}")
+        if port.unless and getattr(held, port.unless) is not None:
+            problem = f"{port.unless} of {link.entity!r} has the place of {link}"
+            raise SceneError(place, problem, f"leave {port.unless} out")
 
     def _check_order(self, connection: Connection, place: str) -> None:
         """A path begins and ends at ends, and passes only what can be passed."""
@@ -167,8 +182,9 @@ class Scene(Model):
 
     @property
     def starts_from_rest(self) -> bool:
-        """Whether nothing moves at t = 0, so that the text speaks of a release."""
-        return all(coordinate.speed == 0.0 for coordinate in self.mechanism.coordinates)
+        """Whether nothing moves at t = 0, so that the text speaks of a release; not where it says what happens then."""
+        clocked = any(named.entity.clocked for named in self.entities)
+        return not clocked and all(coordinate.speed == 0.0 for coordinate in self.mechanism.coordinates)
 
     def check(self) -> None:
         """Build it, to see whether its parts fit together; SceneError if they do not."""
@@ -230,6 +246,7 @@ class Scene(Model):
             links = tuple(link for link in connection.links if link.entity != address)
             if address not in ends and len(links) > 1:
                 connections.append(rebuilt(connection, links=links))
+        kept = vacated(kept, (connection.links for connection in connections))
         return rebuilt(self, entities=kept, connections=tuple(connections))
 
     def gluing(self, *addresses: str) -> "Scene":

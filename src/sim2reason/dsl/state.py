@@ -43,6 +43,19 @@ class State:
         """Where the parts were at the start."""
         return start(self.mechanism)
 
+    @cached_property
+    def known(self) -> "dict[tuple[str, str], Array]":
+        """What quantities have been read off it, by quantity and subject, for those that build on them."""
+        return {}
+
+    def mass(self, body: str) -> Array | float:
+        """The mass of a body: of one that burns, what is left at each instant, (n,)."""
+        found: Array | float = self.mechanism.body[body].mass
+        for burn in self.mechanism.burns:
+            if burn.body == body:
+                found = found - burn.rate * np.minimum(self.times, burn.until)
+        return found
+
     def vector(self, components: Triple) -> Array:
         """Three components as one array, (n, 3)."""
         columns = [np.broadcast_to(np.asarray(part, dtype=np.float64), self.times.shape) for part in components]
@@ -77,5 +90,6 @@ def with_given_tensions(state: State) -> State:
             for wheel in line.wheels:
                 length = length + wheel.radius * state.q[:, numbers[wheel.coordinate]]
                 rate = rate + wheel.radius * state.v[:, numbers[wheel.coordinate]]
-            found[line.name] = law.stiffness * (length - law.length) + law.damping * rate
+            tension = law.stiffness * (length - law.length) + law.damping * rate
+            found[line.name] = np.where(law.side * tension >= 0.0, tension, 0.0)
     return replace(state, tension=found) if len(found) > len(state.tension) else state

@@ -14,6 +14,7 @@
 """
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Literal
@@ -43,16 +44,16 @@ class Slot:
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A word in place of a number: `special` by value, `otherwise` for all other values.
+    """A word in place of a number or a choice: `special` by value, `otherwise` for all other values.
 
     Both are templates of the body. A value that has a special word is said by that word alone.
     """
 
     parameter: str
-    special: dict[float, str]
+    special: Mapping[float | str, str]
     otherwise: str = ""
 
-    def text(self, value: float | None) -> str:
+    def text(self, value: float | str | None) -> str:
         """The template to be said for a value."""
         return self.special.get(value, self.otherwise) if value is not None else self.otherwise
 
@@ -66,13 +67,24 @@ class Wordings:
 
 @dataclass(frozen=True, slots=True)
 class Each:
-    """A sentence for each member of a variable-length part; from three members on, a table of their numbers."""
+    """A sentence for each member of a variable-length part; from three members on, a table of their numbers.
+
+    `table` introduces that, in the entity's words, with {noun} of its rows and {columns}, the names of the numbers.
+    """
 
     field: str
     wordings: tuple[str, ...]
+    table: tuple[str, ...] = ()
 
 
-Saying = str | Wordings | Each
+@dataclass(frozen=True, slots=True)
+class PartLines:
+    """The lines of the part at a field, or of all parts there, in this place; those of other parts come before all."""
+
+    field: str
+
+
+Saying = str | Wordings | Each | PartLines
 
 
 def either(*wordings: str) -> Wordings:
@@ -80,13 +92,20 @@ def either(*wordings: str) -> Wordings:
     return Wordings(wordings)
 
 
-def each(field: str, *wordings: str) -> Each:
+def each(field: str, *wordings: str, table: tuple[str, ...] = ()) -> Each:
     """One sentence for each member of `field`, called ``{field.*}``; a table from three members on."""
-    return Each(field, wordings)
+    return Each(field, wordings, table)
+
+
+def lines_of(field: str) -> PartLines:
+    """The place in its entity's text where the parts of a field are told."""
+    return PartLines(field)
 
 
 def wordings(saying: Saying) -> tuple[str, ...]:
-    """All templates of a sentence."""
+    """All templates of a sentence; a place for the lines of parts has none."""
+    if isinstance(saying, PartLines):
+        return ()
     return (saying,) if isinstance(saying, str) else saying.wordings
 
 

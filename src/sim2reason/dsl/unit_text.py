@@ -38,7 +38,7 @@ _TOKEN: Final = re.compile(
 )
 
 
-class _Reader:
+class _UnitReader:
     """Reads one unit by recursive descent; a factor is a list of (word, power)."""
 
     def __init__(self, text: str) -> None:
@@ -158,7 +158,7 @@ def factors(text: str) -> list[tuple[str, int]]:
     """
     if len(text) > MAX_LENGTH:
         raise UnitError("too long for a unit")
-    reader = _Reader(text)
+    reader = _UnitReader(text)
     found = reader.quotient()
     if reader.peek() != "end" or (text.strip() and not found):
         raise UnitError(f"{text.strip()!r} is no unit")

@@ -193,7 +193,8 @@ class UnitSystem:
         d = parse_unit(unit).dimension
         if not (d.length or d.mass or d.time):
             return unit
-        return _name({word: n for word, n in ((self.mass, d.mass), (self.length, d.length), (self.time, d.time)) if n})
+        powers = ((self.mass, d.mass), (self.length, d.length), (self.time, d.time), ("rad", d.angle))
+        return _name({word: n for word, n in powers if n})
 
 
 SI: Final = UnitSystem("SI")

@@ -1,0 +1,137 @@
+"""How bodies look in a drawing: a few kinds of look, of which the class of a body declares one.
+
+Lengths are those of the text, in a body's own axes: z is the axis of what is round about one, and points to the pole
+of a cap or to the hole of what has a hole.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+SmallKind = Literal["ball", "block", "slab", "cart", "puck", "rocket", "star", "planet"]
+LineKind = Literal["string", "spring", "rod"]
+THIN = 0.06  # the wall of what is thin, as it is drawn, as a part of its radius
+
+
+@dataclass(frozen=True, slots=True)
+class Small:
+    """Something whose size does not matter; `mark` stands inside it, such as the sign of a charge."""
+
+    kind: SmallKind
+    mark: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Spherical:
+    """A sphere; a wall thickness makes it hollow, a hole has its centre at z = `offset`."""
+
+    radius: float
+    wall: float = 0.0
+    hole: float = 0.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Axial:
+    """A cylinder about z, with `sides` a prism; a hole through it is parallel to z, its axis at x = `offset`.
+
+    Without a height it is a ring or a disc, without a radius a rod.
+    """
+
+    radius: float
+    height: float = 0.0
+    wall: float = 0.0
+    sides: int = 0  # 0: round
+    hole: float = 0.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Capped:
+    """A part of a ball cut off at z = 0, with its pole at z = `height`; a wall thickness makes it a bowl."""
+
+    radius: float
+    height: float
+    wall: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Rectangular:
+    """A bar with its edges along its own axes."""
+
+    x: float
+    y: float
+    z: float
+
+
+@dataclass(frozen=True, slots=True)
+class Silhouette:
+    """A closed outline in the plane of its own x and z axes."""
+
+    points: tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FixedPlane:
+    """A plane fixed in the room, at so many degrees; it is as long as what lies on it needs."""
+
+    angle: float
+
+
+@dataclass(frozen=True, slots=True)
+class MovingSlope:
+    """A wedge or prism; its faces are those on which something lies."""
+
+
+@dataclass(frozen=True, slots=True)
+class BigBox:
+    """A box on the floor that is large enough to carry others on its top and at its sides."""
+
+
+@dataclass(frozen=True, slots=True)
+class PulleyWheel:
+    """A pulley; a fixed one is held by a bracket, one with mass is filled."""
+
+    fixed: bool
+    solid: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Tabletop:
+    """A table seen from above, on which bodies move; `tilt` in degrees."""
+
+    tilt: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Slender:
+    """Something light between two points, drawn where the mechanism has a line or an arm."""
+
+    kind: LineKind
+
+
+@dataclass(frozen=True, slots=True)
+class Globe:
+    """A planet so large that only its surface is seen, below what stands on it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unseen:
+    """Nothing to be drawn at a place of its own: the region of a field, a way to start."""
+
+
+BodyLook = (
+    Small
+    | Spherical
+    | Axial
+    | Capped
+    | Rectangular
+    | Silhouette
+    | FixedPlane
+    | MovingSlope
+    | BigBox
+    | PulleyWheel
+    | Tabletop
+    | Slender
+    | Globe
+    | Unseen
+)

@@ -1,0 +1,52 @@
+"""What fields say of one another: counts that follow from others, and indices that lead to members."""
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from sim2reason.dsl.model import FieldType
+
+
+class Relations(NamedTuple):
+    """Those of one class: fields with the number of members that others demand; indices with the field they lead to."""
+
+    sizes: tuple[tuple[str, Callable[[Mapping[str, Any]], int]], ...]
+    indices: tuple[tuple[str, str, str], ...]  # the field that holds it (none for an own one), its name, where it leads
+
+
+@cache
+def relations(model: type[Any], types: "Callable[[type[Any]], Mapping[str, FieldType]]") -> Relations:
+    """The relations that a class of models declares; `types` takes its fields apart."""
+    kinds = types(model)
+    own = [("", name, kind.member) for name, kind in kinds.items() if kind.member in kinds]
+    inner = [
+        (holder, name, kind.member)
+        for holder, held in kinds.items()
+        for part in held.models
+        for name, kind in types(part).items()
+        if kind.member in kinds
+    ]
+    sizes = tuple((name, kind.size) for name, kind in kinds.items() if kind.size is not None)
+    return Relations(sizes, (*own, *inner))
+
+
+def unfitting(value: Any, declared: Relations) -> str:
+    """Which relation a value does not keep to, and how; empty if it keeps to all."""
+    for name, demanded in declared.sizes:
+        found, wanted = len(getattr(value, name)), demanded(value.__dict__)
+        if found != wanted:
+            return f"{name}: what stands beside them demands {wanted}, not {found}"
+    for holder, name, field in declared.indices:
+        count = len(getattr(value, field))
+        for held in _each_of(getattr(value, holder)) if holder else (value,):
+            index = getattr(held, name, None)
+            if index is not None and not 0 <= index < count:
+                place = f"{holder}.{name}" if holder else name
+                return f"{place}: {field} has no member {index}, count from 0 to {count - 1}"
+    return ""
+
+
+def _each_of(held: Any) -> tuple[Any, ...]:
+    """A value, or the members of a tuple."""
+    return held if isinstance(held, tuple) else (held,)  # type: ignore[reportUnknownVariableType]

@@ -1,0 +1,47 @@
+"""Rigid bodies with extent: what a text says of their size tells how their mass is spread."""
+
+from typing import Annotated, ClassVar
+
+from annotated_types import Ge, Le
+
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.measures import LEAST, Mass, Measure, Range
+from sim2reason.dsl.solids import UPRIGHT, Axes, Solid, composed
+from sim2reason.dsl.template import Word
+from sim2reason.dsl.vectors import Vector
+
+SMALL = Le(1e2)
+Radius = Annotated[float, LEAST, SMALL, Measure("radius", "m", "R"), Range(0.05, 0.15)]
+HoleRadius = Annotated[float, LEAST, SMALL, Measure("hole radius", "m", "r"), Range(0.02, 0.05)]
+HoleOffset = Annotated[float, Ge(0), SMALL, Measure("offset", "m", "d"), Range(0.02, 0.05)]
+Thickness = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "t"), Range(0.01, 0.03)]
+Extent = Annotated[float, LEAST, SMALL, Measure("height", "m", "h"), Range(0.05, 0.3)]
+
+
+class Shape(Body):
+    """A uniform rigid body, in axes of its own.
+
+    Their origin is what a text calls its centre, z its axis, or the way to its pole or to its hole. `axis` is the word
+    for what points along z.
+    """
+
+    mass: Mass
+
+    seen: ClassVar[Axes] = UPRIGHT  # where the axes of its look point, in its own
+    words: ClassVar[dict[str, Word]] = {"axis": Word("mass", {}, "axis")}
+
+    @property
+    def solid(self) -> Solid:
+        """How its mass is spread."""
+        raise NotImplementedError
+
+    def reach(self, way: Vector) -> float:
+        """How far it extends from its origin along a unit vector, m."""
+        raise NotImplementedError
+
+    def put(self, carrier: Frame, name: str, at: Vector, axes: Axes = UPRIGHT) -> Frame:
+        """The body on what carries it, its origin at a point there and turned so."""
+        turned = self.solid.turned(axes)
+        frame = carrier.body(name, self.mass, at=at, center=turned.center, inertia=turned.inertia(self.mass))
+        return frame.turned(composed(self.seen, axes))

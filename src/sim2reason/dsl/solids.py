@@ -1,0 +1,172 @@
+"""How the mass of uniform figures is spread: signed sums of simple ones, each in closed form.
+
+A figure is known by its size, its centroid and its second moments, which is all that a rigid body needs. A cut-out is
+a difference; the parallel-axis theorem stands in `moved` and in the sum.
+"""
+
+from dataclasses import dataclass
+from math import cos, pi, sin
+
+from sim2reason.dsl.mechanism import ZERO, X, Y, Z
+from sim2reason.dsl.vectors import Tensor, Vector, add, inner, outer, scale, unit
+
+Axes = tuple[Vector, Vector, Vector]
+"""How a figure is turned: where its own x, y and z axes point, unit vectors at right angles."""
+
+UPRIGHT: Axes = (X, Y, Z)
+OVERTURNED: Axes = (X, (0.0, -1.0, 0.0), (0.0, 0.0, -1.0))  # by half a turn about x
+PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the entries of a symmetric tensor, in their order
+
+
+@dataclass(frozen=True, slots=True)
+class Solid:
+    """A uniform figure: a solid, a surface or a line, so that its size is a volume, an area or a length."""
+
+    size: float  # m³, m² or m
+    center: Vector  # its centroid, m
+    second: Tensor  # ∫ (r − c)(r − c)ᵀ over it, about the centroid: size times m²
+
+    def inertia(self, mass: float) -> Tensor:
+        """The tensor of inertia about the centroid, kg m²: ρ ∫ (r² 1 − r rᵀ)."""
+        xx, yy, zz, xy, xz, yz = (mass / self.size * part for part in self.second)
+        return (yy + zz, xx + zz, xx + yy, -xy, -xz, -yz)
+
+    def moved(self, by: Vector) -> "Solid":
+        """The same figure elsewhere."""
+        return Solid(self.size, add(self.center, by), self.second)
+
+    def turned(self, axes: Axes) -> "Solid":
+        """The same figure turned about the origin."""
+        entries = [(i, j, part) for (i, j), part in zip(PAIRS, self.second, strict=True)]
+        both = [*entries, *((j, i, part) for i, j, part in entries if i != j)]
+        xx, yy, zz, xy, xz, yz = (sum(part * axes[i][p] * axes[j][q] for i, j, part in both) for p, q in PAIRS)
+        center = add(*(scale(part, axis) for part, axis in zip(self.center, axes, strict=True)))
+        return Solid(self.size, center, (xx, yy, zz, xy, xz, yz))
+
+    def __add__(self, other: "Solid") -> "Solid":
+        """Both figures as one, of the same density."""
+        size = self.size + other.size
+        if size == 0.0:
+            return Solid(0.0, ZERO, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        apart = add(other.center, scale(-1.0, self.center))
+        share = self.size * other.size / size
+        parts = (a + b for a, b in zip(self.second, other.second, strict=True))
+        xx, yy, zz, xy, xz, yz = (p + share * apart[i] * apart[j] for p, (i, j) in zip(parts, PAIRS, strict=True))
+        return Solid(size, add(self.center, scale(other.size / size, apart)), (xx, yy, zz, xy, xz, yz))
+
+    def __neg__(self) -> "Solid":
+        """The figure as a hole."""
+        xx, yy, zz, xy, xz, yz = self.second
+        return Solid(-self.size, self.center, (-xx, -yy, -zz, -xy, -xz, -yz))
+
+    def __sub__(self, other: "Solid") -> "Solid":
+        """The first figure with the second, which lies in it, cut out."""
+        return self + (-other)
+
+
+def axes_along(axis: Vector) -> Axes:
+    """Axes of which z points along a unit vector; for figures that are round about z it does not matter how x does."""
+    aside = X if abs(axis[0]) < 0.7 else Z
+    across = unit(outer(aside, axis))
+    return (outer(across, axis), across, axis)
+
+
+def composed(axes: Axes, then: Axes) -> Axes:
+    """How a figure is turned that is turned twice."""
+    x, y, z = (add(*(scale(part, image) for part, image in zip(axis, then, strict=True))) for axis in axes)
+    return (x, y, z)
+
+
+def seen(way: Vector, axes: Axes) -> Vector:
+    """A direction in the own axes of a figure that is turned."""
+    return (inner(way, axes[0]), inner(way, axes[1]), inner(way, axes[2]))
+
+
+def _even(size: float, xx: float, yy: float, zz: float, height: float = 0.0) -> Solid:
+    """A figure with its centroid on the z axis and mean squares of x, y and z, m²."""
+    return Solid(size, (0.0, 0.0, height), (size * xx, size * yy, size * zz, 0.0, 0.0, 0.0))
+
+
+# ---- primitives, each about its centre unless it says otherwise
+
+
+def ball(radius: float) -> Solid:
+    """A solid sphere: ⟨x²⟩ = r²/5."""
+    square = radius**2 / 5.0
+    return _even(4.0 / 3.0 * pi * radius**3, square, square, square)
+
+
+def sphere_surface(radius: float) -> Solid:
+    """A thin spherical shell: ⟨x²⟩ = r²/3."""
+    square = radius**2 / 3.0
+    return _even(4.0 * pi * radius**2, square, square, square)
+
+
+def cylinder(radius: float, height: float) -> Solid:
+    """A solid cylinder about z: ⟨x²⟩ = r²/4, ⟨z²⟩ = h²/12."""
+    return _even(pi * radius**2 * height, radius**2 / 4.0, radius**2 / 4.0, height**2 / 12.0)
+
+
+def disc(radius: float) -> Solid:
+    """A thin disc about z."""
+    return _even(pi * radius**2, radius**2 / 4.0, radius**2 / 4.0, 0.0)
+
+
+def ring(radius: float) -> Solid:
+    """A thin ring about z: ⟨x²⟩ = r²/2."""
+    return _even(2.0 * pi * radius, radius**2 / 2.0, radius**2 / 2.0, 0.0)
+
+
+def rod(length: float) -> Solid:
+    """A thin rod along z: ⟨z²⟩ = l²/12."""
+    return _even(length, 0.0, 0.0, length**2 / 12.0)
+
+
+def box(a: float, b: float, c: float) -> Solid:
+    """A rectangular bar with edges along x, y and z."""
+    return _even(a * b * c, a * a / 12.0, b * b / 12.0, c * c / 12.0)
+
+
+def polygon(sides: int, radius: float) -> Solid:
+    """A thin regular polygon about z, inscribed in a circle of `radius`.
+
+    Each of the n triangles from the axis to an edge has ⟨ρ²⟩ = r²(2 + cos 2π/n)/6 about it, and by symmetry, for
+    n ≥ 3, ⟨x²⟩ = ⟨y²⟩.
+    """
+    turn = 2.0 * pi / sides
+    square = radius**2 * (2.0 + cos(turn)) / 12.0
+    return _even(0.5 * sides * radius**2 * sin(turn), square, square, 0.0)
+
+
+def prism(sides: int, radius: float, height: float) -> Solid:
+    """A regular prism about z; its cross-section is inscribed in a circle of `radius`."""
+    face = polygon(sides, radius)
+    xx, yy, *_ = face.second
+    return _even(face.size * height, xx / face.size, yy / face.size, height**2 / 12.0)
+
+
+def segment(radius: float, height: float) -> Solid:
+    """The part of a ball on one side of a plane: its flat face lies at z = 0, its pole at z = `height` ≤ 2r.
+
+    At a depth u below the pole the cross-section has the radius √(u(2r − u)); all moments are polynomials of h.
+    """
+    r, h = radius, height
+    size = pi * h**2 * (r - h / 3.0)
+    depth = pi * h**3 * (2.0 * r / 3.0 - h / 4.0) / size
+    zz = pi * h**4 * (r / 2.0 - h / 5.0) / size - depth**2
+    xx = pi / 4.0 * h**3 * (4.0 / 3.0 * r**2 - r * h + h**2 / 5.0) / size
+    return _even(size, xx, xx, zz, h - depth)
+
+
+def lens(radius: float, other: float, distance: float) -> Solid:
+    """What two balls share: one of `radius` about the origin, one of radius `other` about z = `distance` ≥ 0."""
+    if distance >= radius + other:
+        return Solid(0.0, ZERO, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    if distance + other <= radius:
+        return ball(other).moved((0.0, 0.0, distance))
+    if distance + radius <= other:
+        return ball(radius)
+    plane = (distance**2 + radius**2 - other**2) / (2.0 * distance)
+    upper = segment(radius, radius - plane)
+    lower = segment(other, plane - (distance - other)).turned(OVERTURNED)
+    return (upper + lower).moved((0.0, 0.0, plane))
