@@ -1,6 +1,7 @@
 """A block: a small body with mass."""
 
 from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.looks import Small
 from sim2reason.dsl.measures import Mass
 
 
@@ -14,3 +15,8 @@ class Block(Body):
     lone = ("a {noun} of mass {mass}", "a {noun} ({mass})", "a {noun} whose mass is {mass}")
     named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
     listed = "{letter} ({mass})"
+
+    @property
+    def look(self) -> Small:
+        """A rectangle."""
+        return Small("block")

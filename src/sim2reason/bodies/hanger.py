@@ -1,6 +1,7 @@
 """What a pendulum's bob hangs by: a string that can go slack, or a rod that can't."""
 
 from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.looks import Slender
 from sim2reason.dsl.measures import Length
 from sim2reason.dsl.template import Word
 
@@ -18,8 +19,13 @@ class Cord(Hanger):
     """A light inextensible string."""
 
     nouns = ("string",)
-    words = {"taut": Word("length", {}, ", taut,")}
+    words = {"straight": Word("length", {}, "is taut and makes")}
     lone = ("a light inextensible {noun} of length {length}", "a light inextensible {noun} {length} long")
+
+    @property
+    def look(self) -> Slender:
+        """A thin line."""
+        return Slender("string")
 
 
 @body
@@ -27,5 +33,10 @@ class LightRod(Hanger):
     """A light rigid rod."""
 
     nouns = ("rod",)
-    words = {"taut": Word("length", {})}
+    words = {"straight": Word("length", {}, "makes")}
     lone = ("a light rigid {noun} of length {length}", "a light rigid {noun} {length} long")
+
+    @property
+    def look(self) -> Slender:
+        """A bar."""
+        return Slender("rod")

@@ -3,6 +3,7 @@
 from math import cos, radians, sin
 
 from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.looks import FixedPlane
 from sim2reason.dsl.measures import Angle, Friction
 from sim2reason.dsl.template import Word
 from sim2reason.dsl.vectors import Vector
@@ -19,7 +20,7 @@ class Plane(Body):
 
     nouns = ("plane",)
     letters = ""
-    lone = ("a {surface} {tilt}", "a fixed {surface} {tilt}", "a {surface}, fixed {tilt}")
+    lone = ("a fixed {surface} {tilt}", "a {surface}, fixed {tilt}")
     words = {
         "surface": Smoothness,
         "tilt": Word("angle", {0.0: "horizontal plane"}, "plane inclined at {angle} to the horizontal"),
@@ -35,3 +36,8 @@ class Plane(Body):
         """The unit vectors up the slope, which rises to the right, and out of the plane."""
         slope = radians(self.angle)
         return (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
+
+    @property
+    def look(self) -> FixedPlane:
+        """A hatched line, or a slope."""
+        return FixedPlane(self.angle)

@@ -5,6 +5,7 @@ from typing import Annotated
 from annotated_types import Ge, Le
 
 from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.looks import Small, Tabletop
 from sim2reason.dsl.measures import Coordinate, Mass, Measure, Range, Velocity
 from sim2reason.dsl.template import Word
 
@@ -27,6 +28,11 @@ class Puck(Body):
     listed = "{letter} ({mass})"
     symbols = {"vx": "v_x", "vy": "v_y"}
 
+    @property
+    def look(self) -> Small:
+        """A circle."""
+        return Small("puck")
+
 
 @body
 class Table(Body):
@@ -45,3 +51,8 @@ class Table(Body):
             "x points horizontally to the right and y straight up the slope",
         ),
     }
+
+    @property
+    def look(self) -> Tabletop:
+        """A sheet seen from above."""
+        return Tabletop(self.tilt)

@@ -5,6 +5,7 @@ from typing import Annotated
 from annotated_types import Ge, Le
 
 from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.looks import PulleyWheel
 from sim2reason.dsl.measures import Measure, Range
 from sim2reason.dsl.template import Word
 
@@ -31,6 +32,11 @@ class FixedPulley(Pulley):
     lone = ("a {light}fixed pulley{disc}", "a {light}pulley fixed in place{disc}")
     named = ("a {light}fixed pulley {letter}{disc}", "a {light}pulley {letter}{disc} fixed in place")
 
+    @property
+    def look(self) -> PulleyWheel:
+        """A wheel on a bracket."""
+        return PulleyWheel(fixed=True, solid=self.mass > 0.0)
+
 
 @body
 class MovablePulley(Pulley):
@@ -39,3 +45,8 @@ class MovablePulley(Pulley):
     nouns = ("pulley",)
     lone = ("a {light}movable pulley{disc}", "a {light}pulley{disc} that is free to rise and fall")
     named = ("a {light}movable pulley {letter}{disc}", "a {light}pulley {letter}{disc} that is free to rise and fall")
+
+    @property
+    def look(self) -> PulleyWheel:
+        """A wheel."""
+        return PulleyWheel(fixed=False, solid=self.mass > 0.0)

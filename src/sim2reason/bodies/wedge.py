@@ -6,6 +6,7 @@ from annotated_types import Gt, Le
 
 from sim2reason.bodies.plane import Smoothness
 from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.looks import MovingSlope
 from sim2reason.dsl.measures import Friction, Mass, Measure, Range
 
 Slope = Annotated[float, Gt(0), Le(85), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
@@ -32,6 +33,11 @@ class Wedge(Body):
     words = {"surface": Smoothness}
     symbols = {"mass": "M"}
 
+    @property
+    def look(self) -> MovingSlope:
+        """A triangle."""
+        return MovingSlope()
+
 
 @body
 class Prism(Body):
@@ -54,3 +60,8 @@ class Prism(Body):
     )
     words = {"surface": Smoothness}
     symbols = {"mass": "M", "left": r"\alpha", "right": r"\beta"}
+
+    @property
+    def look(self) -> MovingSlope:
+        """A triangle."""
+        return MovingSlope()

@@ -13,7 +13,7 @@ class Carried(TwoEnded):
     """What joins the base of one entity to a mount of another, which carries it from then on."""
 
     joins: ClassVar[type[Port]] = SitePort
-    look: ClassVar[Look] = "rod"
+    look: ClassVar[Look] = "pivot"
     carries: ClassVar[bool] = True
 
     @classmethod

@@ -23,7 +23,7 @@ from sim2reason.dsl.connection import (
 )
 from sim2reason.dsl.layout import opposite
 from sim2reason.dsl.measures import FreeLength
-from sim2reason.dsl.mechanism import ZERO, Drawn, Inextensible
+from sim2reason.dsl.mechanism import ZERO, Inextensible
 from sim2reason.dsl.ports import Pass, Port, SitePort, Stop, StringEnd, StringPort
 from sim2reason.dsl.vectors import add, scale
 from sim2reason.errors import SceneError
@@ -34,11 +34,15 @@ OPENINGS = (
     "from {tied} {string} {verbs}.",
 )
 LIGHT_STRING = "light string"
-OVER, ROUND = "passes over ", "passes round "
+OVER, UNDER, ROUND = "passes over ", "passes under ", "passes round "
+WAYS = (OVER, UNDER, ROUND)
+LEVEL = 1e-9  # of a pull's direction: less is rounding
 ONWARD = {
     (OVER, OVER): "then over ",
     (ROUND, OVER): "goes straight up, over ",
+    (UNDER, OVER): "goes straight up, over ",
     (OVER, ROUND): "goes straight down, round ",
+    (OVER, UNDER): "goes straight down, under ",
 }
 """How it goes on from one pulley to the next: above the one that turns it hangs another, on which it pulls straight."""
 
@@ -77,15 +81,11 @@ class String(Connection):
                     path.append(f"{name}.pulley{number}.{mark}")
         if all(builder.carrier(site) is None for site in path):
             raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
-        force = builder.hands.get(path[-1])
-        if force is None and path[0] in builder.hands:
-            path, force = path[::-1], builder.hands[path[0]]
-        if path[0] in builder.hands:
-            raise SceneError(name, "two hands pull at the two ends of one string", "fix or load one of its ends")
-        if force is None:
-            builder.add_line(name, path, Inextensible())
-        else:
-            builder.add_line(name, path, Inextensible(), last=Drawn(force))
+        if path[0] in builder.drawing:
+            path.reverse()
+        if path[0] in builder.drawing:
+            raise SceneError(name, "both ends of one string are drawn in", "fix or load one of its ends")
+        builder.add_line(name, path, Inextensible(), last=builder.drawing.get(path[-1]))
 
     @classmethod
     def parse(
@@ -108,18 +108,27 @@ class String(Connection):
         order = [f"{name}.pulley{n}" for n in range(1, 1 + sum(turn is not None for turn in gaps))]
         if stops[0] != joint.stops[0]:
             order.reverse()
-        for stop, turn in zip(stops[1:], gaps, strict=True):
+        for index, (stop, turn) in enumerate(zip(stops[1:], gaps, strict=True), start=1):
             if turn is not None:
                 verbs.append(winding(turn, writer.builder) + writer.at(order.pop(0)))
-            port = stop.port
-            verbs.append(writer.render(clause(port), stop.owner))
+            verbs.append(writer.render(clause(stop.port, passed_by(stops, index, writer.builder)), stop.owner))
         string = called(again=writer.has_said(LIGHT_STRING))
         return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
 
 
-def clause(port: SitePort) -> str:
-    """The verb phrase with which a string comes to a port."""
-    return port.arrives if isinstance(port, StringEnd) else port.passes if isinstance(port, Pass) else ""
+def clause(port: SitePort, way: str = OVER) -> str:
+    """The verb phrase with which a string comes to a port; `way` is how it goes by a pulley fixed there."""
+    if isinstance(port, Pass):
+        return way + port.passes.removeprefix(OVER) if port.passes.startswith(OVER) else port.passes
+    return port.arrives if isinstance(port, StringEnd) else ""
+
+
+def passed_by(stops: Sequence[Stop], index: int, builder: Builder) -> str:
+    """How a string goes by a pulley of a stop: where its sides may point anywhere, its neighbours tell."""
+    if not isinstance(stops[index].port, Pass) or any(builder.faces[site] for site in stops[index].sites):
+        return OVER
+    turn = travelled_sites(stops[index - 1], first=index == 1)[-1], travelled_sites(stops[index + 1], first=False)[0]
+    return winding(turn, builder) if all(builder.faces[site] for site in turn) else OVER
 
 
 def called(*, again: bool) -> str:
@@ -157,9 +166,14 @@ def turns(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str] | Non
 
 
 def winding(turn: tuple[str, str], builder: Builder) -> str:
-    """Over a pulley goes a string that comes up to it from both sides; else it goes round it."""
-    rises = all((builder.faces[site] or ZERO)[2] >= 0.0 for site in turn)
-    return OVER if rises else ROUND
+    """A pulley lies on the side to which the string bends: below a string that goes over it, above one that goes under.
+
+    It goes over where it comes up to the pulley on a side and down to it on none, whatever the angles are: the word
+    tells nothing of them. Where it comes up and goes on up, or stays level, it goes round.
+    """
+    rises = [(builder.faces[site] or ZERO)[2] for site in turn]
+    over, under = any(rise > LEVEL for rise in rises), any(rise < -LEVEL for rise in rises)
+    return ROUND if over == under else OVER if over else UNDER
 
 
 def joined(verbs: list[str]) -> str:
@@ -231,15 +245,15 @@ class SentenceParser(Generic[S]):
     ) -> Iterator[ParsedSentence[S]]:
         """The next stop, perhaps behind a pulley that the string brings."""
         stop, rest = leg.stops[0], leg.stops[1:]
-        verb = clause(stop.port)
         final = leg.last and not rest
-        for end, then in self._verb(at, verb, before, leg.state, stop.owner, final=final):
-            yield from self._on(end, replace(leg, stops=rest, state=then), links, owned, verb)
+        for verb in dict.fromkeys(clause(stop.port, way) for way in WAYS):
+            for end, then in self._verb(at, verb, before, leg.state, stop.owner, final=final):
+                yield from self._on(end, replace(leg, stops=rest, state=then), links, owned, verb)
         if owned and before.endswith(f"{{{owned[-1]}}}"):
             return  # there is one pulley in a gap at most
         address = f"{self._name}.pulley{len(owned) + 1}"
         own = leg.state.with_kind(address, FixedPulley).with_value(f"{address}.mass", 0.0) or leg.state
-        for word in (OVER, ROUND):  # which of them is right, telling it again will show
+        for word in WAYS:  # which of them is right, telling it again will show
             passed = f"{word}{{{address}}}"
             for end, then in self._verb(at, passed, before, own, "", final=False):
                 yield from self._next(end, replace(leg, state=then), links, (*owned, address), passed)

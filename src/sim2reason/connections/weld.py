@@ -3,7 +3,7 @@
 from typing import ClassVar
 
 from sim2reason.connections.pivot import Carried
-from sim2reason.dsl.connection import connection
+from sim2reason.dsl.connection import Look, connection
 from sim2reason.dsl.template import Wordings, either
 
 
@@ -13,6 +13,7 @@ class Weld(Carried):
 
     key: ClassVar[str] = "weld"
     stiff: ClassVar[bool] = True
+    look: ClassVar[Look] = "weld"
 
     says: ClassVar[Wordings] = either(
         "{b} is fixed rigidly to {a}.",

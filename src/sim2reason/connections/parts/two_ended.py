@@ -19,26 +19,35 @@ from sim2reason.dsl.connection import (
 )
 from sim2reason.dsl.entity import phrase_of
 from sim2reason.dsl.model import field_types
-from sim2reason.dsl.ports import SitePort
+from sim2reason.dsl.ports import SitePort, StringEnd
 from sim2reason.dsl.template import Wordings, paths
 from sim2reason.errors import SceneError
 
-_ENDS = re.compile(r"\{([ab])\}")
+NOWHERE = (Link(entity="", port=""),)
+"""What stands for the first end while only the last one was told."""
+
+_SLOTS = re.compile(r"\{(a|b|way)\}")
 
 
 class TwoEnded(Connection):
-    """A connection with one sentence, in which ``{a}`` and ``{b}`` are what its first and its last port call themselves."""
+    """A connection with one sentence, in which ``{a}`` and ``{b}`` are what its first and its last port call themselves.
+
+    Where a port declares which way a connection leaves it, the sentence begins there, at ``{a}``, and goes that ``{way}``.
+    """
 
     says: ClassVar[Wordings] = Wordings(())
+    leads: ClassVar[Wordings] = Wordings(())
+    """Its wordings from an end that has a direction; none if it can't be joined to such ends."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:  # noqa: ANN401 - pydantic's hook
         """Refuse a class whose sentence leaves a number or an end unsaid; TypeError says which."""
         numbers = {name for name, held in field_types(cls).items() if held.measure is not None and not held.hidden}
-        for template in cls.says.wordings:
-            missing = ({"a", "b"} | numbers) - set(paths(template))
-            if missing:
-                raise TypeError(f"{cls.__name__}: {template!r} leaves {', '.join(sorted(missing))} unsaid")
+        for wordings, ends in ((cls.says.wordings, {"a", "b"}), (cls.leads.wordings, {"a", "way", "b"})):
+            for template in wordings:
+                missing = (ends | numbers) - set(paths(template))
+                if missing:
+                    raise TypeError(f"{cls.__name__}: {template!r} leaves {', '.join(sorted(missing))} unsaid")
 
     @classmethod
     def between(cls, one: tuple[str, SitePort], other: tuple[str, SitePort], **numbers: float) -> Self:
@@ -52,17 +61,26 @@ class TwoEnded(Connection):
         return {}
 
     def describe(self, joint: Joint, writer: SentenceWriter) -> str:
-        """Its sentence."""
+        """Its sentence, begun at its first end that has a direction."""
         if len(joint.stops) != 2:
             raise SceneError(joint.name, f"a {self.key} joins two ports", "lead it past nothing")
-        template = writer.choose(self.says.wordings)
+        first, last = sorted(joint.stops, key=lambda stop: not self.way(stop.port))
+        way = self.way(first.port)
+        said = {
+            "a": (phrase_of(first.port), first.owner),
+            "b": (phrase_of(last.port), last.owner),
+            "way": (way, first.owner),
+        }
         text = ""
-        for piece, end in _pieces(template):
+        for piece, slot in _pieces(writer.choose((self.leads if way else self.says).wordings)):
             text += writer.render(piece, joint.name) if piece else ""
-            if end:
-                stop = joint.stops["ab".index(end)]
-                text += writer.render(phrase_of(stop.port), stop.owner)
+            text += writer.render(*said[slot]) if slot else ""
         return text
+
+    @classmethod
+    def way(cls, port: SitePort) -> str:
+        """The verb phrase with which it leaves a port that has a direction; empty for others."""
+        return port.leaves if cls.leads.wordings and isinstance(port, StringEnd) else ""
 
     @classmethod
     def parse(
@@ -72,10 +90,12 @@ class TwoEnded(Connection):
         if place >= len(matcher.pieces):
             return
         text = matcher.pieces[place]
-        for number, template in enumerate(cls.says.wordings):
+        told = [*enumerate(cls.says.wordings), *enumerate(cls.leads.wordings)]
+        for number, template in told:
             begin = state.with_choice(number).with_kind(name, cls)
             for end, then, legs in cls._matched(text, 0, _pieces(template), {}, (name, begin, matcher, routes)):
-                if end == len(text) and len(legs) == 2:
+                directed = any(cls.way(leg.stops[0].port) for leg in legs.values())
+                if end == len(text) and len(legs) == 2 and directed == (template in cls.leads.wordings):
                     matcher.reach = max(matcher.reach, place + 1)
                     yield ParsedSentence(then, (legs["a"].link, legs["b"].link), ())
 
@@ -92,21 +112,28 @@ class TwoEnded(Connection):
         if not pieces:
             yield at, state, legs
             return
-        (piece, end), *rest = pieces
+        (piece, slot), *rest = pieces
         for after, then in matcher.template(text, at, piece, name, state) if piece else ((at, state),):
-            if not end:
+            if not slot:
                 yield from cls._matched(text, after, rest, legs, (name, then, matcher, routes))
                 continue
-            other = tuple(leg.link for key, leg in legs.items() if key != end)
-            for leg in routes.legs(cls, then, other if end == "b" else ()):
-                phrase = phrase_of(leg.stops[0].port)
-                if leg.link in other or not cls.admits(leg.stops[0].port, "ab".index(end), 1):
-                    continue
-                for here, told in matcher.template(text, after, phrase, leg.stops[0].owner, leg.state):
-                    yield from cls._matched(text, here, rest, {**legs, end: leg}, (name, told, matcher, routes))
+            for leg in (legs["a"],) if slot == "way" else cls._ends(slot, legs, routes, then):
+                stop, known_by = leg.stops[0], then if slot == "way" else leg.state
+                phrase = cls.way(stop.port) if slot == "way" else phrase_of(stop.port)
+                for here, told in matcher.template(text, after, phrase, stop.owner, known_by) if phrase else ():
+                    found = legs if slot == "way" else {**legs, slot: leg}
+                    yield from cls._matched(text, here, rest, found, (name, told, matcher, routes))
+
+    @classmethod
+    def _ends(cls, slot: str, legs: dict[str, Leg[S]], routes: Routes[S], state: S) -> Iterator[Leg[S]]:
+        """The ports that it can be joined to at an end, the other of which may be known."""
+        other = tuple(leg.link for key, leg in legs.items() if key != slot)
+        for leg in routes.legs(cls, state, other or NOWHERE if slot == "b" else ()):
+            if leg.link not in other and cls.admits(leg.stops[0].port, "ab".index(slot), 1):
+                yield leg
 
 
 def _pieces(template: str) -> list[tuple[str, str]]:
-    """A template as texts, each with the end that follows it, or none."""
-    parts = _ENDS.split(template)
+    """A template as texts, each with the end or the way that follows it, or nothing."""
+    parts = _SLOTS.split(template)
     return [(parts[i], parts[i + 1] if i + 1 < len(parts) else "") for i in range(0, len(parts), 2)]

@@ -1,0 +1,72 @@
+"""Solid cylinders: of a stated height, or rollers whose length never matters."""
+
+from math import hypot
+
+from sim2reason.dsl.body import body
+from sim2reason.dsl.looks import Axial
+from sim2reason.dsl.shape import Extent, Radius, Shape
+from sim2reason.dsl.solids import Solid, cylinder, disc
+from sim2reason.dsl.vectors import Vector
+
+
+@body
+class Cylinder(Shape):
+    """A uniform solid cylinder about z."""
+
+    radius: Radius
+    height: Extent
+
+    nouns = ("cylinder",)
+    lone = (
+        "a uniform solid {noun} of radius {radius}, height {height} and mass {mass}",
+        "a solid {noun} of mass {mass} with a radius of {radius} and a height of {height}",
+    )
+    named = (
+        "a uniform solid {noun} {letter} of radius {radius}, height {height} and mass {mass}",
+        "a solid {noun} {letter} (radius {radius}, height {height}, mass {mass})",
+    )
+
+    @property
+    def solid(self) -> Solid:
+        """About its centre."""
+        return cylinder(self.radius, self.height)
+
+    @property
+    def look(self) -> Axial:
+        """A rectangle from the side, a disc from its end."""
+        return Axial(self.radius, self.height)
+
+    def reach(self, way: Vector) -> float:
+        """To its rim."""
+        return self.radius * hypot(way[0], way[1]) + 0.5 * self.height * abs(way[2])
+
+
+@body
+class Roller(Shape):
+    """A uniform solid cylinder that only ever turns about its own axis, z."""
+
+    radius: Radius
+
+    nouns = ("cylinder", "roller")
+    lone = (
+        "a uniform solid {noun} of radius {radius} and mass {mass}",
+        "a solid {noun} of mass {mass} and radius {radius}",
+    )
+    named = (
+        "a uniform solid {noun} {letter} of radius {radius} and mass {mass}",
+        "a solid {noun} {letter} (radius {radius}, mass {mass})",
+    )
+
+    @property
+    def solid(self) -> Solid:
+        """As a disc: its length does not change how it turns about its axis."""
+        return disc(self.radius)
+
+    @property
+    def look(self) -> Axial:
+        """A disc: it is seen from its end."""
+        return Axial(self.radius)
+
+    def reach(self, way: Vector) -> float:
+        """To its surface."""
+        return self.radius * hypot(way[0], way[1])

@@ -1,0 +1,24 @@
+"""A small body that moves along a straight track, with its place and velocity at the start."""
+
+from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.looks import Small
+from sim2reason.dsl.measures import Coordinate, Mass, Velocity
+
+
+@body
+class Glider(Body):
+    """A small body on a straight track; its place and velocity are counted to the right, or up the slope."""
+
+    mass: Mass
+    x: Coordinate
+    v: Velocity
+
+    nouns = ("block", "cart", "puck")
+    lone = ("a {noun} of mass {mass}", "a {noun} ({mass})")
+    named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
+    listed = "{letter} ({mass})"
+
+    @property
+    def look(self) -> Small:
+        """A block."""
+        return Small("block")

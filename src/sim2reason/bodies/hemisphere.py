@@ -1,0 +1,42 @@
+"""A solid hemisphere."""
+
+from math import hypot
+
+from sim2reason.dsl.body import body
+from sim2reason.dsl.looks import Capped
+from sim2reason.dsl.shape import Radius, Shape
+from sim2reason.dsl.solids import Solid, segment
+from sim2reason.dsl.template import Word
+from sim2reason.dsl.vectors import Vector
+
+
+@body
+class Hemisphere(Shape):
+    """A uniform solid hemisphere: the centre of its flat face is the origin, its pole lies towards z."""
+
+    radius: Radius
+
+    nouns = ("hemisphere",)
+    words = {"front": Word("mass", {}, "flat face")}
+    lone = (
+        "a uniform solid {noun} of radius {radius} and mass {mass}",
+        "a solid {noun} of mass {mass} and radius {radius}",
+    )
+    named = (
+        "a uniform solid {noun} {letter} of radius {radius} and mass {mass}",
+        "a solid {noun} {letter} (radius {radius}, mass {mass})",
+    )
+
+    @property
+    def solid(self) -> Solid:
+        """About the centre of its flat face."""
+        return segment(self.radius, self.radius)
+
+    @property
+    def look(self) -> Capped:
+        """Half a disc."""
+        return Capped(self.radius, self.radius)
+
+    def reach(self, way: Vector) -> float:
+        """To its curved surface, or on the other side to its rim."""
+        return self.radius * (1.0 if way[2] >= 0.0 else hypot(way[0], way[1]))

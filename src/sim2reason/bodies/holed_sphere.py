@@ -1,0 +1,102 @@
+"""Spheres with a spherical hole off their centre, solid or hollow."""
+
+from typing import Annotated, Self
+
+from pydantic import model_validator
+
+from sim2reason.dsl.body import body
+from sim2reason.dsl.looks import Spherical
+from sim2reason.dsl.measures import Range
+from sim2reason.dsl.shape import HoleOffset, HoleRadius, Radius, Shape, Thickness
+from sim2reason.dsl.solids import Solid, ball, lens
+from sim2reason.dsl.template import Word
+from sim2reason.dsl.vectors import Vector
+
+
+@body
+class SphereWithHole(Shape):
+    """A sphere with a spherical hole inside it; z points from its centre to the hole's."""
+
+    radius: Annotated[Radius, Range(0.08, 0.15)]
+    hole: HoleRadius
+    offset: HoleOffset
+
+    nouns = ("sphere",)
+    words = {"gap": Word("mass", {}, "hole")}
+    lone = (
+        "a {noun} of mass {mass} and radius {radius} with a spherical hole of radius {hole} centred {offset} from its own centre",
+        "a {noun} of radius {radius} and mass {mass} that has inside it a spherical hole of radius {hole} whose centre is {offset} from its own",
+    )
+    named = (
+        "a {noun} {letter} of mass {mass} and radius {radius} with a spherical hole of radius {hole} centred {offset} from its own centre",
+        "a {noun} {letter} of radius {radius} and mass {mass} that has inside it a spherical hole of radius {hole} whose centre is {offset} from its own",
+    )
+
+    @model_validator(mode="after")
+    def _encloses_the_hole(self) -> Self:
+        if self.hole + self.offset >= self.radius:
+            raise ValueError("hole, offset: the hole breaks through; give less than the radius in all")
+        return self
+
+    @property
+    def solid(self) -> Solid:
+        """The ball less the hole, about the ball's centre."""
+        return ball(self.radius) - ball(self.hole).moved((0.0, 0.0, self.offset))
+
+    @property
+    def look(self) -> Spherical:
+        """A disc with its hole, as if cut open."""
+        return Spherical(self.radius, hole=self.hole, offset=self.offset)
+
+    def reach(self, way: Vector) -> float:
+        """Its radius, every way."""
+        del way
+        return self.radius
+
+
+@body
+class HollowSphereWithHole(Shape):
+    """A hollow sphere of whose wall a ball about a point off its centre is cut away; z points to that point."""
+
+    radius: Annotated[Radius, Range(0.08, 0.15)]
+    thickness: Annotated[Thickness, Range(0.01, 0.02)]
+    hole: Annotated[HoleRadius, Range(0.03, 0.07)]
+    offset: Annotated[HoleOffset, Range(0.08, 0.15)]
+
+    nouns = ("sphere",)
+    words = {"gap": Word("mass", {}, "opening")}
+    lone = (
+        "a hollow {noun} of outer radius {radius} and wall thickness {thickness} from which all within {hole} of a point {offset} from its centre is cut away (mass after that: {mass})",
+        "a hollow {noun} (outer radius {radius}, wall thickness {thickness}) without the part of its wall that lies within {hole} of a point {offset} from its centre, of mass {mass} as it is",
+    )
+    named = (
+        "a hollow {noun} {letter} of outer radius {radius} and wall thickness {thickness} from which all within {hole} of a point {offset} from its centre is cut away (mass after that: {mass})",
+        "a hollow {noun} {letter} (outer radius {radius}, wall thickness {thickness}) without the part of its wall that lies within {hole} of a point {offset} from its centre, of mass {mass} as it is",
+    )
+
+    @model_validator(mode="after")
+    def _is_cut(self) -> Self:
+        if self.thickness >= self.radius:
+            raise ValueError("thickness: the wall is thicker than the sphere; give less than its radius")
+        if not abs(self.radius - self.offset) < self.hole < self.offset:
+            raise ValueError("hole, offset: it must cut through the wall and leave the centre out")
+        if self.offset - self.hole >= self.radius - self.thickness:
+            raise ValueError("hole, offset: the cut does not reach the cavity; make it larger")
+        return self
+
+    @property
+    def solid(self) -> Solid:
+        """The wall less what the ball cuts out of it, about the sphere's centre."""
+        inner = self.radius - self.thickness
+        cut = lens(self.radius, self.hole, self.offset) - lens(inner, self.hole, self.offset)
+        return ball(self.radius) - ball(inner) - cut
+
+    @property
+    def look(self) -> Spherical:
+        """A ring with its opening, as if cut open."""
+        return Spherical(self.radius, wall=self.thickness, hole=self.hole, offset=self.offset)
+
+    def reach(self, way: Vector) -> float:
+        """Its outer radius, every way; less at the opening, where nothing else may stand either."""
+        del way
+        return self.radius

@@ -1,0 +1,99 @@
+"""Regular prisms: of a stated height, or long ones that tumble and whose length never matters."""
+
+from math import hypot
+from typing import Literal
+
+from sim2reason.dsl.body import body
+from sim2reason.dsl.looks import Axial
+from sim2reason.dsl.shape import Extent, Radius, Shape
+from sim2reason.dsl.solids import Solid, polygon, prism
+from sim2reason.dsl.vectors import Vector
+
+Polygon = Literal[
+    "triangular", "square", "pentagonal", "hexagonal", "heptagonal", "octagonal", "decagonal", "dodecagonal"
+]
+SIDES: dict[str, int] = {
+    "triangular": 3,
+    "square": 4,
+    "pentagonal": 5,
+    "hexagonal": 6,
+    "heptagonal": 7,
+    "octagonal": 8,
+    "decagonal": 10,
+    "dodecagonal": 12,
+}
+
+
+@body
+class PolygonalPrism(Shape):
+    """A uniform prism about z; its cross-section is a regular polygon inscribed in a circle of `radius`."""
+
+    shape: Polygon
+    radius: Radius
+    height: Extent
+
+    nouns = ("prism",)
+    lone = (
+        "a uniform regular {shape} {noun} of height {height} and mass {mass} with its edges {radius} from its axis",
+        "a regular {shape} {noun} (height {height}, mass {mass}) whose edges are {radius} from its axis",
+    )
+    named = (
+        "a uniform regular {shape} {noun} {letter} of height {height} and mass {mass} with its edges {radius} from its axis",
+        "a regular {shape} {noun} {letter} (height {height}, mass {mass}) whose edges are {radius} from its axis",
+    )
+
+    @property
+    def sides(self) -> int:
+        """Of its cross-section."""
+        return SIDES[self.shape]
+
+    @property
+    def solid(self) -> Solid:
+        """About its centre."""
+        return prism(self.sides, self.radius, self.height)
+
+    @property
+    def look(self) -> Axial:
+        """A rectangle from the side, a polygon from its end."""
+        return Axial(self.radius, self.height, sides=self.sides)
+
+    def reach(self, way: Vector) -> float:
+        """To the cylinder about its edges."""
+        return self.radius * hypot(way[0], way[1]) + 0.5 * self.height * abs(way[2])
+
+
+@body
+class LongPrism(Shape):
+    """A uniform prism that only ever turns about its axis, z."""
+
+    shape: Polygon
+    radius: Radius
+
+    nouns = ("prism",)
+    lone = (
+        "a long uniform {noun} of mass {mass} with a regular {shape} cross-section and its edges {radius} from its axis",
+        "a long regular {shape} {noun} (mass {mass}) whose edges are {radius} from its axis",
+    )
+    named = (
+        "a long uniform {noun} {letter} of mass {mass} with a regular {shape} cross-section and its edges {radius} from its axis",
+        "a long regular {shape} {noun} {letter} (mass {mass}) whose edges are {radius} from its axis",
+    )
+
+    @property
+    def sides(self) -> int:
+        """Of its cross-section."""
+        return SIDES[self.shape]
+
+    @property
+    def solid(self) -> Solid:
+        """As its cross-section: its length does not change how it turns about its axis."""
+        return polygon(self.sides, self.radius)
+
+    @property
+    def look(self) -> Axial:
+        """A polygon: it is seen from its end."""
+        return Axial(self.radius, sides=self.sides)
+
+    def reach(self, way: Vector) -> float:
+        """To the cylinder about its edges."""
+        return self.radius * hypot(way[0], way[1])

@@ -1,0 +1,77 @@
+"""A fixed star, and what moves about it; in astronomical units, years and solar masses."""
+
+from typing import Annotated
+
+from annotated_types import Ge, Le
+
+from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.looks import Small
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.template import Word
+
+StarMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "Msun", "M"), Range(0.5, 2.0)]
+PlanetMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "Msun", "m"), Range(0.005, 0.1)]
+PlaceX = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "au", "x", decimals=2), Range(-3.0, 3.0)]
+PlaceY = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "au", "y", decimals=2), Range(-3.0, 3.0)]
+OrbitalVelocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "au/yr", "v", decimals=2), Range(-8.0, 8.0)]
+
+
+@body
+class Star(Body):
+    """A star that stays where it is."""
+
+    mass: StarMass
+
+    nouns = ("star",)
+    letters = ""
+    lone = ("a {noun} of mass {mass}", "a {noun} ({mass})")
+
+    @property
+    def look(self) -> Small:
+        """A bright disc."""
+        return Small("star")
+
+
+@body
+class Planet(Body):
+    """Something so light that it attracts nothing, with its place and velocity at the start."""
+
+    x: PlaceX
+    y: PlaceY
+    vx: OrbitalVelocity
+    vy: OrbitalVelocity
+
+    nouns = ("planet", "comet")
+    lone = ("a {noun}", "a single {noun}")
+    named = ("{noun} {letter}", "a {noun}, {letter},")
+    listed = "{letter}"
+    words = {"among": Word("x", {}, "do not attract")}
+    symbols = {"vx": "v_x", "vy": "v_y"}
+
+    @property
+    def look(self) -> Small:
+        """A small filled circle."""
+        return Small("planet")
+
+
+@body
+class HeavyPlanet(Body):
+    """A planet whose mass matters to others, with its place and velocity at the start."""
+
+    mass: PlanetMass
+    x: PlaceX
+    y: PlaceY
+    vx: OrbitalVelocity
+    vy: OrbitalVelocity
+
+    nouns = ("planet",)
+    lone = ("a {noun} of mass {mass}", "a {noun} ({mass})")
+    named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
+    listed = "{letter} ({mass})"
+    words = {"among": Word("mass", {}, "also attract")}
+    symbols = {"vx": "v_x", "vy": "v_y"}
+
+    @property
+    def look(self) -> Small:
+        """A small filled circle."""
+        return Small("planet")

@@ -1,0 +1,67 @@
+"""A straight track, level or inclined."""
+
+from math import cos, radians, sin
+from typing import Annotated
+
+from annotated_types import Ge, Le
+
+from sim2reason.bodies.plane import Smoothness
+from sim2reason.dsl.body import Body, body
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.looks import FixedPlane
+from sim2reason.dsl.measures import Chance, Friction, Measure, Range
+from sim2reason.dsl.template import Word
+from sim2reason.dsl.vectors import Vector
+
+Tilt = Annotated[float, Ge(0), Le(85), Measure("tilt", "deg", r"\theta", decimals=0), Range(5.0, 40.0), Chance(0.3)]
+
+
+@body
+class Track(Body):
+    """A straight smooth track that rises to the right, if at all."""
+
+    tilt: Tilt = 0.0
+
+    nouns = ("track",)
+    letters = ""
+    lone = ("a straight smooth {lie}", "a straight and smooth {lie}")
+    words = {
+        "lie": Word("tilt", {0.0: "horizontal {noun}"}, "{noun} inclined at {tilt} to the horizontal"),
+        "order": Word("tilt", {0.0: "from left to right"}, "from the lowest to the highest"),
+        "ahead": Word("tilt", {0.0: "to the right"}, "up the slope"),
+        "back": Word("tilt", {0.0: "to the left"}, "down the slope"),
+        "left": Word("tilt", {0.0: "on the left"}, "at the bottom"),
+        "right": Word("tilt", {0.0: "on the right"}, "at the top"),
+    }
+
+    @property
+    def look(self) -> FixedPlane:
+        """A hatched line, or a slope."""
+        return FixedPlane(self.tilt)
+
+    @property
+    def along(self) -> Vector:
+        """The unit vector to the right, or up the slope."""
+        slope = radians(self.tilt)
+        return (cos(slope), 0.0, sin(slope))
+
+    def carry(self, frame: Frame, speed: float = 0.0) -> Frame:
+        """Let a body move along the track, m/s."""
+        return frame.slide(self.along, speed, name="right")
+
+
+@body
+class RoughTrack(Track):
+    """A straight track that may be rough."""
+
+    friction: Annotated[Friction, Chance(0.2)] = 0.0
+
+    lone = ("a straight {surface} {lie}", "a straight and {surface} {lie}")
+    words = {**Track.words, "surface": Smoothness}
+
+    def carry(self, frame: Frame, speed: float = 0.0) -> Frame:
+        """Let a body move along the track, m/s; how it presses on the track matters only if that is rough."""
+        if self.friction == 0.0:
+            return super().carry(frame, speed)
+        slope = radians(self.tilt)
+        return frame.rest(self.along, (-sin(slope), 0.0, cos(slope)), self.friction, speed, name="right")
