@@ -189,7 +189,8 @@ class _Table:
         self._times, self._living, self._heard = recorded.times, living, heard
         self._end = float(recorded.times[-1])
         both = _joined(recorded, witness)
-        heaviest = max((body.mass for body in recorded.mechanism.bodies), default=1.0)
+        movable = [body.mass for body in recorded.mechanism.bodies if recorded.began[body.name].steps]
+        heaviest = max(movable, default=0.0) or 1.0  # a fixed star's mass would hide every momentum of its planets
         found: dict[str, tuple[Quantity, list[tuple[Channel, Array]]]] = {}
         for channel, quantity in channels(recorded.mechanism):
             values = quantity.evaluate(both, channel.subject)

@@ -2,6 +2,9 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
@@ -36,11 +39,33 @@ class Trace:
     cut: str = ""  # why it ends before the duration that was asked for: an event's kind, "statistics", "certificate"
     sample: "Callable[[Array], State]" = field(repr=False, compare=False, default=lambda _: _unsampled())
     # the same motion at any other times, up to `stable_until`; before t = 0 is not defined
+    knots: "Callable[[], Array]" = field(repr=False, compare=False, default=lambda: np.zeros(0))
+    # instants, s, between which the motion is one smooth piece: ends of the engine's own steps; none if it has none
 
     @property
     def mechanism(self) -> Mechanism:
         """What moved."""
         return self.state.mechanism
+
+    @cached_property
+    def scan(self) -> State:
+        """The motion at the engine's own knots, on both sides of every event, and at instants between them.
+
+        Between two neighbours nothing turns more than once, so that whoever looks for an instant need not look closer.
+        """
+        end = min(self.stable_until, float(self.state.times[-1]))
+        events = np.array([event.time for event in self.events])
+        borders = np.concatenate([[0.0, end], self.knots(), events, np.nextafter(events, 0.0)])
+        borders = np.unique(borders[(borders >= 0.0) & (borders <= end)])
+        if len(borders) < 2:
+            return self.sample(borders)
+        pieces = min(max(PER_STEP, -(-LEAST // (len(borders) - 1))), max(1, MOST // len(borders)))
+        shares = np.arange(pieces) / pieces
+        inner = borders[:-1, None] + np.diff(borders)[:, None] * shares
+        return self.sample(np.unique(np.append(inner.ravel(), end)))
+
+
+PER_STEP, LEAST, MOST = 4, 64, 8000  # instants of a scan: in each step, at least, at most
 
 
 def _unsampled() -> State:

@@ -13,15 +13,15 @@ Agree = Callable[..., None]
 
 @pytest.fixture
 def agree(request: pytest.FixtureRequest) -> Agree:
-    """Assert that values agree to 1e-9 of the larger of `expected` and `scale`."""
+    """Assert that values agree to 1e-9, or `close`, of the larger of `expected` and `scale`."""
 
-    def compare(actual: object, expected: object, scale: float = 0.0) -> None:
+    def compare(actual: object, expected: object, scale: float = 0.0, close: float = CLOSE) -> None:
         found, wanted = np.asarray(actual, dtype=float), np.asarray(expected, dtype=float)
         size = max(float(np.abs(wanted).max()), scale)
         error = float(np.abs(found - wanted).max()) / (size or 1.0)
         worst = request.config.stash.get(WORST, (0.0, ""))
         request.config.stash[WORST] = max(worst, (error, request.node.nodeid.rpartition("/")[2]))
-        assert error <= CLOSE, f"{found} instead of {wanted}"
+        assert error <= close, f"{found} instead of {wanted}"
 
     return compare
 

@@ -8,8 +8,9 @@ of the equations gives the normal force.
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
-from sim2reason.dsl.frames import Frame, Frames, Point
+from sim2reason.dsl.frames import BodyFrame, Frames
 from sim2reason.dsl.mechanism import Drawn, Elastic, Force, Inextensible, Line, Mechanism, Meeting, Prop
+from sim2reason.dsl.points import Point, distance
 from sim2reason.dsl.triples import Maths, Number, Triple, applied, cross, minus, plus, product, times
 from sim2reason.dsl.vectors import Tensor
 from sim2reason.simulation.engines.exact.lengths import (
@@ -22,7 +23,6 @@ from sim2reason.simulation.engines.exact.lengths import (
     merge,
     point_row,
     projected,
-    run_between,
 )
 
 Numbers = list[Number]
@@ -87,7 +87,7 @@ class Assembly:
         if frame.spin is not None and any(self.mechanism.body[name].inertia):
             self._spinning(frame, self.mechanism.body[name].inertia)
 
-    def _spinning(self, frame: Frame, inertia: Tensor) -> None:
+    def _spinning(self, frame: BodyFrame, inertia: Tensor) -> None:
         """Jᵀ I J of the rotation, and −Jᵀ(I α + ω × Iω), in the body's own axes, where I is constant."""
         turning = frame.turning
         own = [(number, frame.unturned(axis)) for number, axis in turning.gradient.items()]
@@ -101,7 +101,7 @@ class Assembly:
 
     def full_mass(self) -> list[Numbers]:
         """The mass matrix with both of its halves."""
-        return [[self.mass[max(i, j)][min(i, j)] for j in range(self.n)] for i in range(self.n)]
+        return [[*row[: i + 1], *(below[i] for below in self.mass[i + 1 :])] for i, row in enumerate(self.mass)]
 
     # ---- loads
 
@@ -114,8 +114,10 @@ class Assembly:
 
     def _loads(self) -> None:
         mechanism = self.mechanism
+        halves = zip(mechanism.half_springs, self.phase.strained, strict=True)
+        idle = {line.name for (line, _), strained in halves if not strained}
         for line in mechanism.lines:
-            if isinstance(line.law, Drawn | Elastic):
+            if isinstance(line.law, Drawn | Elastic) and line.name not in idle:
                 self._pull(line)
         for number, force in enumerate(mechanism.forces):
             if all(self.phase.inside[number]):
@@ -170,8 +172,7 @@ class Assembly:
             along[number] = along.get(number, 0.0) + radius
             value, rate = value + radius * self.q[number], rate + radius * self.v[number]
         for first, last in pairwise(line.through):
-            one, other = self.frames.site(first), self.frames.site(last)
-            run = run_between(one, other, self.maths)
+            run = self.frames.distance(first, last)
             value = value + run.value
             if run.along or run.lift:
                 rate, bias = rate + run.rate, bias + run.bias
@@ -212,7 +213,7 @@ class Assembly:
         other = self.frames.center(meeting.b)
         one = ORIGIN if meeting.a is None else self.frames.center(meeting.a)
         if meeting.normal is None:
-            run = run_between(one, other, self.maths)
+            run = distance(one, other, self.maths)
             return Separation(run.value - meeting.distance, run.rate, run.bias, run.along, run.lift)
         normal = meeting.normal
         apart = minus(other.place, one.place)

@@ -40,19 +40,20 @@ def balance(system: System, instant: Instant, demand: Demand) -> Balance:
     """Find the forces; raises NoForcesError if there are none that are consistent."""
     tight, kinds = demand.tight, demand.kinds
     place = {number: new for new, number in enumerate(tight)}
-    plain = not any(kinds[number].both for number in tight)
+    loads = instant.loads
     problem = Problem(
-        instant.mass,
-        instant.lifted,
-        instant.force,
-        instant.press,
-        tuple(instant.rows[number] for number in tight),
+        loads.mass,
+        loads.lifted,
+        loads.force,
+        loads.press,
+        tuple([instant.rows[number] for number in tight]),
         [instant.targets[number] for number in tight],
         system.grips,
         demand.sliding,
-        held=() if plain else tuple(kinds[number].both for number in tight),
-        follows=() if plain else tuple(place.get(kinds[number].follows, -1) for number in tight),
-        guided=system.guided,
+        tuple([kinds[number].both for number in tight]),
+        tuple([place.get(kinds[number].follows, -1) for number in tight]),
+        system.guided,
+        system.budget,
     )
     guess = demand.guess
     start = Mode(
@@ -63,7 +64,7 @@ def balance(system: System, instant: Instant, demand: Demand) -> Balance:
     open_ended = _open(stiffest(problem, found).spare, found.forces)
     small, small_x = scales(problem, found.x)
     loose = found.loose or _unheld(instant, problem, found, open_ended, small)
-    away = lifted(problem, instant.heave, found, small)
+    away = lifted(problem, loads.heave, found, small)
     kept = _kept(problem, found, start, small_x)
     return _spread(system, demand, found, kept, open_ended, away, loose=loose)
 
@@ -76,12 +77,10 @@ def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode
     """
     acting, rubbing = list(found.mode.acting), list(found.mode.rubbing)
     for number, acts in enumerate(found.mode.acting):
-        moves = abs(problem.rows[number].rate(found.x) - problem.targets[number]) > small
-        if before.acting[number] and not acts and not moves:
-            acting[number] = True
+        if before.acting[number] and not acts:
+            acting[number] = abs(problem.rows[number].rate(found.x) - problem.targets[number]) <= small
     for number, side in enumerate(found.mode.rubbing):
-        slip = problem.grips[number].slip.rate(found.x) - problem.slip_target(number)
-        if side and not problem.sliding[number] and abs(slip) <= small:
+        if side and not problem.sliding[number] and abs(problem.grips[number].slip.rate(found.x)) <= small:
             rubbing[number] = 0
     return Mode(tuple(acting), tuple(rubbing))
 
@@ -102,15 +101,16 @@ def _masked(values: Row, patterns: list[Row]) -> Row:
 
 def _unheld(instant: Instant, problem: Problem, found: Solution, forces: Forces, small: float) -> bool:
     """Whether some massless part is held by nothing, or only by strings that do not pull."""
-    if not instant.weightless:
+    weightless = instant.loads.weightless
+    if not weightless:
         return False
     holding = [
-        [row.rate(motion) for motion in instant.weightless]
+        [row.rate(motion) for motion in weightless]
         for number, (row, force) in enumerate(zip(problem.rows, forces.rows, strict=True))
-        if problem.is_held(number) or not force <= small  # also NaN
+        if problem.held[number] or not force <= small  # also NaN
     ]
     holding += [
-        [grip.slip.rate(motion) for motion in instant.weightless]
+        [grip.slip.rate(motion) for motion in weightless]
         for grip, side in zip(problem.grips, found.mode.rubbing, strict=True)
         if side == 0
     ]

@@ -11,12 +11,13 @@ from math import prod
 
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.exact.linear import Row, dot, solve
-from sim2reason.simulation.engines.exact.problem import Forces, Grip, Mode, Problem, Solution
+from sim2reason.simulation.engines.exact.problem import Forces, Mode, Problem, RoughContact, Solution
 from sim2reason.simulation.engines.exact.redundant_supports import bearing
 
 TOLERANCE = 1e-10  # of the largest load or velocity: what still counts as zero
 FLIPS = 40
 MODES = 2000  # that are tried one by one before the search gives up
+EVALUATION, BEARING = 2_000, 50_000  # operations that a mode and a search for other forces cost at least
 FAINT = 1e-6  # of the largest mass: what a massless body that nothing holds gets, for the search alone
 
 
@@ -84,7 +85,7 @@ def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | Non
 
 def linked(problem: Problem, mode: Mode) -> Mode:
     """The mode with every row that follows another one acting as that one does, and all that is held acting."""
-    if not problem.held:
+    if not any(problem.held):
         return mode
     acting = list(mode.acting)
     for number, leader in enumerate(problem.follows):
@@ -94,10 +95,11 @@ def linked(problem: Problem, mode: Mode) -> Mode:
 
 def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution | None:
     """Try all modes in order, those with most that acts and sticks first."""
-    choices: list[tuple[int, ...]] = [
-        (True,) if problem.is_held(i) else (True, False) for i in range(len(problem.rows))
+    choices: list[tuple[int, ...]] = [(True,) if held else (True, False) for held in problem.held]
+    choices += [
+        (0,) if grip.never else (side,) if side else (0, 1, -1)
+        for grip, side in zip(problem.grips, problem.sliding, strict=True)
     ]
-    choices += [((side,) if side else (0, 1, -1)) for side in problem.sliding]
     if prod(map(len, choices)) > MODES:
         return None
     for choice in product(*choices):
@@ -115,6 +117,7 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
     """Solve the linear system of one mode."""
     n = len(problem.force)
     active = [number for number, acts in enumerate(mode.acting) if acts]
+    problem.budget.spend(EVALUATION + (n + len(active)) ** 3)
     found = solve(_system(problem, mode, active, 0.0))
     loose = any(any(abs(part) > TOLERANCE for part in null[:n]) for null in found.nulls)
     if loose:
@@ -128,6 +131,7 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
     solution = Solution(mode, x, forces, spare, loose, found.consistent)
     if not spare or loose or not found.consistent or not _flips(problem, solution).count():
         return solution
+    problem.budget.spend(BEARING)
     better = bearing(problem, mode, x)
     if better is None:
         return solution
@@ -139,7 +143,7 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
     return Solution(mode, x, _forces(problem, mode, x, acting, 1.0), spare, loose)
 
 
-def _extra(grip: Grip, side: int) -> bool:
+def _extra(grip: RoughContact, side: int) -> bool:
     """Whether the friction of a contact is an unknown of its own: it sticks, and slips with several coordinates."""
     return side == 0 and grip.coordinate < 0
 
@@ -152,18 +156,16 @@ def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> li
     """
     rows = problem.rows
     held = [grip for grip, side in zip(problem.grips, mode.rubbing, strict=True) if _extra(grip, side)]
-    system = [
-        [*mass, *(rows[number].along[k] for number in active), *(-g.slip.along[k] for g in held), problem.force[k]]
-        for k, mass in enumerate(problem.mass)
-    ]
+    columns = [rows[number].along for number in active] + [[-part for part in g.slip.along] for g in held]
+    system = [[*mass, *[column[k] for column in columns], problem.force[k]] for k, mass in enumerate(problem.mass)]
     if faint:
         for k, row in enumerate(system):
             row[k] += faint
     blank = [0.0] * (len(active) + len(held))
-    for number, (grip, side) in enumerate(zip(problem.grips, mode.rubbing, strict=True)):
+    for grip, side in zip(problem.grips, mode.rubbing, strict=True):
         if side == 0:
             if grip.coordinate >= 0:
-                system[grip.coordinate] = [*grip.slip.along, *blank, problem.slip_target(number)]
+                system[grip.coordinate] = [*grip.slip.along, *blank, 0.0]
             continue
         # f = −µN, with N as its own row of the equations of motion gives it
         lift = [*problem.lifted[grip.contact], *(rows[i].lift[grip.contact] for i in active), *([0.0] * len(held))]
@@ -172,9 +174,7 @@ def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> li
             weight = grip.friction * side * part
             system[k] = [a + weight * b for a, b in zip(system[k], lift, strict=True)]
     system.extend([*rows[number].along, *blank, problem.targets[number]] for number in active)
-    for number, (grip, side) in enumerate(zip(problem.grips, mode.rubbing, strict=True)):
-        if _extra(grip, side):
-            system.append([*grip.slip.along, *blank, problem.slip_target(number)])
+    system.extend([*grip.slip.along, *blank, 0.0] for grip in held)
     return system
 
 
@@ -210,9 +210,8 @@ def _forces(problem: Problem, mode: Mode, x: Row, multipliers: Row, load: float)
 
 def scales(problem: Problem, x: Row) -> tuple[float, float]:
     """How large a force and an x are, so that small ones can be called zero."""
-    force = max(max(map(abs, problem.force), default=0.0), max(map(abs, problem.press), default=0.0))
     size = max(max(map(abs, x), default=0.0), max(map(abs, problem.targets), default=0.0), 1.0)
-    return TOLERANCE * max(force, 1e-3), TOLERANCE * size
+    return TOLERANCE * max(problem.load, 1e-3), TOLERANCE * size
 
 
 def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Flips:
@@ -220,7 +219,7 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
     mode, x = solution.mode, solution.x
     small_force, small_x = scales(problem, x)
     for number, (acts, row) in enumerate(zip(mode.acting, problem.rows, strict=True)):
-        if problem.is_held(number):
+        if problem.held[number]:
             continue
         if acts:
             violated = solution.forces.rows[number] < -small_force
@@ -230,13 +229,13 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
             flips.rows.append(number)
     for number, (grip, side) in enumerate(zip(problem.grips, mode.rubbing, strict=True)):
         friction, normal = solution.forces.friction[number], solution.forces.normal[grip.contact]
-        if problem.sliding[number] or (lenient and normal < -small_force):
+        if grip.never or problem.sliding[number] or (lenient and normal < -small_force):
             continue
         if grip.both:
             normal = abs(normal)
         if side == 0 and abs(friction) > grip.friction * normal + small_force:
             flips.rubbing.append((number, -1 if friction > 0.0 else 1))
-        elif side * (grip.slip.rate(x) - problem.slip_target(number)) < -small_x:
+        elif side and side * grip.slip.rate(x) < -small_x:
             flips.rubbing.append((number, 0))
     return flips
 
@@ -252,9 +251,7 @@ def stiffest(problem: Problem, solution: Solution) -> Solution:
         for acts, row, target in zip(solution.mode.acting, problem.rows, problem.targets, strict=True)
     )
     rubbing = tuple(
-        side
-        if problem.sliding[number] or abs(grip.slip.rate(solution.x) - problem.slip_target(number)) > small_x
-        else 0
+        side if problem.sliding[number] or abs(grip.slip.rate(solution.x)) > small_x else 0
         for number, (grip, side) in enumerate(zip(problem.grips, solution.mode.rubbing, strict=True))
     )
     mode = linked(problem, Mode(acting, rubbing))

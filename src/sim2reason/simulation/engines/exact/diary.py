@@ -4,10 +4,11 @@ from collections.abc import Iterable
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.lengths import RowKind
-from sim2reason.simulation.engines.exact.problem import Grip, Mode
+from sim2reason.simulation.engines.exact.problem import Mode, RoughContact
 from sim2reason.simulation.trace import Event
 
 CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
+SAME = 8  # events back among which one is looked for that says the same
 TIE = 1e-11  # s; events that are no further apart are simultaneous
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}
 STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}
@@ -28,8 +29,10 @@ class Diary:
         self._hits: dict[str, tuple[float, tuple[str, ...]]] = {}  # the last hit of each body, or jerk of each row
 
     def record(self, time: float, kind: str, *subjects: str) -> None:
-        """Note an event."""
-        self.events.append(Event(time, kind, subjects))
+        """Note an event, once: a body may enter the regions of several forces at one instant."""
+        event = Event(time, kind, subjects)
+        if event not in self.events[-SAME:]:
+            self.events.append(event)
 
     def end(self, time: float, kind: str, *subjects: str) -> None:
         """Note an event that ends the description."""
@@ -76,7 +79,7 @@ class Diary:
             elif before.acting[number] and not after.acting[number] and not first:
                 self.record(time, STOPS[kind.kind], kind.name)
 
-    def rubbed(self, time: float, grips: tuple[Grip, ...], modes: tuple[Mode, Mode]) -> None:
+    def rubbed(self, time: float, grips: tuple[RoughContact, ...], modes: tuple[Mode, Mode]) -> None:
         """Contacts that begin to stick or to slip."""
         for grip, was, now in zip(grips, modes[0].rubbing, modes[1].rubbing, strict=True):
             if was != now:

@@ -1,21 +1,24 @@
 """The exact engine's loop: impacts, forces, the next event, and again."""
 
+from functools import cached_property
+
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.exact.approach import STILL, halt
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
-from sim2reason.simulation.engines.exact.diary import TIE
+from sim2reason.simulation.engines.exact.diary import BEGINS, STOPS, TIE
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.glide import SteadyEquations
-from sim2reason.simulation.engines.exact.margins import ENDS, Margin, Stop
+from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.engines.exact.settling import REST, Settling
 from sim2reason.simulation.engines.exact.system import Instant
 from sim2reason.simulation.trace import ENGINES, Trace
 
 SEGMENTS = 500
+SETTLING = 5_000  # operations that an event costs for each coordinate
 
 
 @ENGINES.register("exact")
@@ -24,26 +27,30 @@ def simulate(mechanism: Mechanism, times: Array) -> Trace:
 
     Raises:
         UnsupportedError: the mechanism has a part that this engine does not model.
-        SimulationError: no consistent forces, a singular motion, or more than 500 events.
+        SimulationError: no consistent forces, a singular motion, more than 500 events or operations than `budget` has.
     """
     found = motion(mechanism, float(times[-1]))
-    return Trace("exact", found.state(times), found.events, found.end, found.cut, found.state)
+    return Trace("exact", found.state(times), found.events, found.end, found.cut, found.state, lambda: found.knots)
 
 
 def motion(mechanism: Mechanism, duration: float) -> Motion:
     """The motion from 0 to `duration` seconds, or to the event that ends it; raises as `simulate` does."""
-    run = _Run(mechanism, duration)
+    run: _Run | None = None
     try:
+        run = _Run(mechanism, duration)
         while run.step():
+            run.system.budget.spend(SETTLING * (1 + run.system.size))
             if len(run.segments) > SEGMENTS:
                 raise SimulationError(f"more than {SEGMENTS} events before {duration:g} s; simulate a shorter time")
+        return run.finish()
     except NoForcesError as error:
         rough = ", ".join(name for name, contact in mechanism.contacts.items() if contact.friction > 0.0)
         remedy = f"; friction may be too strong on {rough}" if rough else ""
-        raise SimulationError(f"{error} at {run.now:.6g} s{remedy}") from error
+        raise SimulationError(f"{error} at {run.now if run else 0.0:.6g} s{remedy}") from error
     except (ZeroDivisionError, OverflowError):
+        if run is None:
+            raise SimulationError("the motion is singular from the start; move apart what coincides") from None
         raise SimulationError(f"the motion becomes singular at {run.now:.6g} s; simulate a shorter time") from None
-    return run.finish()
 
 
 class _Run(Settling):
@@ -88,7 +95,7 @@ class _Run(Settling):
             return False
         return not ended
 
-    def _glide(self, steady: SteadyEquations, instant: Instant, found: Balance, left: float) -> Stop:
+    def _glide(self, steady: SteadyEquations, instant: Instant, found: Balance, left: float) -> StopReason:
         stop = steady.glide(instant, found, left)
         span = stop.elapsed
         self._note_turns(found, span)
@@ -98,7 +105,7 @@ class _Run(Settling):
         self.now += span
         return stop
 
-    def _flow(self, instant: Instant, found: Balance, left: float) -> Stop:
+    def _flow(self, instant: Instant, found: Balance, left: float) -> StopReason:
         assert self.curved is not None
         flow = Flow(self.curved, instant, self.phase, found)
         stop = flow.advance(left, self.duration)
@@ -129,6 +136,8 @@ class _Run(Settling):
                 self._cross(number, margin.side)
             case "slip":
                 self._halt(number)
+            case "strain":
+                self._strain(number)
             case _:
                 pass
         return margin.kind in ENDS
@@ -148,15 +157,21 @@ class _Run(Settling):
         everywhere = tuple(crossed if i == number else held for i, held in enumerate(self.phase.inside))
         self.phase = self.phase._replace(inside=everywhere)
 
-    @property
+    def _strain(self, number: int) -> None:
+        """A spring that acts one way begins to, or ceases."""
+        strained = tuple(was != (i == number) for i, was in enumerate(self.phase.strained))
+        self.phase = self.phase._replace(strained=strained)
+        line, law = self.mechanism.half_springs[number]
+        kind = "prop" if law.acts == "pushes" else "string"
+        self.diary.record(self.now, (BEGINS if strained[number] else STOPS)[kind], line.name)
+
+    @cached_property
     def _rough(self) -> set[int]:
         """The coordinates along which something rubs: there a turn is a change of mode."""
         return {grip.coordinate for grip in self.system.grips}
 
     def _note_turns(self, found: Balance, span: float) -> None:
         """Speeds that pass through zero before the next event."""
-        rough = self._rough
-        for number, coordinate in enumerate(self.mechanism.coordinates):
-            time = halt(self.v[number], found.a[number])
-            if number not in rough and TIE < time < span - TIE:
-                self.diary.record(self.now + time, "turn", coordinate.name)
+        for number, (speed, a) in enumerate(zip(self.v, found.a, strict=True)):
+            if speed * a < 0.0 and TIE < halt(speed, a) < span - TIE and number not in self._rough:
+                self.diary.record(self.now + halt(speed, a), "turn", self.mechanism.coordinates[number].name)

@@ -1,7 +1,7 @@
 """The motion of a mechanism whose equations change as it moves: integrated, with events located on the steps."""
 
-from collections.abc import Callable, Sequence
-from math import isfinite
+from collections.abc import Sequence
+from math import inf, isfinite
 
 import numpy as np
 
@@ -9,22 +9,23 @@ from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.exact import dop853
 from sim2reason.simulation.engines.exact.balance import Balance
-from sim2reason.simulation.engines.exact.formulas import CurvedEquations, Formulas
+from sim2reason.simulation.engines.exact.crossings import Crossing, Watch
+from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.lengths import Phase
-from sim2reason.simulation.engines.exact.margins import Stop
+from sim2reason.simulation.engines.exact.margins import StopReason
+from sim2reason.simulation.engines.exact.mode_code import Formulas
 from sim2reason.simulation.engines.exact.roots import first_root
 from sim2reason.simulation.engines.exact.system import Instant
 
 TOLERANCE = (1e-13, 1e-11)  # of a step, absolute and relative
-STEPS = 20_000
 SHORTEST = 1e-13  # of the duration: a step below that is a singularity
-ARMED = 1e-9  # what a margin that begins at zero must exceed before it can be due
+OFF = 1e-6  # m; a row that acts is no longer kept
 TIE = 1e-10  # of the duration: events that are no further apart are simultaneous
 POLISHES = 4  # corrections of an event's time by a step of the integrator itself
 REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
 
 
-class Step:
+class FlowStep:
     """One step of the integrator, and what lies between its ends."""
 
     __slots__ = ("_polynomial", "formulas", "length", "new", "stages", "time", "values")
@@ -53,6 +54,10 @@ class Step:
         """All margins at a fraction of the step."""
         return self.formulas.margins(self.time + x * self.length, self.at(x))
 
+    def closing(self, x: float) -> tuple[float, ...]:
+        """How fast what may pass comes together at a fraction of the step, and what is left between."""
+        return self.formulas.closing(self.time + x * self.length, self.at(x))
+
 
 class Flow:
     """The integration of one mode, from where it begins to what ends it."""
@@ -63,84 +68,117 @@ class Flow:
         self.formulas = equations.formulas(instant, phase, found.mode)
         self.start = self.time = instant.time
         self.values: dop853.Values = (*instant.q, *instant.v)
-        self.steps: list[Step] = []
+        self.steps: list[FlowStep] = []
+        self._watch = Watch(())
         self.turns: list[tuple[float, int]] = []  # when a coordinate's speed passes through zero, and which
 
-    def advance(self, duration: float, longest: float) -> Stop:
+    def advance(self, duration: float, longest: float) -> StopReason:
         """Go on for `duration`, s, or to the first event, or to where pivots must be chosen anew.
 
-        `longest` is the duration of the whole motion. Raises SimulationError if the steps become too many or too short,
-        or if something has no value.
+        `longest` is the duration of the whole motion. Raises SimulationError if the steps become too costly or too
+        short, or if something has no value.
         """
         try:
             return self._advance(duration, longest)
         except (ZeroDivisionError, OverflowError, ValueError):
-            raise SimulationError(
-                f"the motion becomes singular at {self.time:.6g} s; simulate a shorter time"
-            ) from None
+            return self._singular()
         except ArithmeticError:
             self._equations.forget(self._phase, self._mode)
-            return Stop(self.time - self.start, ())
+            return StopReason(self.time - self.start, ())
 
-    def _advance(self, duration: float, longest: float) -> Stop:
+    def _advance(self, duration: float, longest: float) -> StopReason:
         end, rate = self.start + duration, self.formulas.rate
         first = rate(self.time, self.values)
         before = self.formulas.margins(self.time, self.values)
-        armed = [margin > ARMED for margin in before]
+        self._watch = Watch(before)
         length = dop853.first_step(rate, self.time, self.values, first, TOLERANCE)
         while self.time < end:
             length = min(length, end - self.time)
-            self._check(length, end, longest)
-            tried = dop853.advance(rate, self.time, self.values, first, length, TOLERANCE)
+            if not length >= SHORTEST * longest and end - self.time > SHORTEST * longest:  # or it is no number
+                return self._singular()
+            self._equations.system.budget.spend(self.formulas.cost)
+            try:
+                tried = dop853.advance(rate, self.time, self.values, first, length, TOLERANCE)
+            except (ZeroDivisionError, OverflowError, ValueError):  # somewhere ahead; nearer, a pivot is lost before
+                length *= 0.1
+                continue
             if not tried.error <= 1.0:
                 length *= min(0.5, dop853.factor(tried.error)) if isfinite(tried.error) else 0.1
                 continue
-            step = Step(self.formulas, self.time, length, self.values, tried)
+            step = FlowStep(self.formulas, self.time, length, self.values, tried)
             after = self.formulas.margins(step.time + length, tried.values)
-            due = self._due(step, before, after, armed, TIE * longest)
+            due = self._due(step, before, after, TIE * longest)
             if due is not None:
                 return due
             self._keep(step)
+            self._check_held()
             first, before = tried.stages[-1], after
-            armed = [was or margin > ARMED for was, margin in zip(armed, after, strict=True)]
+            self._watch.passed(after)
             length *= dop853.factor(tried.error)
-        return Stop(duration, ())
+        return StopReason(duration, ())
 
-    def _check(self, length: float, end: float, longest: float) -> None:
-        if length < SHORTEST * longest and end - self.time > SHORTEST * longest:
+    def _check_held(self) -> None:
+        """What is held twice may be held so that it can't move at all, which no equation of an instant says."""
+        held = self.formulas.held
+        if held is not None and max(map(abs, held(self.time, self.values))) > OFF:
+            problem = "strings and rods hold something so often that they contradict each other"
+            raise SimulationError(f"{problem} once it moves, at {self.start:.6g} s")
+
+    def _singular(self) -> StopReason:
+        """There is no step from here: two points of a line come together, or SimulationError."""
+        watched = zip(self.formulas.watched, self._margins(), strict=True)
+        due = tuple(margin for margin, left in watched if margin.kind == "reach" and left <= 0.0)
+        if not due:
             raise SimulationError(f"the motion becomes singular at {self.time:.6g} s; simulate a shorter time")
-        if len(self.steps) > STEPS:
-            raise SimulationError(f"more than {STEPS} steps before {end:g} s; simulate a shorter time")
+        return StopReason(self.time - self.start, due)
 
-    def _keep(self, step: Step) -> None:
+    def _margins(self) -> Sequence[float]:
+        """All margins now; none that is left if they have no value."""
+        try:
+            return self.formulas.margins(self.time, self.values)
+        except (ZeroDivisionError, OverflowError, ValueError):
+            return (inf,) * len(self.formulas.watched)
+
+    def _keep(self, step: FlowStep) -> None:
         self._note_turns(step)
         self.steps.append(step)
         self.time, self.values = step.time + step.length, step.new
 
     # ---- events
 
-    def _due(
-        self, step: Step, before: Sequence[float], after: Sequence[float], armed: Sequence[bool], tie: float
-    ) -> Stop | None:
+    def _due(self, step: FlowStep, before: Sequence[float], after: Sequence[float], tie: float) -> StopReason | None:
         """Take the step as far as the first event in it, if there is one."""
-        slack = [0.0 if ready else ARMED for ready in armed]
         if not before:
             return None
-        middle = step.margins(0.5)
-        found: list[tuple[float, int]] = []
-        for number, room in enumerate(slack):
-            ends = (before[number] + room, middle[number] + room, after[number] + room)
-            bracket = _bracket(ends, lambda x, i=number, r=room: step.margins(x)[i] + r)
-            if bracket is not None:
-                found.append((first_root(lambda x, i=number, r=room: step.margins(x)[i] + r, *bracket), number))
-        if not found:
+        crossings = self._watch.crossings((before, step.margins(0.5), after), step.margins)
+        crossings += self._passes(step, {number for number, _ in crossings})
+        if not crossings:
             return None
-        soonest, leader = min(found)
-        length = self._polished(step, soonest, leader, slack[leader])
-        due = tuple(self.formulas.watched[i] for x, i in found if (x - soonest) * step.length <= tie)
-        return Stop(self.time - self.start, due) if length >= 0.0 else None
+        found = [
+            (first_root(lambda x, i=number, r=room: step.margins(x)[i] + r, low, high), number, room)
+            for number, (low, high, room) in crossings
+        ]
+        soonest, leader, room = min(found)
+        length = self._polished(step, soonest, leader, room)
+        near = [self.formulas.watched[i] for x, i, _ in found if (x - soonest) * step.length <= tie]
+        due = [each for margin in near for each in self.formulas.due(margin, self.time, self.values)]
+        return StopReason(self.time - self.start, tuple(due)) if length >= 0.0 else None
 
-    def _polished(self, step: Step, x: float, number: int, room: float) -> float:
+    def _passes(self, step: FlowStep, known: set[int]) -> list[tuple[int, Crossing]]:
+        """Where two points of a line are nearest within a step, if they come together there."""
+        passing = self.formulas.passing
+        if not passing:
+            return []
+        found: list[tuple[int, Crossing]] = []
+        count, ends = len(passing), (step.closing(0.0), step.closing(1.0))
+        for place, (number, first, last) in enumerate(zip(passing, *(end[:count] for end in ends), strict=True)):
+            if first < 0.0 < last and number not in known:
+                nearest = first_root(lambda x, i=place: -step.closing(x)[i], 0.0, 1.0)
+                if step.closing(nearest)[count + place] <= 0.0:
+                    found.append((number, Crossing(0.0, nearest)))
+        return found
+
+    def _polished(self, step: FlowStep, x: float, number: int, room: float) -> float:
         """Go on to an event, foreseen at a fraction of the step, by a step of its own; its length."""
         rate, first = self.formulas.rate, step.stages[0]
         width = 1e-4 * min(x, 1.0 - x) if 0.0 < x < 1.0 else 1e-6
@@ -156,10 +194,10 @@ class Flow:
                 break
             length += change
         tried = dop853.advance(rate, step.time, step.values, first, length, TOLERANCE)
-        self._keep(Step(self.formulas, step.time, length, step.values, tried))
+        self._keep(FlowStep(self.formulas, step.time, length, step.values, tried))
         return length
 
-    def _note_turns(self, step: Step) -> None:
+    def _note_turns(self, step: FlowStep) -> None:
         """Speeds that pass through zero within a step."""
         n = self._equations.system.size
         for number in range(n, 2 * n):
@@ -168,29 +206,6 @@ class Flow:
                 sign = 1.0 if old > 0.0 else -1.0
                 x = first_root(lambda x, i=number, s=sign: s * step.at(x)[i], 0.0, 1.0)
                 self.turns.append((step.time + x * step.length, number - n))
-
-
-def _bracket(ends: tuple[float, float, float], function: Callable[[float], float]) -> tuple[float, float] | None:
-    """An interval of the step at whose beginning a margin is left, and at whose end it is not; None if there is none.
-
-    Where all three known values are positive, a parabola through them says where to look for a dip.
-    """
-    first, middle, last = ends
-    if first < 0.0:
-        return (0.0, 0.0)
-    if middle < 0.0:
-        return (0.0, 0.5)
-    if last < 0.0:
-        return (0.5, 1.0)
-    bend = 2.0 * (first - 2.0 * middle + last)
-    slope = -3.0 * first + 4.0 * middle - last
-    if bend <= 0.0:
-        return None
-    lowest = -slope / (2.0 * bend)
-    least = first + slope * lowest + bend * lowest * lowest
-    if not 0.0 < lowest < 1.0 or least > 0.25 * min(ends):
-        return None
-    return (0.0, lowest) if function(lowest) < 0.0 else None
 
 
 def sampled(flow: Flow, times: Array) -> Array:

@@ -5,34 +5,28 @@ runs with floats for the integrator, with arrays for all samples at once.
 """
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import chain
 from math import inf
-from typing import Any
 
-from sim2reason.dsl.triples import Number
+from sim2reason.dsl.constancy import straight
+from sim2reason.dsl.triples import Number, minus, product
 from sim2reason.simulation.engines.exact.assembly import Assembly
-from sim2reason.simulation.engines.exact.dop853 import Rate
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
 from sim2reason.simulation.engines.exact.linear import Row
 from sim2reason.simulation.engines.exact.margins import Margin
+from sim2reason.simulation.engines.exact.mode_code import Formulas
 from sim2reason.simulation.engines.exact.problem import Mode
-from sim2reason.simulation.engines.exact.symbolic import Unknowns, eliminated
+from sim2reason.simulation.engines.exact.symbolic import FreeForces, Unknowns, eliminated
 from sim2reason.simulation.engines.exact.system import Instant, System
-from sim2reason.simulation.engines.exact.tape import Symbol, Tape
+from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
 
+FAINT = 1e-9  # a change of a margin that is none
+MEET = 1e-9  # m; the ends of a straight piece that are no farther apart have met
 PIVOT = 1e-6  # of its size at the beginning: a pivot that shrinks below that is lost
-
-
-@dataclass(frozen=True)
-class Formulas:
-    """The code of one mode: rates for the integrator, all forces for samples, margins."""
-
-    rate: Rate
-    forces: Callable[[Any], Callable[..., tuple[Any, ...]]]  # of `math` or `numpy`: a, rows, normal, friction
-    margins: Callable[..., tuple[float, ...]]
-    watched: tuple[Margin, ...]
+TOGETHER = 1e-7  # m; nearer, a line has no direction, and a step could pass where its points meet
+STAGES, MARGINS = 13, 3  # times that a step evaluates rates and margins
+UNKNOWN, FIXED = 400, 500  # operations of a step for each coordinate, and at all
+WRITING = 100  # operations that it takes to write code for one
 
 
 class CurvedEquations:
@@ -88,10 +82,42 @@ class _Recorded:
         rows = [found.rows.get(number, 0.0) for number in range(len(self.rows))]
         guards = [(pivot, PIVOT * abs(pivot.value)) for pivot in found.pivots if isinstance(pivot, Symbol)]
         rate = tape.code([*self.v, *found.x], guards)(math)
+        cost = STAGES * tape.written
         forces = tape.code([*found.x, *rows, *normal, *friction])
         watched = self._watched(mode, rows, normal, friction)
-        margins = tape.code([number for _, number in watched])(math)
-        return Formulas(rate, forces, margins, tuple(margin for margin, _ in watched))
+        patterns = [self._patterns(mode, spare) for spare in found.free]
+        parts = {margin: [pattern.get(margin, 0.0) for pattern in patterns] for margin, _ in watched}
+        open_ended = {m for m, changes in parts.items() if any(abs(value_of(part)) > FAINT for part in changes)}
+        braced = [(margin, number) for margin, number in watched if margin in open_ended]
+        watched = [(margin, number) for margin, number in watched if margin not in open_ended]
+        outputs = [number for _, number in (*watched, *braced)] + [
+            part for margin, _ in braced for part in parts[margin]
+        ]
+        margins = tape.code(outputs)(math)
+        cost += MARGINS * tape.written + UNKNOWN * len(self.v) + FIXED
+        acting = [row.value for row, acts in zip(self.rows, mode.acting, strict=True) if acts]
+        held = tape.code(acting)(math) if found.free and acting else None
+        passing = self._passing(watched)
+        closing = tape.code([*passing.values(), *(watched[place][1] for place in passing)])(math)
+        self.system.budget.spend(WRITING * len(tape.nodes))
+        names = [*(margin for margin, _ in watched), *([Margin("brace", 0)] if braced else [])]
+        due = tuple(margin for margin, _ in braced)
+        return Formulas(rate, forces, margins, tuple(names), held, tuple(passing), closing, cost, due)
+
+    def _patterns(self, mode: Mode, free: FreeForces) -> dict[Margin, Number]:
+        """How the margins of forces change with forces that the motion leaves open."""
+        lift: list[Number] = [0.0] * self.system.count
+        for number, force in free.rows.items():
+            for contact, part in self.rows[number].lift.items():
+                lift[contact] = lift[contact] + part * force
+        found: dict[Margin, Number] = {Margin("force", number): force for number, force in free.rows.items()}
+        found |= {Margin("normal", contact): part for contact, part in enumerate(lift)}
+        for number, (grip, side) in enumerate(zip(self.system.grips, mode.rubbing, strict=True)):
+            if side == 0 and grip.friction < inf:
+                along, bound = free.friction.get(number, 0.0), grip.friction * lift[grip.contact]
+                found[Margin("grip", number, 1)] = bound + along
+                found[Margin("grip", number, -1)] = bound - along
+        return found
 
     # ---- one mode, solved
 
@@ -168,7 +194,16 @@ class _Recorded:
         for number, burning in enumerate(self.phase.burning):
             if burning:
                 found.append((Margin("burn", number), system.mechanism.burns[number].until - self.time))
-        return [*found, *self._borders()]
+        return [*found, *self._strains(), *self._borders()]
+
+    def _strains(self) -> list[tuple[Margin, Number]]:
+        """How far springs that act one way are from where they begin or cease to act, m."""
+        found: list[tuple[Margin, Number]] = []
+        halves = zip(self.system.mechanism.half_springs, self.phase.strained, strict=True)
+        for number, ((line, law), strained) in enumerate(halves):
+            side = law.side if strained else -law.side
+            found.append((Margin("strain", number), side * (self.assembly.length(line).value - law.length)))
+        return found
 
     def _row_margins(self, mode: Mode, rows: list[Number]) -> list[tuple[Margin, Number]]:
         found: list[tuple[Margin, Number]] = []
@@ -205,13 +240,28 @@ class _Recorded:
         lines = [known[name] for name in acting if name in known]
         return any(line.through == (first, last) and not line.wheels for line in lines)
 
+    def _passing(self, watched: list[tuple[Margin, Number]]) -> dict[int, Number]:
+        """Half the rate of the square of a distance that never changes sign: it says when two points are nearest."""
+        runs, frames = list(self.system.runs), self.assembly.frames
+        found: dict[int, Number] = {}
+        for place, (margin, _) in enumerate(watched):
+            if (
+                margin.kind == "reach"
+                and straight(self.system.mechanism, self.system.frames, *runs[margin.number]) is None
+            ):
+                one, other = (frames.site(name) for name in runs[margin.number])
+                found[place] = product(minus(other.place, one.place), minus(other.velocity, one.velocity))
+        return found
+
     def _distance(self, first: str, last: str) -> Number:
+        """How far apart two sites are, negative as soon as they meet on a line, where a pull turns round."""
         one, other = self.assembly.frames.site(first).place, self.assembly.frames.site(last).place
+        way = straight(self.system.mechanism, self.system.frames, first, last)
         total: Number = 0.0
-        for a, b in zip(one, other, strict=True):
+        for number, (a, b) in enumerate(zip(one, other, strict=True)):
             apart = b - a
-            total = total + apart * apart
-        return self.tape.sqrt(total)
+            total = total + (apart * apart if way is None else apart * way[number])
+        return self.tape.sqrt(total) - TOGETHER if way is None else total - MEET
 
     def _borders(self) -> list[tuple[Margin, Number]]:
         found: list[tuple[Margin, Number]] = []

@@ -2,20 +2,22 @@
 
 import math
 from collections.abc import Mapping
+from itertools import repeat
 from math import hypot, inf
 from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import Inextensible, Meeting
-from sim2reason.dsl.triples import Triple, minus, times
+from sim2reason.dsl.points import relative
+from sim2reason.dsl.triples import Triple, minus
 from sim2reason.dsl.vectors import Vector, inner
 from sim2reason.simulation.engines.exact.approach import STILL, Approach, crossing, halt
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.balance import Balance
-from sim2reason.simulation.engines.exact.lengths import Phase, relative
+from sim2reason.simulation.engines.exact.lengths import Phase
 from sim2reason.simulation.engines.exact.linear import Row
-from sim2reason.simulation.engines.exact.margins import Margin, Stop
-from sim2reason.simulation.engines.exact.problem import Gradient, gradient
-from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
+from sim2reason.simulation.engines.exact.margins import Margin, StopReason
+from sim2reason.simulation.engines.exact.problem import gradient
+from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System, spread
 
 Steps = tuple[tuple[int, Vector], ...]  # (number of a coordinate or face, direction)
 TIE = 1e-11  # s; events that are no further apart are simultaneous
@@ -31,9 +33,12 @@ class _Pair(NamedTuple):
 
     def approach(self, q: Row, v: Row, a: Row) -> Approach:
         """Their relative motion."""
+        return Approach(self.at(q), _carried(self.slides, v), _carried(self.slides, a), self.meeting.distance)
+
+    def at(self, q: Row) -> Vector:
+        """From the first to the second."""
         start, moved = self.apart, _carried(self.slides, q)
-        apart = (start[0] + moved[0], start[1] + moved[1], start[2] + moved[2])
-        return Approach(apart, _carried(self.slides, v), _carried(self.slides, a), self.meeting.distance)
+        return (start[0] + moved[0], start[1] + moved[1], start[2] + moved[2])
 
     def hit(self, q: Row, v: Row, a: Row) -> float:
         """The time at which they touch next, or infinity."""
@@ -60,13 +65,18 @@ class SteadyEquations:
     def __init__(self, system: System) -> None:
         """Assemble everything once."""
         self.system, self.size, self.count = system, system.size, system.count
-        self._rest = [0.0] * self.size
-        at_rest = (self._rest, self._rest, 0.0)
-        self._start = system.numbers(Assembly(system.mechanism, system.phase, at_rest, math, system.frames))
+        rest = [0.0] * self.size
+        assembly = Assembly(system.mechanism, system.phase, (rest, rest, 0.0), math, system.frames)
+        rows = assembly.rows(system.starts)
+        self._loads = system.loads(assembly)
+        self._rows = tuple(system.gradient(row) for row in rows)
+        self._spare = [float(row.value) for row in rows]
+        self._targets = [float(row.target) for row in rows]
         laws = [system.mechanism.line[kind.name].law for kind in system.kinds(system.phase)]
         self._reels = [law.reel if isinstance(law, Inextensible) else 0.0 for law in laws]
         self._pairs = tuple(self._pair(meeting) for meeting in system.mechanism.meetings)
-        self._runs = [(length, self._run(*sites)) for sites, length in system.runs.items()]
+        runs = (system.frames.distance(*sites) for sites in system.runs)
+        self._runs = [(run.value, gradient(spread(run.along, self.size), [])) for run in runs]
 
     def _pair(self, meeting: Meeting) -> _Pair:
         other = self.system.frames.center(meeting.b)
@@ -77,87 +87,63 @@ class SteadyEquations:
         slides, lifts = _steps(one.gradient, other.gradient), _steps(one.lift, other.lift)
         return _Pair(meeting, _plain(apart), slides, lifts)
 
-    def _run(self, first: str, last: str) -> Gradient:
-        """How a straight piece of line grows."""
-        one, other = self.system.frames.site(first), self.system.frames.site(last)
-        apart = minus(other.place, one.place)
-        way = times(1.0 / hypot(*apart), apart)
-        along = [0.0] * self.size
-        for number, axis in _steps(one.gradient, other.gradient):
-            along[number] = inner(axis, way)
-        return gradient(along, [0.0] * self.count)
-
     def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
         """The same as ever, but for what is left of each margin; a pair that sticks together is a row of its own."""
-        start = self._start
         spare, rates = list[float](), list[float]()
-        for row, reel, room in zip(start.rows, self._reels, start.spare, strict=True):
+        for row, reel, room in zip(self._rows, self._reels, self._spare, strict=True):
             spare.append(room - row.rate(q) - reel * time)
             rates.append(row.rate(v) + reel)
         slips = [grip.slip.rate(v) for grip in self.system.grips]
-        pairs = tuple(self._nearness(pair, q, v) for pair in self._pairs)
-        rows, targets = start.rows, start.targets
+        pairs = tuple(map(self._near, self._pairs, phase.stuck, repeat(q), repeat(v)))
+        rows, targets = self._rows, self._targets
         for near, stuck in zip(pairs, phase.stuck, strict=True):
             if stuck:
-                rows, targets = (*rows, near.closing), [*targets, near.bias]
+                rows, targets = (*rows, near.closing(self.size, self.count)), [*targets, near.bias]
                 spare.append(near.gap)
                 rates.append(-near.rate)
-        return Instant(
-            time,
-            q,
-            v,
-            start.mass,
-            start.lifted,
-            start.heave,
-            start.force,
-            start.press,
-            rows,
-            spare,
-            rates,
-            targets,
-            slips,
-            pairs,
-            start.weightless,
-        )
+        return Instant(time, q, v, self._loads, rows, spare, rates, targets, slips, pairs)
 
-    def _nearness(self, pair: _Pair, q: Row, v: Row) -> Near:
-        near = pair.approach(q, v, self._rest)
-        normal = pair.meeting.normal
-        if normal is None:
-            r = hypot(*near.apart)
-            way, gap, rate, bias = times(1.0 / r, near.apart), r - near.distance, near.rate, near.bend / r
+    @staticmethod
+    def _near(pair: _Pair, stuck: bool, q: Row, v: Row) -> Near:  # noqa: FBT001 - one of several in a map
+        """How a pair stands; with its gradient where it touches or sticks together."""
+        meeting, apart, velocity = pair.meeting, pair.at(q), _carried(pair.slides, v)
+        if meeting.normal is None:
+            r = hypot(*apart)
+            way = (apart[0] / r, apart[1] / r, apart[2] / r)
+            gap, rate = r - meeting.distance, inner(way, velocity)
+            bias = (inner(velocity, velocity) - rate * rate) / r
         else:
-            way, gap, rate, bias = normal, inner(normal, near.apart) - near.distance, inner(normal, near.velocity), 0.0
-        along, lift = [0.0] * self.size, [0.0] * self.count
-        for number, axis in pair.slides:
-            along[number] = -inner(axis, way)
-        for number, axis in pair.lifts:
-            lift[number] = -inner(axis, way)
-        return Near(pair.meeting, gap, rate, bias, gradient(along, lift))
+            way, bias = meeting.normal, 0.0
+            gap, rate = inner(way, apart) - meeting.distance, inner(way, velocity)
+        if not stuck and gap > TOUCHING:
+            return Near(meeting, gap, rate, bias, {}, {})
+        along = {number: inner(axis, way) for number, axis in pair.slides}
+        return Near(meeting, gap, rate, bias, along, {number: inner(axis, way) for number, axis in pair.lifts})
 
     # ---- the next event
 
-    def glide(self, instant: Instant, found: Balance, duration: float) -> Stop:
+    def glide(self, instant: Instant, found: Balance, duration: float) -> StopReason:
         """How long the mode lasts, and what is due then."""
         due = [*self._changes(instant, found), *self._finishes(instant, found)]
         soonest = min((time for time, _ in due), default=inf)
         if soonest >= duration:
-            return Stop(
+            return StopReason(
                 duration, tuple(m for time, m in due if time <= duration + TIE and m.kind in ("reach", "limit"))
             )
-        return Stop(soonest, tuple(margin for time, margin in due if time <= soonest + TIE))
+        return StopReason(soonest, tuple(margin for time, margin in due if time <= soonest + TIE))
 
     def _changes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
         """When rows are used up, contacts stop sliding, pairs meet."""
         due: list[tuple[float, Margin]] = []
-        for number in range(len(self._start.rows)):
+        for number in range(len(self._rows)):
             if not found.mode.acting[number]:
                 spare, rate = instant.spare[number], -instant.rates[number]
                 if spare > TOUCHING or abs(rate) > STILL:
                     time = crossing(spare, rate, -instant.rows[number].rate(found.a))
                     due.append((time, Margin("spare", number)))
         for number, grip in enumerate(self.system.grips):
-            due.append((halt(instant.slips[number], grip.slip.rate(found.a)), Margin("slip", number)))
+            if found.mode.rubbing[number]:
+                due.append((halt(instant.slips[number], grip.slip.rate(found.a)), Margin("slip", number)))
         for number, pair in enumerate(self._pairs):
             due.append((pair.hit(instant.q, instant.v, found.a), Margin("gap", number)))
         return due

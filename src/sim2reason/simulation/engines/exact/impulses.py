@@ -42,25 +42,27 @@ def strike(system: System, instant: Instant, impact: Impact, still: float) -> St
     acting = list(impact.acting)
     for number in impact.pairs:
         near = instant.pairs[number]
-        rows.append(near.closing)
+        rows.append(near.closing(system.size, system.count))
         acting.append(near.rate < -still)
         targets.append(min(0.0, near.meeting.restitution * near.rate))
-    momenta = [dot(row, instant.v) for row in instant.mass]
+    loads = instant.loads
+    momenta = [dot(row, instant.v) for row in loads.mass]
     problem = Problem(
-        instant.mass,
-        instant.lifted,
+        loads.mass,
+        loads.lifted,
         momenta,
-        [dot(row, instant.v) for row in instant.lifted],
+        [dot(row, instant.v) for row in loads.lifted],
         tuple(rows),
         targets,
         system.grips,
         (0,) * len(system.grips),
-        held=(*impact.held, *(False for _ in impact.pairs)),
-        follows=(*impact.follows, *(-1 for _ in impact.pairs)),
-        guided=system.guided,
+        (*impact.held, *(False for _ in impact.pairs)),
+        (*impact.follows, *(-1 for _ in impact.pairs)),
+        system.guided,
+        system.budget,
     )
-    sides = tuple((slip > 0.0) - (slip < 0.0) for slip in instant.slips)
+    sides = tuple(grip.side(slip) for grip, slip in zip(system.grips, instant.slips, strict=True))
     found = search(problem, Mode(tuple(acting), sides))
     small = ROUNDING * max(map(abs, (*found.forces.normal, *momenta)), default=0.0)
-    apart = lifted(problem, instant.heave, found, small)
+    apart = lifted(problem, loads.heave, found, small)
     return Struck(found.x, found.mode.acting[: len(impact.rows)], found.mode.rubbing, apart)

@@ -3,17 +3,18 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sim2reason.dsl.frames import Gradient, Point
 from sim2reason.dsl.mechanism import Inextensible, Line, Mechanism, Prop, Rigid
-from sim2reason.dsl.triples import Maths, Number, Triple, minus, product, times
+from sim2reason.dsl.points import Gradient, Point, relative
+from sim2reason.dsl.triples import Number, Triple, product
 
 
 class Phase(NamedTuple):
-    """What is switched on or off by events: forces in regions, burning engines, pairs that stick together."""
+    """What is switched on or off by events: forces in regions, engines, pairs that stick together, half springs."""
 
     inside: tuple[tuple[bool, ...], ...] = ()  # for each force, for each border of its region
     burning: tuple[bool, ...] = ()
     stuck: tuple[bool, ...] = ()  # of each meeting
+    strained: tuple[bool, ...] = ()  # of each spring that acts only one way
 
 
 class PathLength(NamedTuple):
@@ -22,8 +23,8 @@ class PathLength(NamedTuple):
     value: Number
     rate: Number
     bias: Number
-    along: dict[int, Number]
-    lift: dict[int, Number]
+    along: Mapping[int, Number]
+    lift: Mapping[int, Number]
 
 
 ORIGIN = Point((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), {}, {})
@@ -76,37 +77,6 @@ def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
         if stuck:
             found.append(RowKind("stuck", " and ".join(meeting.names), both=True, follows=-1))
     return found
-
-
-def run_between(one: Point, other: Point, maths: Maths) -> PathLength:
-    """The distance of two points; only what moves one relative to the other has a gradient."""
-    apart = minus(other.place, one.place)
-    distance = maths.sqrt(product(apart, apart))
-    moving = relative(one.gradient, other.gradient)
-    rising = relative(one.lift, other.lift)
-    if not moving and not rising:
-        return PathLength(distance, 0.0, 0.0, {}, {})
-    way = times(1.0 / distance, apart)
-    along = {i: product(way, axis) for i, axis in moving.items()}
-    lift = {i: product(way, normal) for i, normal in rising.items()}
-    parting = minus(other.velocity, one.velocity)
-    rate = product(way, parting)
-    bend = product(way, minus(other.bias, one.bias))
-    bias = bend + (product(parting, parting) - rate * rate) / distance
-    return PathLength(distance, rate, bias, along, lift)
-
-
-def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
-    """How the second point moves relative to the first, where it does."""
-    found: dict[int, Triple] = {}
-    for i in one.keys() | other.keys():
-        if i in one and i in other and one[i] == other[i]:
-            continue
-        found[i] = minus(other.get(i, _NONE), one.get(i, _NONE))
-    return dict(sorted(found.items()))
-
-
-_NONE = (0.0, 0.0, 0.0)
 
 
 def projected(one: Gradient, other: Gradient, way: Triple) -> dict[int, Number]:

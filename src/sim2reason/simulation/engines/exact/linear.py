@@ -35,8 +35,11 @@ def solve(rows: list[Row]) -> Solved:
     pivots: list[tuple[int, Row]] = []
     free: list[int] = []
     for column in range(size):
-        best = max(pending, key=lambda row: abs(row[column]), default=None)
-        if best is None or abs(best[column]) <= NEGLIGIBLE:
+        best, largest = None, NEGLIGIBLE
+        for row in pending:
+            if abs(row[column]) > largest:
+                best, largest = row, abs(row[column])
+        if best is None:
             free.append(column)
             continue
         pending = _reduced(pending, best, column)
@@ -50,7 +53,9 @@ def _scaled(row: Row, size: int) -> Row:
     """Divide by the largest coefficient; a last entry keeps the right side for scale, as elimination shrinks it."""
     largest = max(map(abs, row[:size]))
     factor = 1.0 / largest if largest > 0.0 else 1.0
-    return [factor * entry for entry in row] + [factor * row[size]]
+    scaled = [factor * entry for entry in row]
+    scaled.append(scaled[size])
+    return scaled
 
 
 def _reduced(rows: list[Row], pivot: Row, column: int) -> list[Row]:

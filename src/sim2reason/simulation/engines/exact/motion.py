@@ -89,9 +89,9 @@ class Motion:
         n, lines, faces = self._widths
         table = self._table[at]
         since = (times - starts[at])[:, None]
-        q0, v0, a = table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n].copy()
+        q0, v0, a = table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n]
         q, v = q0 + since * (v0 + 0.5 * since * a), v0 + since * a
-        forces = table[:, 3 * n :].T.copy()
+        forces = table[:, 3 * n :].T
         for number, segment in enumerate(self.segments):
             if segment.flow is not None and segment.flow.steps:
                 here = at == number

@@ -4,15 +4,18 @@ For forces x is the acceleration, for impulses the velocity after the impact:
 
     M x + Σ λ J − Σ f S = F,   λ ≥ 0,   J x ≤ target,   λ (target − J x) = 0
     N = M_z x + Σ λ J_z − F_z              (the row of the rise z of a contact, which stays zero)
-    |f| ≤ µN while S x = target, else f = −µN sign(S x)
+    |f| ≤ µN while S x = 0, else f = −µN sign(S x)
 
 A row J is that of a string, a prop, a foot, or two-sided: a rod, a pair that sticks together. S is the slip of a rough
 contact. A mode says which rows act and which contacts stick; it makes the problem linear.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import inf
 from typing import NamedTuple
 
+from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.linear import Row
 
 
@@ -38,7 +41,7 @@ def gradient(along: Row, lift: Row) -> Gradient:
 
 
 @dataclass(frozen=True, slots=True)
-class Grip:
+class RoughContact:
     """A rough contact: its number among the contacts, how its surfaces slip, and its friction."""
 
     contact: int
@@ -46,6 +49,15 @@ class Grip:
     friction: float
     coordinate: int = -1  # where the slip is the rate of one coordinate and nothing else
     both: bool = False  # the face holds both ways, so that a negative normal force rubs as well
+
+    @property
+    def never(self) -> bool:
+        """Whether its friction has no bound, so that it never slips; what rounding leaves of its slip is none."""
+        return self.friction == inf
+
+    def side(self, slip: float, least: float = 0.0) -> int:
+        """The side to which it slips at a speed of which `least` is still none."""
+        return 0 if self.never else (slip > least) - (slip < -least)
 
 
 class Mode(NamedTuple):
@@ -55,7 +67,7 @@ class Mode(NamedTuple):
     rubbing: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Problem:
     """One instant's loads, rows and rough contacts."""
 
@@ -65,20 +77,17 @@ class Problem:
     press: Row
     rows: tuple[Gradient, ...]
     targets: Row
-    grips: tuple[Grip, ...]
+    grips: tuple[RoughContact, ...]
     sliding: tuple[int, ...]  # the side to which a contact slips already, which no search may change; else 0
-    slips: Row = ()  # type: ignore[assignment]  # S x of a contact that sticks; zeros if left out
-    held: tuple[bool, ...] = ()  # the rows that act whatever the sign of λ; none if left out
-    follows: tuple[int, ...] = ()  # the row with which each row acts or not, or −1; none if left out
-    guided: tuple[int, ...] = ()  # the contacts that hold both ways
+    held: tuple[bool, ...]  # the rows that act whatever the sign of λ
+    follows: tuple[int, ...]  # the row with which each row acts or not, or −1
+    guided: tuple[int, ...]  # the contacts that hold both ways
+    budget: Budget = field(default_factory=Budget)  # of the motion that it is an instant of
 
-    def is_held(self, number: int) -> bool:
-        """Whether a row acts both ways."""
-        return bool(self.held) and self.held[number]
-
-    def slip_target(self, number: int) -> float:
-        """The S x of a contact that sticks."""
-        return self.slips[number] if self.slips else 0.0
+    @cached_property
+    def load(self) -> float:
+        """The largest of what is given to act."""
+        return max(max(map(abs, self.force), default=0.0), max(map(abs, self.press), default=0.0))
 
 
 class Forces(NamedTuple):

@@ -32,7 +32,7 @@ def bearing(problem: Problem, mode: Mode, x: Row) -> tuple[Row, Row] | None:
             slip = np.array(grip.slip.along)
             along += grip.friction * side * np.outer(slip, lift[grip.contact])
             balance -= grip.friction * side * bare[grip.contact] * slip
-    both = [place for place, number in enumerate(active) if problem.is_held(number)]
+    both = [place for place, number in enumerate(active) if problem.held[number]]
     sticking = [number for number, side in enumerate(mode.rubbing) if side == 0]
     matrix = _stacked(problem, along, lift, sticking)
     matrix = np.hstack([matrix, -matrix[:, both]])

@@ -83,7 +83,6 @@ def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple
             for i in stay
         ),
         sliding=tuple(problem.sliding[i] for i in stay),
-        slips=[problem.slip_target(i) for i in stay],
     )
     return opened, kept
 

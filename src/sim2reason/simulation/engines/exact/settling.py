@@ -11,7 +11,7 @@ from sim2reason.simulation.engines.exact.impulses import Impact, strike
 from sim2reason.simulation.engines.exact.linear import Row
 from sim2reason.simulation.engines.exact.margins import Margin
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.simulation.engines.exact.problem import Mode
+from sim2reason.simulation.engines.exact.problem import Mode, RoughContact
 from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, System
 
 REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
@@ -119,8 +119,10 @@ class Settling:
         """Find the forces and note what changed; None at the end."""
         before = self.mode
         found = self.balance(instant, snapped)
-        pressing = next((i for i in range(len(instant.pairs)) if self._pressed(instant, i, found.a)), None)
-        ended = bool(found.lifted) or found.loose or pressing is not None
+        touching = (i for i, near in enumerate(instant.pairs) if near.touching)
+        pressing = next((i for i in touching if self._pressed(instant, i, found.a)), None)
+        torn = [margin.number for margin in self.due if self._is_torn(instant, margin, found.a)]
+        ended = bool(found.lifted) or found.loose or pressing is not None or bool(torn)
         if self.segments or snapped:
             # which strings are slack about a part that nothing holds is as open as how it moves
             after = found.mode._replace(acting=before.acting) if found.loose else found.mode
@@ -138,6 +140,8 @@ class Settling:
             self.diary.end(self.now, "indeterminate", *self._unheld(instant))
         elif pressing is not None:
             self.diary.end(self.now, "crowd", *self.mechanism.meetings[pressing].names)
+        for number in torn:
+            self.diary.end(self.now, "lift", self.kinds[number].name)
         return None
 
     def balance(self, instant: Instant, snapped: set[int], *, free: bool = False) -> Balance:
@@ -145,7 +149,9 @@ class Settling:
         rows = range(len(self.kinds))
         tight = [] if free else [i for i in rows if self.kinds[i].both or self._is_tight(instant, i)]
         tight = [i for i in tight if self.kinds[i].follows < 0 or self.kinds[i].follows in tight]
-        sliding = [(slip > self._least) - (slip < -self._least) for slip in instant.slips]
+        sliding = [
+            grip.side(slip, self._least(grip)) for grip, slip in zip(self.system.grips, instant.slips, strict=True)
+        ]
         for number in range(len(sliding)):
             if self._is_due("slip", number):
                 sliding[number] = 0
@@ -156,10 +162,9 @@ class Settling:
         acting = tuple(acts or number in snapped for number, acts in enumerate(self.mode.acting))
         return balance(self.system, instant, Demand(tight, tuple(sliding), Mode(acting, tuple(guess)), self.kinds))
 
-    @property
-    def _least(self) -> float:
-        """The slip that is none."""
-        return 0.0 if self.curved is None else STILL
+    def _least(self, grip: RoughContact) -> float:
+        """The slip that is none: where it is the rate of one coordinate alone that can be exactly zero."""
+        return 0.0 if self.curved is None and grip.coordinate >= 0 else STILL
 
     def _is_tight(self, instant: Instant, number: int) -> bool:
         """Whether a row may act: used up, and not growing."""
@@ -174,14 +179,23 @@ class Settling:
         return bool(self.segments) and self.mode.acting[number]
 
     def _is_due(self, kind: str, number: int) -> bool:
-        return any(margin.kind == kind and margin.number == number for margin in self.due)
+        return bool(self.due) and any(margin.kind == kind and margin.number == number for margin in self.due)
 
     def _pressed(self, instant: Instant, number: int, a: Row) -> bool:
         """Whether two bodies that rest against each other are pressed together: hits without number."""
         near = instant.pairs[number]
-        if self.phase.stuck[number] or not near.touching or abs(near.rate) > STILL:
+        if self.phase.stuck[number] or abs(near.rate) > STILL:
             return False
         return near.second(a) < -STILL
+
+    def _is_torn(self, instant: Instant, due: Margin, a: Row) -> bool:
+        """Whether a foot that no longer presses comes down at once, now that nothing holds it along its plane either.
+
+        It would have to slip before, and how it does that no coefficient says.
+        """
+        if due.kind != "force" or self.kinds[due.number].kind != "foot":
+            return False
+        return instant.rows[due.number].rate(a) - instant.targets[due.number] > STILL
 
     def append(self, found: Balance, flow: Flow | None) -> None:
         """Keep how the present segment begins."""
@@ -191,6 +205,6 @@ class Settling:
 
     def _unheld(self, instant: Instant) -> tuple[str, ...]:
         """The massless bodies that may be the ones which nothing holds."""
-        moving = {number for motion in instant.weightless for number, part in enumerate(motion) if part}
+        moving = {number for motion in instant.loads.weightless for number, part in enumerate(motion) if part}
         names = [c.name for number, c in enumerate(self.mechanism.coordinates) if number in moving]
         return tuple(names)

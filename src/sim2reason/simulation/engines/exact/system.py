@@ -8,14 +8,16 @@ from itertools import pairwise
 from math import inf
 
 from sim2reason.dsl.constancy import ALIGNED, changing
-from sim2reason.dsl.frames import Point, start
+from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Line, Mechanism, Meeting, Rigid
-from sim2reason.dsl.triples import Number, Triple, minus, product
+from sim2reason.dsl.start_speeds import check_speeds
+from sim2reason.dsl.triples import Number, minus, product
 from sim2reason.errors import SceneError, UnsupportedError
-from sim2reason.simulation.engines.exact.assembly import Assembly, Numbers
+from sim2reason.simulation.budget import Budget
+from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowKind, RowTerms, row_kinds
 from sim2reason.simulation.engines.exact.linear import Row, solve
-from sim2reason.simulation.engines.exact.problem import Gradient, Grip, gradient
+from sim2reason.simulation.engines.exact.problem import Gradient, RoughContact, gradient
 
 TOUCHING = 1e-9  # m; two lengths that differ by less are one length
 
@@ -32,13 +34,14 @@ class Limit:
 
 @dataclass(frozen=True, slots=True)
 class Near:
-    """How the two of a meeting stand: gap, its rate, its second derivative at q̈ = 0, and minus its gradient."""
+    """How the two of a meeting stand: gap, its rate, its second derivative at q̈ = 0, and its gradient if it touches."""
 
     meeting: Meeting
     gap: float
     rate: float
     bias: float
-    closing: Gradient
+    along: Mapping[int, float]
+    lift: Mapping[int, float]
 
     @property
     def touching(self) -> bool:
@@ -47,7 +50,24 @@ class Near:
 
     def second(self, a: Row) -> float:
         """The second derivative of the gap, m/s²."""
-        return self.bias - self.closing.rate(a)
+        return self.bias + sum(part * a[number] for number, part in self.along.items())
+
+    def closing(self, size: int, count: int) -> Gradient:
+        """Minus the gradient, over all coordinates and contacts."""
+        along, lift = spread(self.along, size), spread(self.lift, count)
+        return gradient([-part for part in along], [-part for part in lift])
+
+
+@dataclass(frozen=True, slots=True)
+class Loads:
+    """Inertia and what is given to act, in the words of a `Problem`."""
+
+    mass: list[Row]
+    lifted: list[Row]
+    heave: list[Row]
+    force: Row
+    press: Row
+    weightless: tuple[Row, ...]  # motions that need no force at all: a basis of the null space of `mass`
 
 
 @dataclass(slots=True)
@@ -57,18 +77,13 @@ class Instant:
     time: float
     q: Row
     v: Row
-    mass: list[Row]
-    lifted: list[Row]
-    heave: list[Row]
-    force: Row
-    press: Row
+    loads: Loads
     rows: tuple[Gradient, ...]
     spare: Row  # what is left until each row acts, m
     rates: Row  # at which that is used up
     targets: Row
     slips: Row  # of each rough contact, m/s
     pairs: tuple[Near, ...]
-    weightless: tuple[Row, ...]  # motions that need no force at all: a basis of the null space of `mass`
 
 
 class System:
@@ -79,31 +94,36 @@ class System:
 
         Raises:
             UnsupportedError: a rough body slides in two directions, or off the face that it rests on.
-            SceneError: two bodies overlap, or two sites of a line coincide, at the start.
+            SceneError: two bodies overlap, two sites of a line coincide, or a rod's ends part, at the start.
         """
         self.mechanism = mechanism
         self.size, self.count = len(mechanism.coordinates), len(mechanism.faces)
         self.frames = start(mechanism)
+        self.budget = Budget()
+        self._kinds: dict[tuple[bool, ...], list[RowKind]] = {}
         self.grips = _grips(mechanism)
         self.guided = tuple(number for number, face in enumerate(mechanism.faces) if face.guided)
         self.limits = _limits(mechanism)
-        self.starts = {line.name: sum(self._check_runs(line)) for line in mechanism.lines}
+        self.starts = {line.name: self._check_line(line) for line in mechanism.lines}
         self.changing = changing(mechanism, self.frames)
         self.massless = any(body.coordinates and body.mass == 0.0 for body in mechanism.bodies)
         for meeting in mechanism.meetings:
             self._check_apart(meeting)
+        check_speeds(mechanism)
 
-    def _check_runs(self, line: Line) -> list[float]:
-        """The lengths of the runs of a line at the start."""
-        found: list[float] = []
+    def _check_line(self, line: Line) -> float:
+        """The length of a line at the start, sites alone."""
+        total = 0.0
         for first, last in pairwise(line.through):
-            one, other = self.frames.site(first), self.frames.site(last)
-            length = math.dist(one.place, other.place)
-            if length <= TOUCHING and moving(one, other) and not isinstance(line.law, Rigid):
+            try:
+                run = self.frames.distance(first, last)
+            except ZeroDivisionError:
+                run = None
+            if run is None or (run.value <= TOUCHING and (run.moved or run.lift)):
                 problem = f"sites {first} and {last} coincide at the start"
                 raise SceneError(line.name, problem, "leave some string between")
-            found.append(length)
-        return found
+            total += run.value
+        return total
 
     def _check_apart(self, meeting: Meeting) -> None:
         places = [
@@ -123,9 +143,9 @@ class System:
             if isinstance(line.law, Rigid):
                 continue
             for first, last in pairwise(line.through):
-                one, other = self.frames.site(first), self.frames.site(last)
-                if moving(one, other):
-                    found[first, last] = math.dist(one.place, other.place)
+                run = self.frames.distance(first, last)
+                if run.lift or any(math.hypot(*way) > ALIGNED for way in run.moved.values()):
+                    found[first, last] = run.value
         return found
 
     @cached_property
@@ -135,7 +155,7 @@ class System:
             tuple(name for name in meeting.names if self.frames[name].steps) for meeting in self.mechanism.meetings
         )
 
-    @property
+    @cached_property
     def phase(self) -> Phase:
         """What is on at the start: forces whose region the body is in, engines, nothing stuck."""
         inside = tuple(
@@ -145,51 +165,63 @@ class System:
             for force in self.mechanism.forces
         )
         burning = tuple(burn.until > 0.0 for burn in self.mechanism.burns)
-        return Phase(inside, burning, (False,) * len(self.mechanism.meetings))
+        phase = Phase(inside, burning, (False,) * len(self.mechanism.meetings))
+        return phase._replace(strained=self._strained(phase)) if self.mechanism.half_springs else phase
+
+    def _strained(self, phase: Phase) -> tuple[bool, ...]:
+        """Whether each spring that acts one way does so at the start; one that is relaxed, if it will at once."""
+        phase = phase._replace(strained=(False,) * len(self.mechanism.half_springs))
+        speeds = [float(coordinate.speed) for coordinate in self.mechanism.coordinates]
+        begun = Assembly(self.mechanism, phase, ([0.0] * self.size, speeds, 0.0), math)
+        found: list[bool] = []
+        for line, law in self.mechanism.half_springs:
+            length = begun.length(line)
+            strain = law.side * float(length.value - law.length)
+            found.append(strain > TOUCHING or (abs(strain) <= TOUCHING and law.side * float(length.rate) > 0.0))
+        return tuple(found)
 
     def kinds(self, phase: Phase) -> list[RowKind]:
         """What the rows are."""
-        return row_kinds(self.mechanism, phase)
+        found = self._kinds.get(phase.stuck)
+        if found is None:
+            found = self._kinds[phase.stuck] = row_kinds(self.mechanism, phase)
+        return found
 
     def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
         """The numbers of one instant; SimulationError is the caller's business where they don't exist."""
-        return self.numbers(Assembly(self.mechanism, phase, (q, v, time), math))
-
-    def numbers(self, assembly: Assembly) -> Instant:
-        """The numbers of an assembly."""
-        time, q, v = assembly.time, list(assembly.q), list(assembly.v)
+        assembly = Assembly(self.mechanism, phase, (q, v, time), math)
         rows = assembly.rows(self.starts)
-        mass = [_plain(row) for row in assembly.full_mass()]
         return Instant(
             time,
             q,
             v,
-            mass,
-            [_plain(row) for row in assembly.lifted],
-            [_plain(row) for row in assembly.heave],
-            _plain(assembly.force),
-            _plain(assembly.press),
-            tuple(self._gradient(row) for row in rows),
+            self.loads(assembly),
+            tuple(self.gradient(row) for row in rows),
             [float(row.value) for row in rows],
             [float(row.rate) for row in rows],
             [float(row.target) for row in rows],
             [grip.slip.rate(v) for grip in self.grips],
-            tuple(self._near(assembly, meeting) for meeting in self.mechanism.meetings),
-            self.weightless(mass),
+            tuple(_near(assembly, meeting) for meeting in self.mechanism.meetings),
         )
 
-    def weightless(self, mass: list[Row]) -> tuple[Row, ...]:
-        """Motions without mass."""
-        return tuple(solve([[*row, 0.0] for row in mass]).nulls) if self.massless else ()
+    def loads(self, assembly: Assembly) -> Loads:
+        """Inertia and loads of an assembly of floats; NumPy's scalars, which are slow and print badly, become such."""
+        mass, lifted, heave = (
+            [list(map(float, row)) for row in matrix]
+            for matrix in (assembly.full_mass(), assembly.lifted, assembly.heave)
+        )
+        weightless = tuple(solve([[*row, 0.0] for row in mass]).nulls) if self.massless else ()
+        force, press = list(map(float, assembly.force)), list(map(float, assembly.press))
+        return Loads(mass, lifted, heave, force, press, weightless)
 
-    def _gradient(self, row: RowTerms) -> Gradient:
+    def gradient(self, row: RowTerms) -> Gradient:
+        """The gradient of a row."""
         return gradient(spread(row.along, self.size), spread(row.lift, self.count))
 
-    def _near(self, assembly: Assembly, meeting: Meeting) -> Near:
-        apart = assembly.separation(meeting)
-        along = [-part for part in spread(apart.along, self.size)]
-        lift = [-part for part in spread(apart.lift, self.count)]
-        return Near(meeting, float(apart.gap), float(apart.rate), float(apart.bias), gradient(along, lift))
+
+def _near(assembly: Assembly, meeting: Meeting) -> Near:
+    apart = assembly.separation(meeting)
+    return Near(meeting, float(apart.gap), float(apart.rate), float(apart.bias), apart.along, apart.lift)
 
 
 def spread(entries: Mapping[int, Number], size: int) -> Row:
@@ -198,23 +230,6 @@ def spread(entries: Mapping[int, Number], size: int) -> Row:
     for number, part in entries.items():
         row[number] = float(part)
     return row
-
-
-def _plain(numbers: Numbers) -> Row:
-    """Whoever computes a mechanism with NumPy passes its scalars on, which are slow and print badly."""
-    return [float(number) for number in numbers]
-
-
-def moving(one: Point, other: Point) -> bool:
-    """Whether two points move relative to each other, as their coordinates allow at the start."""
-    for number in one.gradient.keys() | other.gradient.keys():
-        way: Triple = minus(other.gradient.get(number, _NONE), one.gradient.get(number, _NONE))
-        if math.hypot(*way) > ALIGNED:
-            return True
-    return one.lift.keys() != other.lift.keys()
-
-
-_NONE = (0.0, 0.0, 0.0)
 
 
 def _limits(mechanism: Mechanism) -> tuple[Limit, ...]:
@@ -227,8 +242,8 @@ def _limits(mechanism: Mechanism) -> tuple[Limit, ...]:
     return tuple(limits)
 
 
-def _grips(mechanism: Mechanism) -> tuple[Grip, ...]:
-    grips: list[Grip] = []
+def _grips(mechanism: Mechanism) -> tuple[RoughContact, ...]:
+    grips: list[RoughContact] = []
     size, count = len(mechanism.coordinates), len(mechanism.faces)
     for number, face in enumerate(mechanism.faces):
         body = mechanism.body[face.subject]
@@ -247,5 +262,5 @@ def _grips(mechanism: Mechanism) -> tuple[Grip, ...]:
             for name, factor in face.slip:
                 slip[mechanism.number[name]] = float(factor)
             alone = mechanism.number[face.slip[0][0]] if len(face.slip) == 1 and face.slip[0][1] == 1.0 else -1
-            grips.append(Grip(number, gradient(slip, [0.0] * count), float(face.friction), alone, face.guided))
+            grips.append(RoughContact(number, gradient(slip, [0.0] * count), float(face.friction), alone, face.guided))
     return tuple(grips)

@@ -85,6 +85,7 @@ class Tape:
         self._constant: dict[float, int] = {}
         self.inputs = {name: self.node("input", number, -1) for number, name in enumerate(inputs)}
         self._names = list(inputs)
+        self.written = 0  # operations, in the code that was written last
 
     # ---- recording
 
@@ -173,6 +174,7 @@ class Tape:
         size may not fall below a bound: ArithmeticError if it does.
         """
         writer = _Writer(self, [out for out in outputs if isinstance(out, Symbol)] + [guard for guard, _ in guards])
+        self.written = writer.operations
         lines = [f"{', '.join(self._names[1:])}, = y"] if len(self._names) > 1 else []
         lines += writer.lines
         for guard, bound in guards:
@@ -195,6 +197,7 @@ class _Writer:
         self._text: dict[int, tuple[str, int]] = {}  # how a node is written, and how deep its brackets are
         self.lines: list[str] = []
         uses = self._uses(outputs)
+        self.operations = len(uses)
         kept = {out.id for out in outputs}
         for number in sorted(uses):
             self._write(number, single=uses[number] == 1 and number not in kept)

@@ -12,7 +12,9 @@ from math import inf
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism
+from sim2reason.dsl.start_speeds import check_speeds
 from sim2reason.dsl.state import Array
+from sim2reason.errors import SimulationError
 from sim2reason.simulation.trace import ENGINES, Trace
 
 __all__ = ["simulate"]
@@ -24,11 +26,17 @@ def simulate(mechanism: Mechanism, times: Array) -> Trace:
 
     Raises:
         UnsupportedError: a string bends as it moves.
-        SceneError: two sites of a string coincide, or two bodies overlap, at the start.
-        SimulationError: no consistent forces, more than 500 events, or any warning of the library.
+        SceneError: two sites of a string coincide, two bodies overlap, or a rod's ends begin to part, at the start.
+        SimulationError: no consistent forces, more than 500 events, more operations than its
+            budget has, or any warning of the library.
     """
+    check_speeds(mechanism)
     soft = is_simple(mechanism) and not changing(mechanism, start(mechanism))
-    return import_module(f"{__name__}.{'engine' if soft else 'hard_engine'}").run(mechanism, times)
+    with import_module(f"{__name__}.specification").overheard() as said:
+        trace: Trace = import_module(f"{__name__}.{'engine' if soft else 'hard_engine'}").run(mechanism, times)
+    if said:
+        raise SimulationError(f"MuJoCo warns: {said[0]}")
+    return trace
 
 
 def is_simple(mechanism: Mechanism) -> bool:

@@ -24,7 +24,7 @@ LEAST = 1e-12  # m; an overlap that still makes a row
 
 
 @dataclass(frozen=True)
-class Demand:
+class ForceDemand:
     """What may act at an instant."""
 
     q: Array
@@ -39,7 +39,7 @@ class Demand:
 
 
 @dataclass(frozen=True)
-class Balance:
+class ForceBalance:
     """What acts."""
 
     a: Array
@@ -47,7 +47,7 @@ class Balance:
     rows: Integers
 
 
-def balance(plant: CompiledModel, demand: Demand) -> Balance:
+def balance(plant: CompiledModel, demand: ForceDemand) -> ForceBalance:
     """Solve for all forces.
 
     Raises:
@@ -83,19 +83,19 @@ def _mixed(history: list[tuple[Array, Array]]) -> Array:
     return guess + change - (guesses + changes) @ weights
 
 
-def _turns(plant: CompiledModel, demand: Demand, normal: Array) -> Balance:
+def _turns(plant: CompiledModel, demand: ForceDemand, normal: Array) -> ForceBalance:
     """Iterate overlaps and creep for given normal forces behind the friction."""
     limits = np.where((demand.sliding == 0.0) & ~demand.locked, plant.friction * normal, 0.0)
     applied = demand.applied.copy()
     np.subtract.at(applied, plant.rubs, demand.sliding * plant.friction * normal)
     plant.arm(demand.strings, demand.pairs, demand.locked, limits, applied)
     overlap, creep = np.full(plant.slots, LEAST), np.zeros(plant.size)
-    last: Balance | None = None
+    last: ForceBalance | None = None
     for turn in range(TURNS):
         plant.overlap(overlap)
         plant.load(demand.q, demand.v + creep)
         rows = plant.rows()
-        found = Balance(plant.a, plant.forces(rows), rows)
+        found = ForceBalance(plant.a, plant.forces(rows), rows)
         if last is not None and _same(found, last, CLOSE if turn < 5 else EQUAL):
             return found
         overlap, creep = _corrected(plant, demand, found, limits)
@@ -107,7 +107,7 @@ def _largest(values: Array) -> float:
     return float(np.abs(values).max(initial=0.0))
 
 
-def _same(a: Balance, b: Balance, close: float) -> bool:
+def _same(a: ForceBalance, b: ForceBalance, close: float) -> bool:
     if not np.array_equal(a.rows, b.rows):
         return False
     if _largest(a.forces - b.forces) <= close * _largest(a.forces) + 1e-15:
@@ -115,7 +115,7 @@ def _same(a: Balance, b: Balance, close: float) -> bool:
     return close == EQUAL and _largest(a.a - b.a) <= EQUAL * (_largest(a.a) + 1.0)
 
 
-def _corrected(plant: CompiledModel, demand: Demand, found: Balance, limits: Array) -> tuple[Array, Array]:
+def _corrected(plant: CompiledModel, demand: ForceDemand, found: ForceBalance, limits: Array) -> tuple[Array, Array]:
     """Overlaps and creep under which the forces found need no acceleration beyond the targets."""
     overlap = np.full(plant.slots, LEAST)
     if not len(found.rows):

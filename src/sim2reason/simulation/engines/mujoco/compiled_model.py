@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from sim2reason.dsl.mechanism import Drawn, Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.specification import IMPEDANCE, STEP, TINY, Specification, mujoco
 
 __all__ = ["STEP", "TINY", "CompiledModel", "Flags", "Integers", "Softness"]
@@ -15,6 +16,7 @@ __all__ = ["STEP", "TINY", "CompiledModel", "Flags", "Integers", "Softness"]
 Integers = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
+LOAD = 5_000  # operations that it costs to find the forces of a state
 SOFTNESS = 1e-5  # of a constraint, relative to the inverse of the largest mass
 
 
@@ -38,6 +40,7 @@ class CompiledModel:
     def __init__(self, mechanism: Mechanism) -> None:
         """Compile; SimulationError for what the library refuses."""
         self.mechanism = mechanism
+        self.budget = Budget(2 * OPERATIONS)
         spec = Specification(mechanism)
         self.pulls = [line.law.force for line in spec.pulls if isinstance(line.law, Drawn)]  # N
         compiled: tuple[Any, Any] = spec.compile()
@@ -173,12 +176,14 @@ class CompiledModel:
 
     def load(self, q: Array, v: Array) -> None:
         """Go to a state and let the library find accelerations and forces there."""
+        self.budget.spend(LOAD)
         self._data.qpos[:] = q
         self._data.qvel[:] = v
         mujoco.mj_forward(self._model, self._data)
 
     def step(self, duration: float) -> None:
         """One step of RK4."""
+        self.budget.spend(5 * LOAD)
         self._model.opt.timestep = duration
         mujoco.mj_RungeKutta(self._model, self._data, 4)
         mujoco.mj_forward(self._model, self._data)

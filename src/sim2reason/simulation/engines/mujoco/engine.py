@@ -9,7 +9,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.simulation.engines.mujoco.compiled_model import STEP, CompiledModel, Flags, Integers
 from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
-from sim2reason.simulation.engines.mujoco.forces import Mode, Settled, settle, strike, weightless
+from sim2reason.simulation.engines.mujoco.forces import Settled, SoftMode, settle, strike, weightless
 from sim2reason.simulation.engines.mujoco.record import Recorder
 from sim2reason.simulation.trace import Event, Trace
 
@@ -27,7 +27,7 @@ ORDER = ("collision", "taut", "slack", "stick", "slip", "turn", "reach", "limit"
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
     """The motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
-    motion = Motion(mechanism, float(times[-1]))
+    motion = SoftMotion(mechanism, float(times[-1]))
     while motion.advance():
         if motion.segments > SEGMENTS:
             raise SimulationError(f"more than {SEGMENTS} events before {times[-1]:g} s; simulate a shorter time")
@@ -36,7 +36,7 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
     return Trace("mujoco", record.state(times), tuple(events), motion.now, motion.cut, record.state)
 
 
-class Motion:
+class SoftMotion:
     """A motion in the making."""
 
     def __init__(self, mechanism: Mechanism, duration: float) -> None:
@@ -48,7 +48,7 @@ class Motion:
         self.q = np.zeros(self.plant.size)
         self.v = np.zeros(self.plant.size)
         self.v[self.plant.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
-        self.mode: Mode | None = None
+        self.mode: SoftMode | None = None
         self.record = Recorder(mechanism)
         self.events: list[Event] = []
         self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}

@@ -46,7 +46,7 @@ class Margins(NamedTuple):
         return np.where(near, np.where(at_once, 0.0, later), times)
 
 
-class Approach(NamedTuple):
+class Encounter(NamedTuple):
     """How the pairs that may collide move: separations (p, 3), their rates, and how they depend on the joints."""
 
     apart: Array
@@ -141,9 +141,9 @@ class EventDetector:
         """What each string may still lengthen."""
         return Margins(self.slack - self._strings @ q, -self._strings @ v, -self._strings @ a)
 
-    def approach(self, q: Array, v: Array, a: Array) -> Approach:
+    def approach(self, q: Array, v: Array, a: Array) -> Encounter:
         """How the pairs stand and move."""
-        return Approach(self._apart + self._moves @ q, self._moves @ v, self._moves @ a, self._distance)
+        return Encounter(self._apart + self._moves @ q, self._moves @ v, self._moves @ a, self._distance)
 
     def closing(self, q: Array) -> Array:
         """The gradients of the gaps, (pairs, joints)."""

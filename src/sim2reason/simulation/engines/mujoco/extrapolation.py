@@ -11,7 +11,7 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 
-SEQUENCE = (2, 4, 6, 8, 10)  # substeps
+SEQUENCE = (2, 4, 6, 8)  # substeps
 FEWEST = 1  # the first of them after which a step may be accepted
 SAFETY, LEAST, MOST = 0.85, 0.1, 2.0
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.balance import Balance, Demand, balance
+from sim2reason.simulation.engines.mujoco.balance import ForceBalance, ForceDemand, balance
 from sim2reason.simulation.engines.mujoco.compiled_model import TINY, CompiledModel, Flags
 from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
 
@@ -16,7 +16,7 @@ START = 1e-4  # m/s²; a contact at rest begins to slide only faster
 LIFT = 1e-6  # of the largest speed: a face is left, and a contact slides on after an impact, only faster
 
 
-class Mode(NamedTuple):
+class SoftMode(NamedTuple):
     """Which strings are taut, and how each contact rubs: 0 sticks or is smooth, ±1 slides to that side."""
 
     taut: Flags
@@ -27,8 +27,8 @@ class Mode(NamedTuple):
 class Settled:
     """The mode of a stretch of time, the forces in it, and what is wrong with it, if anything is."""
 
-    mode: Mode
-    balance: Balance
+    mode: SoftMode
+    balance: ForceBalance
     undetermined: Flags  # by slot
     lifted: tuple[int, ...]  # contacts that leave their face
     loose: bool  # a massless part that nothing holds
@@ -53,19 +53,19 @@ def settle(plant: CompiledModel, watch: EventDetector, q: Array, v: Array, taut:
     still = tight & (np.abs(watch.strings(q, v, a).second) <= STILL)
     held = rough & (v[plant.rubs] == 0.0) & (np.abs(a[plant.rubs]) <= STILL)
     open_ended = _undetermined(plant, still, held, last.sliding)
-    mode = Mode(last.strings | (still & taut), last.sliding)
+    mode = SoftMode(last.strings | (still & taut), last.sliding)
     pulling = last.strings & ((found.forces[plant.strings] > faint) | open_ended[plant.strings])
     return Settled(mode, found, open_ended, lifted, _loose(plant, pulling, last.sliding))
 
 
-def _demand(plant: CompiledModel, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> Demand:
+def _demand(plant: CompiledModel, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> ForceDemand:
     pairs, locked = np.zeros(len(plant.pairs), dtype=bool), np.zeros(len(plant.friction), dtype=bool)
-    return Demand(q, v, strings, pairs, sliding, locked, applied, np.zeros(plant.slots))
+    return ForceDemand(q, v, strings, pairs, sliding, locked, applied, np.zeros(plant.slots))
 
 
 def _decide(
-    plant: CompiledModel, demand: Demand, start: float, faint: float, *, impact: bool = False
-) -> tuple[Demand, Balance]:
+    plant: CompiledModel, demand: ForceDemand, start: float, faint: float, *, impact: bool = False
+) -> tuple[ForceDemand, ForceBalance]:
     """Let the solver say what pulls and slides, and solve again with that alone.
 
     A contact at rest slides if its friction is at its limit and it accelerates by more than `start`; a string

@@ -7,13 +7,14 @@ from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
 from sim2reason.simulation.engines.mujoco.hard_events import ARMED, TOLERANCE, EventSearch, knot
-from sim2reason.simulation.engines.mujoco.hard_margins import Acting, Due
-from sim2reason.simulation.engines.mujoco.hard_modes import Found
+from sim2reason.simulation.engines.mujoco.hard_forces import Found
+from sim2reason.simulation.engines.mujoco.hard_margins import ActingModel, Due
 from sim2reason.simulation.engines.mujoco.hard_record import Knot
-from sim2reason.simulation.engines.mujoco.hard_settling import STILL, HardSettling
+from sim2reason.simulation.engines.mujoco.hard_settling import BEGINS, STILL, STOPS, HardSettling
 from sim2reason.simulation.trace import Event, Trace
 
-PIECES = 16  # of the duration: a step is no longer than one of them, so that its ends tell what lies between
+PIECES = 24  # of the duration: a step is no longer than one of them, so that its ends tell what lies between
+FIRST = 0.05  # of such a piece: the first step where something has just left, so that it has left when it returns
 STEPS = 4000
 SHORTEST = 1e-11  # of the duration
 SEGMENTS = 500
@@ -21,13 +22,15 @@ SEGMENTS = 500
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
     """The motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
-    motion = HardMotion(mechanism, times)
+    motion: HardMotion | None = None
     try:
+        motion = HardMotion(mechanism, times)
         while motion.advance():
             if len(motion.record.stretches) > SEGMENTS:
                 raise SimulationError(f"more than {SEGMENTS} events before {times[-1]:g} s; simulate a shorter time")
     except (ZeroDivisionError, FloatingPointError, np.linalg.LinAlgError) as error:
-        raise SimulationError(f"MuJoCo: the motion becomes singular at {motion.now:.6g} s ({error})") from None
+        now = motion.now if motion else 0.0
+        raise SimulationError(f"MuJoCo: the motion becomes singular at {now:.6g} s ({error})") from None
     events = tuple(sorted(motion.events, key=lambda event: event.time))
     return Trace("mujoco", motion.record.state(times), events, motion.now, motion.cut, motion.record.state)
 
@@ -49,14 +52,15 @@ class HardMotion(HardSettling):
 
     def _travel(self, found: Found) -> bool:
         """Step to the next event; False at the end."""
-        acting = Acting(self.model, self.record, self.situation, found.way)
+        acting = ActingModel(self.model, self.record, self.situation, found.way)
         self.record.start(found.way, found, self.situation)
         self.record.add(knot(acting, self.now, np.concatenate([self.q, self.v])))
         before = acting.margins()
         armed = [due.value > ARMED for due in before]
-        length = self.duration / PIECES
+        leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
+        length = self.duration / PIECES * (FIRST if leaves else 1.0)
         while self.duration - self.now > SHORTEST * self.duration:
-            length = min(length, self.duration / PIECES, self._next() - self.now)
+            length = min(length, self.duration / PIECES, self.duration - self.now)
             last = self.record.last
             tried = extrapolated(acting.rate, last.time, last.values, last.rates, length, TOLERANCE)
             self._count(length)
@@ -84,12 +88,6 @@ class HardMotion(HardSettling):
         if length < SHORTEST * self.duration:
             raise SimulationError(f"MuJoCo: the motion becomes singular at {self.now:.6g} s")
 
-    def _next(self) -> float:
-        """The next of the times at which the motion is asked for."""
-        close = SHORTEST * self.duration
-        place = int(np.searchsorted(self.times, self.now + close, side="right"))
-        return float(self.times[min(place, len(self.times) - 1)])
-
     def _keep(self, knot: Knot) -> None:
         if knot is not self.record.last:
             self._note_turns(self.record.last, knot)
@@ -108,8 +106,11 @@ class HardMotion(HardSettling):
 
     def _happen(self, due: list[Due]) -> bool:
         """Note what is due; False if it ends the motion."""
+        together = any(each.kind == "reach" for each in due)  # what two points at one place seem to do is nothing
         for each in due:
             number = each.number
+            if together and each.kind in ("limit", "normal"):
+                continue
             match each.kind:
                 case "reach":
                     self.end("reach", *self.record.runs[number])
@@ -122,9 +123,17 @@ class HardMotion(HardSettling):
                     self.situation.burning[number] = False
                 case "border":
                     self._cross(number, each.side)
+                case "strain":
+                    self._strain(number)
                 case _:
                     pass
         return not self.cut
+
+    def _strain(self, number: int) -> None:
+        self.situation.strained[number] = not self.situation.strained[number]
+        line, law = self.mechanism.half_springs[number]
+        kind = "prop" if law.acts == "pushes" else "string"
+        self.note((BEGINS if self.situation.strained[number] else STOPS)[kind], line.name)
 
     def _cross(self, number: int, side: int) -> None:
         inside = self.situation.inside[number]

@@ -6,9 +6,13 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.hard_model import NEVER, HardModel, Situation
-from sim2reason.simulation.engines.mujoco.hard_modes import Faces, Found, Way, acting, quick, system
+from sim2reason.simulation.engines.mujoco.hard_forces import NEVER, Faces, Found, Way, acting, quick, system
+from sim2reason.simulation.engines.mujoco.hard_model import HardModel
+from sim2reason.simulation.engines.mujoco.hard_parts import Situation
 from sim2reason.simulation.engines.mujoco.hard_record import HardRecord
+
+DISTANCES = frozenset({"gap", "reach", "border", "strain"})
+"""Margins that can dip below zero and rise again within a step."""
 
 
 class Due(NamedTuple):
@@ -20,7 +24,7 @@ class Due(NamedTuple):
     value: float
 
 
-class Acting:
+class ActingModel:
     """A model in one way of acting: its rates, forces and margins."""
 
     def __init__(self, model: HardModel, record: HardRecord, situation: Situation, way: Way) -> None:
@@ -39,7 +43,7 @@ class Acting:
             held, targets = [row.gradient for row in rows], [row.target for row in rows]
             matrix, wanted = system(model.inertia(), model.loads(), held, targets, faces, way, acts)
             found = quick(matrix, wanted)
-            x = found[0][:n] if found is not None else self.forces().x
+            x = found[:n] if found is not None else self.forces().x
             return np.concatenate([values[n:], x])
 
         return rate
@@ -52,6 +56,10 @@ class Acting:
         """All margins of the state at which the model stands."""
         forces = self.forces()
         return [*self._rows(forces), *self._faces(forces), *self._places(), *self._switches()]
+
+    def distances(self) -> list[Due]:
+        """Those of the margins that are distances, which need no forces."""
+        return [due for due in [*self._places(), *self._switches()] if due.kind in DISTANCES]
 
     def _rows(self, forces: Found) -> Iterator[Due]:
         for number, row in enumerate(self.model.rows()):
@@ -78,8 +86,8 @@ class Acting:
         for number, meeting in enumerate(mechanism.meetings):
             if not self.situation.stuck[number]:
                 yield Due("gap", number, 0, model.separation(meeting)[0])
-        for number, (first, last) in enumerate(self.record.runs):
-            yield Due("reach", number, 0, model.distance(first, last))
+        for number in range(len(self.record.runs)):
+            yield Due("reach", number, 0, self.record.run_length(number))
         q = model.q[model.coordinates]
         for number, coordinate in enumerate(mechanism.coordinates):
             for side, room in ((-1, q[number] - coordinate.lower), (1, coordinate.upper - q[number])):
@@ -91,6 +99,9 @@ class Acting:
         for number, burning in enumerate(self.situation.burning):
             if burning:
                 yield Due("burn", number, 0, mechanism.burns[number].until - model.time)
+        for number, strained in enumerate(self.situation.strained):
+            strain = model.strain(number)[0]
+            yield Due("strain", number, 0, strain if strained else -strain)
         for number in range(len(mechanism.forces)):
             for side, margin in enumerate(model.borders(number)):
                 yield Due("border", number, side, margin if self.situation.inside[number][side] else -margin)

@@ -4,57 +4,23 @@ What acts beyond gravity (lines, forces, attraction, engines) is added here from
 Jacobians; nothing of the library's own soft constraints is used.
 """
 
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Drawn, Elastic, Inextensible, Line, Mechanism, Meeting, Prop, Rigid
+from sim2reason.dsl.mechanism import Inextensible, Line, Mechanism, Meeting, Prop, Rigid
 from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import Triple
 from sim2reason.errors import SimulationError
+from sim2reason.simulation.budget import OPERATIONS, Budget
+from sim2reason.simulation.engines.mujoco.hard_forces import NEVER
+from sim2reason.simulation.engines.mujoco.hard_parts import Moving, Row, Situation
+from sim2reason.simulation.engines.mujoco.hard_pulls import Pulls
 from sim2reason.simulation.engines.mujoco.hard_specification import HardSpecification
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
-NEVER = 1e9  # a coefficient of friction that stands for one that never slips
-
-
-@dataclass(frozen=True)
-class Row:
-    """A one-sided row (or one that acts both ways): J·q̈ ≤ target, spare ≥ 0, used up at `rate`."""
-
-    kind: str  # string, rod, prop, foot, hold, stuck
-    name: str
-    gradient: Array  # (joints,)
-    spare: float
-    rate: float
-    target: float
-    follows: int = -1
-
-    @property
-    def both(self) -> bool:
-        """Whether it acts both ways."""
-        return self.kind in ("rod", "hold", "stuck")
-
-
-@dataclass(frozen=True)
-class Moving:
-    """A point: where it is, its velocity, its acceleration at q̈ = 0, and its Jacobian (3, joints)."""
-
-    place: Array
-    velocity: Array
-    bias: Array
-    jacobian: Array
-
-
-@dataclass
-class Situation:
-    """What is switched on or off: forces in regions, engines, pairs that stick together."""
-
-    inside: list[list[bool]]
-    burning: list[bool]
-    stuck: list[bool]
+STAND, JOINT = 2_000, 800  # operations that it costs to go to a state, and for each joint more
 
 
 class HardModel:
@@ -63,6 +29,7 @@ class HardModel:
     def __init__(self, mechanism: Mechanism) -> None:
         """Compile; SimulationError for what the library refuses."""
         self.mechanism = mechanism
+        self.budget = Budget(2 * OPERATIONS)
         spec = HardSpecification(mechanism)
         compiled: tuple[Any, Any] = spec.compile()
         self._model, self._data = compiled
@@ -75,6 +42,7 @@ class HardModel:
         self._carriers = [int(body) for body in self._model.site_bodyid]
         self._still, self._mass = np.zeros(3), np.zeros((self.size, self.size))
         self._rowed = [line for line in mechanism.lines if isinstance(line.law, Inextensible | Rigid | Prop)]
+        self._pulls = Pulls(mechanism.lines, self._site_id, self.index, self._model)
         self.slips = self._slips()
         self._light = [burn.body for burn in mechanism.burns]
         self.begin()
@@ -92,12 +60,14 @@ class HardModel:
     def begin(self) -> None:
         """Stand at the start, and note the lengths there."""
         rest = np.zeros(self.size)
-        start = Situation([], [False] * len(self.mechanism.burns), [False] * len(self.mechanism.meetings))
+        burns, meetings, halves = self.mechanism.burns, self.mechanism.meetings, self.mechanism.half_springs
+        start = Situation([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
         self.stand(0.0, rest, rest, start)
         self.starts = {line.name: self._length(line)[0] for line in self.mechanism.lines}
 
     def stand(self, time: float, q: Array, v: Array, situation: Situation) -> None:
         """Go to a state of the joints."""
+        self.budget.spend(STAND + JOINT * self.size)
         self.time, self.q, self.v, self._situation = time, q, v, situation
         self._points: dict[tuple[str, str], Moving] = {}
         self._data.qpos[:] = q
@@ -112,7 +82,10 @@ class HardModel:
     def _burn(self) -> None:
         for burn, burning in zip(self.mechanism.burns, self._situation.burning, strict=True):
             spent = burn.rate * (self.time if burning or self.time < burn.until else burn.until)
-            self._model.body_mass[self._body_id[burn.body]] = self.mechanism.body[burn.body].mass - spent
+            left = self.mechanism.body[burn.body].mass - spent
+            if left <= 0.0:
+                raise SimulationError(f"{burn.body} has burnt all of its mass at {self.time:.6g} s")
+            self._model.body_mass[self._body_id[burn.body]] = left
         mujoco.mj_setConst(self._model, self._data)
 
     def mass(self, body: str) -> float:
@@ -145,6 +118,10 @@ class HardModel:
         found = self._points[kind, name] = Moving(place, jacobian @ self.v, dot @ self.v, jacobian)
         return found
 
+    def place(self, site: str) -> Array:
+        """Where a site is, (3,)."""
+        return np.array(self._data.site_xpos[self._site_id[site]])
+
     def site(self, name: str) -> Moving:
         """A site."""
         return self._moving("site", name)
@@ -159,10 +136,9 @@ class HardModel:
         """All that acts but constraints, (joints,): gravity and inertia by the library, the rest by its Jacobians."""
         total = -np.array(self._data.qfrc_bias)
         mechanism = self.mechanism
-        for line in mechanism.lines:
-            if isinstance(line.law, Drawn | Elastic):
-                length, rate, gradient, _ = self._length(line)
-                total -= self.tension(line, length, rate) * gradient
+        if self._pulls.lines:
+            halves = zip(mechanism.half_springs, self._situation.strained, strict=True)
+            total += self._pulls.load(self._data, self.q, self.v, [line for (line, _), on in halves if not on])
         for number, force in enumerate(mechanism.forces):
             if all(self._situation.inside[number]):
                 point = self.center(force.body)
@@ -182,15 +158,6 @@ class HardModel:
                 thrust = burn.rate * burn.exhaust * (frame @ np.array(burn.direction))
                 total += thrust @ self.center(burn.body).jacobian
         return total
-
-    @staticmethod
-    def tension(line: Line, length: float, rate: float) -> float:
-        """The tension that a line's law gives."""
-        law = line.law
-        if isinstance(law, Drawn):
-            return law.force
-        assert isinstance(law, Elastic)
-        return law.stiffness * (length - law.length) + law.damping * rate
 
     # ---- lengths and rows
 
@@ -272,9 +239,11 @@ class HardModel:
         place = _triple(self.center(force.body).place)
         return [float(margin) for margin in force.region.margins(place, np)]
 
-    def distance(self, first: str, last: str) -> float:
-        """Between two sites, m."""
-        return float(np.linalg.norm(self.site(last).place - self.site(first).place))
+    def strain(self, number: int) -> tuple[float, float]:
+        """How far a spring that acts one way is on the side where it does, m, and the rate of that."""
+        line, law = self.mechanism.half_springs[number]
+        length, rate, _, _ = self._length(line)
+        return law.side * (length - law.length), law.side * rate
 
     @property
     def friction(self) -> Array:

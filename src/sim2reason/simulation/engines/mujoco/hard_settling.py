@@ -7,14 +7,17 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.hard_events import TIE
+from sim2reason.simulation.engines.mujoco.hard_forces import NEVER, Found, HardInstant, Way
 from sim2reason.simulation.engines.mujoco.hard_margins import Due
-from sim2reason.simulation.engines.mujoco.hard_model import HardModel, Row, Situation
-from sim2reason.simulation.engines.mujoco.hard_modes import Found, Instant, Way, everything, search
+from sim2reason.simulation.engines.mujoco.hard_model import HardModel
+from sim2reason.simulation.engines.mujoco.hard_modes import everything, search
+from sim2reason.simulation.engines.mujoco.hard_parts import Row, Situation
 from sim2reason.simulation.engines.mujoco.hard_record import HardRecord, Knot, at_present
 from sim2reason.simulation.trace import Event
 
 TOUCHING = 1e-7  # m; less is no distance
 STILL = 1e-6  # m/s or m/s²; less is no speed
+SAME = 8  # events back among which one is looked for that says the same
 CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}
 STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}
@@ -24,18 +27,23 @@ class HardSettling:
     """A motion in the making: the present state, what is behind it, and what acts now."""
 
     def __init__(self, mechanism: Mechanism, times: Array) -> None:
-        """Compile the mechanism, and stand at its start; steps end at `times`, so that nothing is read in between."""
-        self.mechanism, self.duration, self.times = mechanism, float(times[-1]), times
+        """Compile the mechanism, and stand at its start; the motion is followed to the last of `times`, s."""
+        self.mechanism, self.duration = mechanism, float(times[-1])
         self.model = HardModel(mechanism)
         self.now = 0.0
         self.q, self.v = np.zeros(self.model.size), np.zeros(self.model.size)
         self.v[self.model.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
         self.situation = Situation(
-            [], [burn.until > 0.0 for burn in mechanism.burns], [False] * len(mechanism.meetings)
+            [],
+            [burn.until > 0.0 for burn in mechanism.burns],
+            [False] * len(mechanism.meetings),
+            [False] * len(mechanism.half_springs),
         )
         self.situation.inside = [[True]] * len(mechanism.forces)
         self.model.stand(0.0, self.q, self.v, self.situation)
         self.situation.inside = [[m > 0.0 for m in self.model.borders(i)] for i in range(len(mechanism.forces))]
+        strains = [self.model.strain(number) for number in range(len(mechanism.half_springs))]
+        self.situation.strained = [s > TOUCHING or (abs(s) <= TOUCHING and rate > 0.0) for s, rate in strains]
         self.way: Way | None = None
         self.due: list[Due] = []
         self.record = HardRecord(self.model)
@@ -51,33 +59,30 @@ class HardSettling:
         sliding = self._sliding()
         allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
         instant = at_present(self.model, rows, sliding, allowed)
-        guess = self._guess(rows)
+        guess = self._guess(rows, sliding)
         found = search(instant, guess)
-        if self.way is not None:
+        if self.way is not None and self.record.stretches:  # how it begins, be it with a jerk, is no change
             self._note_changes(found.way, rows)
         for number, shut in enumerate(found.way.faces):
             if not shut and (self.way is None or self.way.faces[number]):
                 self.end("lift", self.mechanism.faces[number].subject)
+        self._tear(rows, found.x)
         self._pressed(found.x)
         if self.cut and not self.record.stretches:  # it ended as it began
             self.record.start(found.way, found, self.situation)
             self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, found.x])))
         return found
 
-    def _guess(self, rows: list[Row]) -> Way:
+    def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> Way:
+        """What acted acts on; what does not slip now sticks."""
         faces = len(self.mechanism.faces)
         if self.way is None:
             return everything(len(rows), faces)
         acting = [*self.way.rows, *([True] * (len(rows) - len(self.way.rows)))]
-        rubbing = list(self.way.rubbing)
         for due in self.due:
             if due.kind == "force":
                 acting[due.number] = False
-            elif due.kind == "grip":
-                rubbing[due.number] = due.side
-            elif due.kind == "slip":
-                rubbing[due.number] = 0
-        return Way(tuple(acting), self.way.faces, tuple(rubbing))
+        return Way(tuple(acting), self.way.faces, sliding)
 
     def _sliding(self) -> tuple[int, ...]:
         """The sides to which faces slip; one at the border of friction begins to slip to its side."""
@@ -88,8 +93,7 @@ class HardSettling:
                 sides[due.number] = due.side
             elif due.kind == "slip":
                 sides[due.number] = 0
-        rough = self.model.friction > 0.0
-        return tuple(side if mu else 0 for side, mu in zip(sides, rough, strict=True))
+        return tuple(side if 0.0 < mu < NEVER else 0 for side, mu in zip(sides, self.model.friction, strict=True))
 
     def _may_act(self, number: int, row: Row) -> bool:
         if row.both and row.follows < 0:
@@ -101,6 +105,14 @@ class HardSettling:
         if self.way is not None and number < len(self.way.rows) and self.way.rows[number]:
             return row.rate > -1e3 * STILL
         return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * STILL
+
+    def _tear(self, rows: list[Row], a: Array) -> None:
+        """A foot that no longer presses and comes down at once, as nothing holds it along its plane: it had to slip."""
+        for due in self.due:
+            if due.kind == "force" and rows[due.number].kind == "foot":
+                row = rows[due.number]
+                if row.gradient @ a - row.target > STILL:
+                    self.end("lift", row.name)
 
     def _pressed(self, a: Array) -> None:
         """Two bodies that rest against each other and are pressed together: hits without number."""
@@ -116,9 +128,11 @@ class HardSettling:
             was = self.way.rows[number] if number < len(self.way.rows) else True
             if row.both or was == after.rows[number]:
                 continue
+            if was and self.jerks.get(row.name, (-1.0,))[0] == self.now:  # it is slack again at once
+                continue
             self.note((BEGINS if after.rows[number] else STOPS)[row.kind], row.name)
         for number, face in enumerate(self.mechanism.faces):
-            if self.way.rubbing[number] != after.rubbing[number]:
+            if self.record.stretches and self.way.rubbing[number] != after.rubbing[number]:
                 self.note("slip" if after.rubbing[number] else "stick", face.subject)
 
     # ---- impacts
@@ -155,7 +169,10 @@ class HardSettling:
         """Velocities just after: the problem of forces, with momenta as loads."""
         instant, every = self._struck(rows, acts, touching)
         speeds = self.model.slips @ self.v
-        sides = tuple(int(np.sign(s)) if abs(s) > STILL else 0 for s in speeds)
+        sides = tuple(
+            int(np.sign(s)) if abs(s) > STILL and mu < NEVER else 0
+            for s, mu in zip(speeds, self.model.friction, strict=True)
+        )
         began = tuple(row.rate > STILL or (i < len(rows) and acts[i]) for i, row in enumerate(every))
         found = search(instant, Way(began, (True,) * len(self.mechanism.faces), sides))
         self.v = np.where(np.abs(found.x) < STILL * 1e-3, 0.0, found.x)
@@ -174,7 +191,7 @@ class HardSettling:
             self.record.start(found.way, found, self.situation)
             self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, 0.0 * self.v])))
 
-    def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[Instant, list[Row]]:
+    def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[HardInstant, list[Row]]:
         """The problem of an impact, and its rows, those of the pairs that touch last."""
         hits: list[Row] = []
         for number in touching:
@@ -201,8 +218,10 @@ class HardSettling:
         return True
 
     def note(self, kind: str, *subjects: str) -> None:
-        """An event, now."""
-        self.events.append(Event(self.now, kind, subjects))
+        """An event, now; once, though a body may enter the regions of several forces at one instant."""
+        event = Event(self.now, kind, subjects)
+        if event not in self.events[-SAME:]:
+            self.events.append(event)
 
     def end(self, kind: str, *subjects: str) -> None:
         """An event that ends the description, now."""

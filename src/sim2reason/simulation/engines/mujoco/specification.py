@@ -7,6 +7,8 @@ Friction is the joint's `frictionloss`, or an equality while the body sticks. A 
 Each pair that may collide has a tendon of joint positions, which acts in impacts alone.
 """
 
+from collections.abc import Generator
+from contextlib import contextmanager
 from importlib import import_module
 from typing import Any, Literal, TypeAlias
 
@@ -20,6 +22,18 @@ STEP = 0.2  # s; motion between events is quadratic, which RK4 integrates exactl
 TINY = 1e-9  # kg or kg m²; what a massless moving body weighs here, since the library divides by mass
 IMPEDANCE = 0.9999  # the hardest that the library admits
 FAR = 1e6  # m; a limit that is never reached
+
+
+@contextmanager
+def overheard() -> Generator[list[str], None, None]:
+    """The library's warnings, in a list; else it writes them to a file in whatever directory the process works."""
+    said: list[str] = []
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(said.append)
+    try:
+        yield said
+    finally:
+        mujoco.set_mju_user_warning(before)
 
 
 class Specification:

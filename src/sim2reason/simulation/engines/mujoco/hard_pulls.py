@@ -1,0 +1,57 @@
+"""What springs and drawn strings pull with, all at once: the load that they put on the joints."""
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Drawn, Elastic, Line
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.specification import mujoco
+
+
+class Pulls:
+    """The lines whose tension follows from their length and its rate, as arrays over their straight pieces."""
+
+    def __init__(self, lines: tuple[Line, ...], sites: dict[str, int], index: dict[str, int], model: Any) -> None:  # noqa: ANN401 - MuJoCo's
+        """`sites` and `index` number the sites and joints of the compiled `model`."""
+        self.lines = [line for line in lines if isinstance(line.law, Drawn | Elastic)]
+        names = sorted({name for line in self.lines for name in line.through})
+        place = {name: number for number, name in enumerate(names)}
+        pieces = [(owner, piece) for owner, line in enumerate(self.lines) for piece in pairwise(line.through)]
+        self._model = model
+        self._sites = [sites[name] for name in names]
+        self._carriers = [int(model.site_bodyid[site]) for site in self._sites]
+        self._first = np.array([place[first] for _, (first, _) in pieces], dtype=np.intp)
+        self._last = np.array([place[last] for _, (_, last) in pieces], dtype=np.intp)
+        self._owned, self._wound = np.zeros((len(self.lines), len(pieces))), np.zeros((len(self.lines), int(model.nv)))
+        for number, (owner, _) in enumerate(pieces):
+            self._owned[owner, number] = 1.0
+        for owner, line in enumerate(self.lines):
+            for wheel in line.wheels:
+                self._wound[owner, index[wheel.coordinate]] += wheel.radius
+        laws = [line.law for line in self.lines]
+        self._given, self._stiffness, self._natural, self._damping = (
+            np.array([getattr(law, name, 0.0) for law in laws]) for name in ("force", "stiffness", "length", "damping")
+        )
+        self._jacobians = np.zeros((len(names), 3, int(model.nv)))
+
+    def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
+        """The load on the joints, (joints,), of all lines but those that are `idle`."""
+        places = data.site_xpos[self._sites]
+        for number, carrier in enumerate(self._carriers):
+            if carrier:
+                mujoco.mj_jac(self._model, data, self._jacobians[number], None, places[number], carrier)
+        apart = places[self._last] - places[self._first]
+        lengths = np.sqrt((apart * apart).sum(axis=1))
+        if not lengths.all():
+            raise SimulationError("two points of a line have come together")
+        moved = self._jacobians[self._last] - self._jacobians[self._first]
+        runs = ((apart / lengths[:, None])[:, :, None] * moved).sum(axis=1)
+        gradients = self._owned @ runs + self._wound
+        stretch = self._owned @ lengths + self._wound @ q - self._natural
+        tension = self._given + self._stiffness * stretch + self._damping * (gradients @ v)
+        if idle:
+            tension = tension * np.array([line not in idle for line in self.lines])
+        return np.asarray(-tension @ gradients, dtype=np.float64)

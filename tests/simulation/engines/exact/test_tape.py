@@ -1,0 +1,116 @@
+"""Arithmetic that is recorded gives what it gives without being recorded."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sim2reason.dsl.triples import Maths, Number
+from sim2reason.simulation.engines.exact import tape as module
+from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
+
+Formula = Callable[[list[Number], Maths], Number]
+VALUES = st.floats(-3.0, 3.0)
+LEAF: st.SearchStrategy[Formula] = st.one_of(
+    st.integers(0, 2).map(lambda i: lambda x, _: x[i]),
+    st.sampled_from([0.0, 1.0, -1.0, 2.0, 0.5, 3.7]).map(lambda c: lambda _x, _m: c),
+)
+
+
+def _more(parts: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
+    pair = st.tuples(parts, parts)
+    return st.one_of(
+        pair.map(lambda p: lambda x, m: p[0](x, m) + p[1](x, m)),
+        pair.map(lambda p: lambda x, m: p[0](x, m) - p[1](x, m)),
+        pair.map(lambda p: lambda x, m: p[0](x, m) * p[1](x, m)),
+        pair.map(lambda p: lambda x, m: p[0](x, m) / (p[1](x, m) * p[1](x, m) + 1.5)),
+        parts.map(lambda p: lambda x, m: m.sin(p(x, m)) - m.cos(p(x, m))),
+        parts.map(lambda p: lambda x, m: m.sqrt(p(x, m) * p(x, m) + 0.25)),
+    )
+
+
+FORMULAS = st.recursive(LEAF, _more, max_leaves=30)
+
+
+def recorded(formulas: list[Formula]) -> tuple[Tape, list[Number]]:
+    tape = Tape(["t", "a", "b"])
+    inputs: list[Any] = list(tape.inputs.values())
+    return tape, [formula(inputs, tape) for formula in formulas]
+
+
+@settings(deadline=None)
+@given(formulas=st.lists(FORMULAS, min_size=1, max_size=4), point=st.tuples(VALUES, VALUES, VALUES))
+def test_code_values_and_plain_arithmetic_are_one(formulas: list[Formula], point: tuple[float, float, float]) -> None:
+    tape, outputs = recorded(formulas)
+    wanted = [formula(list(point), math) for formula in formulas]
+    assert tape.code(outputs)(math)(point[0], point[1:]) == pytest.approx(wanted, rel=1e-12, abs=1e-12)
+    tape.stand(point)
+    assert [value_of(out) for out in outputs] == pytest.approx(wanted, rel=1e-12, abs=1e-12)
+    arrays = tape.code(outputs)(np)(np.full(2, point[0]), [np.full(2, part) for part in point[1:]])
+    for found, value in zip(arrays, wanted, strict=True):
+        assert np.broadcast_to(found, 2) == pytest.approx(value, rel=1e-12, abs=1e-12)
+
+
+def test_what_is_computed_twice_is_kept_once() -> None:
+    tape = Tape(["t", "a"])
+    t, a = tape.inputs.values()
+    before = len(tape.nodes)
+    assert ((t + a) * tape.sin(t + a)).id == (tape.sin(a + t) * (a + t)).id
+    assert len(tape.nodes) == before + 3
+
+
+def test_zero_and_one_leave_no_trace() -> None:
+    tape = Tape(["t"])
+    t = tape.inputs["t"]
+    assert t + 0.0 is t
+    assert t * 1.0 is t
+    assert t / 1.0 is t
+    assert t * 0.0 == 0.0
+    assert 0.0 / t == 0.0
+    assert len(tape.nodes) == 1
+
+
+def test_numbers_are_no_part_of_the_code(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Mechanisms of one shape share one piece of code."""
+    texts: list[tuple[str, ...]] = []
+    compiled = module.compiled
+    monkeypatch.setattr(module, "compiled", lambda *a: texts.append(tuple(map(str, a))) or compiled(*a))
+    for number in (3.7, 4.1):
+        tape, outputs = recorded([lambda x, m, c=number: m.sin(c * x[1]) + 2.0 * x[0]])
+        found = tape.code(outputs)(math)(0.5, (0.3, 0.0))
+        assert found[0] == pytest.approx(math.sin(number * 0.3) + 1.0)
+    assert texts[0] == texts[1]
+
+
+def test_a_pivot_that_shrinks_is_lost() -> None:
+    tape = Tape(["t"])
+    t = tape.inputs["t"]
+    code = tape.code([1.0 / t], [(t, 0.1)])(math)
+    assert code(0.2, ()) == (5.0,)
+    with pytest.raises(ArithmeticError, match="a pivot is lost"):
+        code(0.05, ())
+
+
+def test_what_has_no_value_at_a_point_is_nan_there() -> None:
+    tape = Tape(["t"])
+    t = tape.inputs["t"]
+    outputs = [1.0 / t, tape.sqrt(t - 1.0)]
+    tape.stand([0.0])
+    assert all(isinstance(out, Symbol) and math.isnan(out.value) for out in outputs)
+
+
+def test_deep_brackets_become_lines() -> None:
+    """The parser of Python gives up on a hundred levels of brackets."""
+    tape = Tape(["t"])
+    total: Number = tape.inputs["t"]
+    for number in range(300):
+        total = tape.sin(total) + 0.01 * number
+    expected = 0.3
+    for number in range(300):
+        expected = math.sin(expected) + 0.01 * number
+    assert tape.code([total])(math)(0.3, ())[0] == pytest.approx(expected, rel=1e-12)
+    assert tape.written > 600

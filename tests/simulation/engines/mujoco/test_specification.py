@@ -1,0 +1,58 @@
+"""What the library says is heard, and never written to where the user works."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.mechanism import X
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines import mujoco as engine
+from sim2reason.simulation.engines.mujoco import hard_engine
+from sim2reason.simulation.engines.mujoco.specification import mujoco, overheard
+
+
+def warn() -> None:
+    """Let the library take a step with a position that is no number."""
+    spec = mujoco.MjSpec()
+    body = spec.worldbody.add_body(mass=1.0, inertia=(1.0, 1.0, 1.0), explicitinertial=True)
+    body.add_joint(type=mujoco.mjtJoint.mjJNT_SLIDE)
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    data.qpos[:] = np.nan
+    mujoco.mj_step(model, data)
+
+
+def test_warnings_are_kept_and_no_file_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with overheard() as said:
+        warn()
+    assert len(said) == 1
+    assert "QPOS" in said[0]
+    assert not list(tmp_path.iterdir())
+
+
+def test_whoever_listened_before_listens_again() -> None:
+    heard: list[str] = []
+    mujoco.set_mju_user_warning(heard.append)
+    try:
+        with overheard() as said:
+            warn()
+        warn()
+    finally:
+        mujoco.set_mju_user_warning(None)
+    assert len(said) == len(heard) == 1
+
+
+def test_a_warning_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    def warned(*_: object) -> None:
+        warn()
+
+    monkeypatch.setattr(hard_engine, "run", warned)
+    builder = Builder()
+    room = builder.room().site("wall", (-1.0, 0.0, 0.0))
+    room.body("block", 1.0).slide(X).site("hook")
+    room.spring("spring", "wall", "hook", stiffness=1.0)
+    with pytest.raises(SimulationError, match="MuJoCo warns"):
+        engine.simulate(builder.finish(), np.linspace(0.0, 1.0, 3))

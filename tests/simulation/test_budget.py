@@ -1,0 +1,50 @@
+"""Work is counted, and both engines give up where it is too much."""
+
+import numpy as np
+import pytest
+
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.mechanism import Mechanism, X
+from sim2reason.errors import SimulationError
+from sim2reason.simulation import budget
+from sim2reason.simulation.budget import Budget
+from sim2reason.simulation.engines.exact.flow import Flow
+from sim2reason.simulation.engines.exact.formulas import CurvedEquations
+from sim2reason.simulation.engines.exact.settling import Settling
+from sim2reason.simulation.engines.mujoco import hard_model
+from sim2reason.simulation.trace import ENGINES
+
+
+def singing() -> Mechanism:
+    """A grain of 1 mg on a spring of 1e6 N/m: 160 kHz."""
+    builder = Builder()
+    room = builder.room().site("wall", (-1.0, 0.0, 0.0))
+    room.body("grain", 1e-6).slide(X).site("hook")
+    room.spring("spring", "wall", "hook", stiffness=1e6, length=1.001)
+    return builder.finish()
+
+
+def test_a_budget_ends_with_what_it_had() -> None:
+    purse = Budget(2_000_000)
+    purse.spend(2_000_000)
+    with pytest.raises(SimulationError, match="more than 2 million operations; simulate a shorter time"):
+        purse.spend(1)
+
+
+def test_work_is_counted_alike_each_time() -> None:
+    """No clock is looked at: the same motion costs the same."""
+    spent: list[int] = []
+    for _ in range(2):
+        run = Settling(singing(), 1e-4)
+        flow = Flow(CurvedEquations(run.system), run.instant(), run.phase, run.balance(run.instant(), set()))
+        flow.advance(1e-4, 1e-4)
+        spent.append(run.system.budget.all - run.system.budget.left)
+    assert spent[0] == spent[1] > 0
+
+
+@pytest.mark.parametrize("name", ["exact", "mujoco"])
+def test_what_swings_too_fast_is_refused(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(budget.Budget.__init__, "__defaults__", (1_000_000,))
+    monkeypatch.setattr(hard_model, "OPERATIONS", 1_000_000)
+    with pytest.raises(SimulationError, match="million operations"):
+        ENGINES[name](singing(), np.linspace(0.0, 2.0, 11))
