@@ -10,6 +10,8 @@ from sim2reason.dsl.ports import StringEnd
 class ConstantForcePuller(Entity):
     """Closes an open string with a steady pull along it."""
 
+    schematic = True
+
     force: Force
 
     end = StringEnd(sites=("hand",), arrives="ends in a hand that pulls with a steady {force}", required=True)

@@ -9,6 +9,8 @@ from sim2reason.dsl.ports import End
 class FixedSupport(Entity):
     """Closes an open string with a point fixed in the room."""
 
+    schematic = True
+
     end = End(
         sites=("hook",),
         tied="a fixed hook",

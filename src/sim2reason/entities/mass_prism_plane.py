@@ -11,7 +11,7 @@ from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, entity
 from sim2reason.dsl.measures import Count, FreeLength
 from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import End
+from sim2reason.dsl.ports import StringEnd
 from sim2reason.dsl.template import either
 from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.mass_systems import SPACING
@@ -22,6 +22,8 @@ FaceBlocks = Annotated[tuple[Block, ...], Len(1, 3), Count(1, 2)]
 @entity
 class MassPrismPlane(Entity):
     """A prism free to slide on the floor; one string, over its apex, joins the blocks on both faces."""
+
+    schematic = True
 
     prism: Prism
     left_blocks: FaceBlocks
@@ -50,13 +52,13 @@ class MassPrismPlane(Entity):
             "friction on either face, static and kinetic, has the coefficient {prism.friction}.",
         ),
     )
-    left = End(
+    left = StringEnd(
         sites=("left_lowest", "left_foot"),
         tied="{left_blocks.first}",
         leaves="runs down the left face, round a light pulley at its foot and on horizontally to the left",
         arrives="comes in horizontally from the left, round a light pulley at the foot of the face, to {left_blocks.first}",
     )
-    right = End(
+    right = StringEnd(
         sites=("right_lowest", "right_foot"),
         tied="{right_blocks.first}",
         leaves="runs down the right face, round a light pulley at its foot and on horizontally to the right",

@@ -11,6 +11,8 @@ from sim2reason.entities.parts.mass_systems import Hanging, OnPlane, OnWedge
 class MassWithFixedPulley(Entity):
     """A fixed pulley; a mass system on one side of its string, the other side open."""
 
+    schematic = True
+
     system: Hanging | OnPlane | OnWedge
     pulley: FixedPulley
 

@@ -17,6 +17,8 @@ ASIDE = 1.0  # m; how far from the pulley a plane or wedge stands, for looks
 class MassWithMovablePulley(Entity):
     """A movable pulley, held from above by its axle; its string carries a mass system on either side."""
 
+    schematic = True
+
     left: Hanging | OnPlane | OnWedge
     right: Hanging | OnPlane | OnWedge
     pulley: MovablePulley

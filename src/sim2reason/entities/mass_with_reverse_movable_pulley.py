@@ -15,6 +15,8 @@ from sim2reason.dsl.vectors import scale
 class MassWithReverseMovablePulley(Entity):
     """A string goes under the pulley, and both its sides pull it up; a load may hang from the axle."""
 
+    schematic = True
+
     pulley: MovablePulley
     load: Block | None = None
     length: FreeLength = 1.0
@@ -36,6 +38,7 @@ class MassWithReverseMovablePulley(Entity):
         tied="the axle of {pulley}",
         leaves="runs straight down",
         arrives="runs straight up to the axle of {pulley}",
+        unless="load",
     )
 
     def build(self, room: Frame) -> None:

@@ -10,7 +10,7 @@ from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.hanger import Cord, LightRod
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Measure, Range, Speed
+from sim2reason.dsl.measures import Chance, Measure, Range, Speed
 from sim2reason.dsl.mechanism import GRAVITY, X, Y, Z
 from sim2reason.dsl.template import Word, either
 
@@ -25,13 +25,13 @@ class Pendulum(Entity):
     bob: Ball
     hanger: Cord | LightRod
     angle: Deflection
-    speed: Speed | None = None
+    speed: Annotated[Speed | None, Chance(0.5)] = None
 
     words = {
         "start": Word(
             "angle",
             {0.0: "{bob} hangs straight down"},
-            "{hanger}{hanger.taut} makes an angle of {angle} with the downward vertical",
+            "{hanger} {hanger.straight} an angle of {angle} with the downward vertical",
         ),
         "sent": Word("angle", {0.0: "horizontally"}, "downwards along its arc"),
     }
@@ -70,7 +70,7 @@ class Pendulum(Entity):
         place = (length * sin(angle), 0.0, -length * cos(angle))
         room.site("point")
         if isinstance(self.hanger, LightRod):
-            room.body("bob", self.bob.mass, center=place).hinge(Y, speed / length)
+            room.body("hanger").hinge(Y, speed / length).body("bob", self.bob.mass, at=place)
             return
         bob = room.body("bob", self.bob.mass, at=place)
         bob.slide(X, -speed * cos(angle), name="across").slide(Z, -speed * sin(angle), name="rise").site("hook")

@@ -9,11 +9,11 @@ from pydantic import model_validator
 from sim2reason.bodies.ball import Ball
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Height, Measure, Range, Restitution, Speed
+from sim2reason.dsl.measures import Chance, Height, Measure, Range, Restitution, Speed
 from sim2reason.dsl.mechanism import GRAVITY, X, Z
 from sim2reason.dsl.template import Word, either
 
-Elevation = Annotated[float, Ge(0), Le(90), Measure("elevation", "deg", r"\theta", decimals=0), Range(10.0, 80.0)]
+Elevation = Annotated[float, Ge(0), Le(90), Measure("elevation", "deg", r"\theta", decimals=0), Range(0.0, 90.0)]
 FLIGHTS = 2.2  # times the first flight that the motion is followed for
 
 
@@ -23,10 +23,10 @@ class Projectile(Entity):
 
     ball: Ball
     height: Height
-    speed: Speed
+    speed: Annotated[Speed, Range(1.0, 10.0)]
     angle: Elevation
-    side: Literal["above", "below"] = "above"
-    restitution: Annotated[Restitution, Range(0.3, 0.95)] | None = None
+    side: Annotated[Literal["above", "below"], Chance(0.3)] = "above"
+    restitution: Annotated[Restitution | None, Range(0.3, 1.0), Chance(0.6)] = None
 
     words = {
         "way": Word(
@@ -50,6 +50,11 @@ class Projectile(Entity):
             "each time it lands, it keeps its horizontal velocity and rebounds with {bounce}.",
             "the ground is smooth, and at each landing {ball} rebounds with {bounce}.",
             "whenever {ball} lands, it rebounds with {bounce}, its horizontal velocity unchanged.",
+        ),
+        either(
+            "air resistance is negligible.",
+            "the resistance of the air is negligible.",
+            "neglect air resistance.",
         ),
     )
 

@@ -10,13 +10,13 @@ from pydantic import model_validator
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, Part, entity
-from sim2reason.dsl.measures import LEAST, Count, Measure, Range, Restitution
+from sim2reason.dsl.measures import LEAST, Count, Measure, Member, Range, Restitution
 from sim2reason.dsl.mechanism import X
 from sim2reason.dsl.template import Word, each, either
 
 Pucks = Annotated[tuple[Puck, ...], Len(2, 6), Count(2, 4)]
 Radius = Annotated[float, LEAST, Le(10), Measure("radius", "m", "R", decimals=2), Range(0.1, 0.3)]
-Index = Annotated[int, Ge(0), Le(5)]
+Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
 
 
 class PairRestitution(Part):
@@ -38,10 +38,23 @@ class TwoDCollisionPlane(Entity):
     pairs: Annotated[tuple[PairRestitution, ...], Len(0, 3), Count(0, 0)] = ()
 
     words = {
-        "bounce": Word(
+        "of_all": Word(
             "restitution",
-            {1.0: "is perfectly elastic", 0.0: "is perfectly inelastic (restitution 0)"},
-            "has the coefficient of restitution {restitution}",
+            {
+                1.0: "every {pairs?/other }collision is elastic",
+                0.0: "{pairs?the coefficient of restitution of every collision is zero/for every other pair it is zero}",
+            },
+            "{pairs?the coefficient of restitution of every collision/for every other pair it} is {restitution}",
+        ),
+        "of_any": Word(
+            "restitution",
+            {1.0: "all {pairs?/other }collisions are elastic"},
+            "all {pairs?/other }collisions have the coefficient of restitution {restitution}",
+        ),
+        "of_two": Word(
+            "restitution",
+            {1.0: "they rebound elastically", 0.0: "the coefficient of restitution is zero"},
+            "the coefficient of restitution is {restitution}",
         ),
     }
     says = (
@@ -55,6 +68,14 @@ class TwoDCollisionPlane(Entity):
             "{pucks.*} is at ({pucks.*.x}, {pucks.*.y}) at t = 0 and moves with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
             "at t = 0 {pucks.*} passes the point ({pucks.*.x}, {pucks.*.y}) with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
             "{pucks.*} starts from ({pucks.*.x}, {pucks.*.y}) at t = 0 with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
+            table=(
+                "the table gives each {noun}'s {columns} at t = 0.",
+                "the table shows the {columns} of each {noun} at t = 0.",
+                "at t = 0 each {noun} has the {columns} that the table gives.",
+                "for t = 0 the table lists the {columns} of each {noun}.",
+                "each {noun} begins, at t = 0, with the {columns} in its row below.",
+                "listed below are the {columns} of each {noun} at t = 0.",
+            ),
         ),
         each(
             "pairs",
@@ -63,17 +84,19 @@ class TwoDCollisionPlane(Entity):
             "the coefficient of restitution of {pairs.*.first>pucks} with {pairs.*.second>pucks} is {pairs.*.restitution}.",
         ),
         either(
-            "every collision{pairs?/ of another pair} {bounce}.",
-            "each hit{pairs?/ of another pair} {bounce}.",
-            "any collision{pairs?/ of another pair} {bounce}.",
+            "{of_all}.",
+            "{of_any}.",
+            "{pairs?whenever two {pucks:s} meet/when any other two meet}, {of_two}.",
         ),
     )
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         for index, pair in enumerate(self.pairs):
-            if not pair.first < pair.second < len(self.pucks):
+            if not pair.first < pair.second:
                 raise ValueError(f"pairs.{index}: name two pucks by index, the lower one first")
+            if pair.restitution == self.restitution:
+                raise ValueError(f"pairs.{index}: it has the restitution of all the others; leave it out")
         if len({(pair.first, pair.second) for pair in self.pairs}) < len(self.pairs):
             raise ValueError("pairs: two entries name the same pair")
         for (i, a), (j, b) in combinations(enumerate(self.pucks), 2):

@@ -14,6 +14,8 @@ from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE, Blocks, ro
 class TwoSideMassPlane(Entity):
     """One or more blocks on a plane that rises to the right; they may start with a common speed up the slope."""
 
+    schematic = True
+
     plane: Plane
     blocks: Blocks
     speed: Speed | None = None

@@ -13,7 +13,7 @@ from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Count, FreeLength
 from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import End
+from sim2reason.dsl.ports import End, StringEnd
 from sim2reason.dsl.template import either
 from sim2reason.dsl.vectors import scale
 
@@ -25,6 +25,7 @@ FRICTION_ON_PLANE = either(
     "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
     "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
     "static and kinetic friction on this plane both have the coefficient {plane.friction}.",
+    "between this plane and what lies on it the coefficient of friction, static and kinetic, is {plane.friction}.",
 )
 
 
@@ -116,7 +117,7 @@ class OnWedge(MassSystem):
             "friction on this face, static and kinetic, has the coefficient {wedge.friction}.",
         ),
     )
-    tail = End(
+    tail = StringEnd(
         sites=("hook", "corner"),
         tied="{blocks.last}",
         leaves="runs up the face, over a light pulley at its top and on horizontally",

@@ -1,0 +1,150 @@
+"""Carts that meet on a straight track, with walls, spring buffers and pairs joined by springs."""
+
+from collections.abc import Mapping
+from itertools import pairwise
+from typing import Annotated, Any, Self
+
+import numpy as np
+from annotated_types import Len
+from pydantic import model_validator
+
+from sim2reason.bodies.glider import Glider
+from sim2reason.bodies.track import Track
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import Chance, Count, Range, Restitution
+from sim2reason.dsl.template import Word, each, either
+from sim2reason.dsl.vectors import scale
+from sim2reason.entities.parts.neighbours import BUFFERS, JOINED, PAIRS, Buffered, Joined, OwnRestitution, Wall, fit
+
+NEAREST = 0.01  # m, between neighbours at the start
+LONGEST = 10.0  # s
+PASSES = 5.0  # times that the fastest would run past all the others, that the motion is followed for
+
+
+@entity
+class ComplexCollisionPlane(Entity):
+    """One-dimensional collisions; with a restitution of zero those that meet stay together."""
+
+    track: Track
+    gliders: Annotated[tuple[Glider, ...], Len(2, 6), Count(2, 4)]
+    left: Annotated[Wall | None, Range(-2.8, -2.1), Chance(0.6)] = None
+    right: Annotated[Wall | None, Range(2.1, 2.8), Chance(0.6)] = None
+    joined: Annotated[tuple[Joined, ...], Len(0, 2), Count(0, 1)] = ()
+    buffers: Annotated[tuple[Buffered, ...], Len(0, 2), Count(0, 1)] = ()
+    restitution: Annotated[Restitution, Range(0.3, 1.0)]
+    pairs: Annotated[tuple[OwnRestitution, ...], Len(0, 3), Count(0, 0)] = ()
+
+    words = {
+        "hits": Word(
+            "restitution",
+            {
+                1.0: "every {pairs?/other }collision is elastic",
+                0.0: "those that meet{pairs?/ in any other collision} stay together",
+            },
+            "the coefficient of restitution of every {pairs?/other }collision is {restitution}",
+        ),
+        "they": Word(
+            "restitution",
+            {1.0: "rebound elastically", 0.0: "stick together"},
+            "rebound with the coefficient of restitution {restitution}",
+        ),
+    }
+    says = (
+        either(
+            "{gliders:#} small {gliders:s} move along {track}; x is measured along it, {track.ahead}.",
+            "along {track} move {gliders:#} small {gliders:s}; x is counted along it, {track.ahead}.",
+            "{track}, along which x is measured {track.ahead}, carries {gliders:#} small {gliders:s}.",
+        ),
+        each(
+            "gliders",
+            "{gliders.*} is at x = {gliders.*.x} at t = 0 and has the velocity {gliders.*.v}.",
+            "at t = 0 {gliders.*} passes the point x = {gliders.*.x} with the velocity {gliders.*.v}.",
+            "{gliders.*} starts from x = {gliders.*.x} at t = 0 with the velocity {gliders.*.v}.",
+            table=(
+                "the table gives each {noun}'s {columns} at t = 0.",
+                "the table shows the {columns} of each {noun} at t = 0.",
+                "at t = 0 each {noun} has the {columns} that the table gives.",
+                "for t = 0 the table lists the {columns} of each {noun}.",
+            ),
+        ),
+        either(
+            "{track.left}, at x = {left}, stands a fixed wall.",
+            "a fixed wall stands {track.left}, at x = {left}.",
+            "the track ends {track.left} at a fixed wall, at x = {left}.",
+        ),
+        either(
+            "{track.right}, at x = {right}, stands a fixed wall.",
+            "a fixed wall stands {track.right}, at x = {right}.",
+            "the track ends {track.right} at a fixed wall, at x = {right}.",
+        ),
+        JOINED,
+        BUFFERS,
+        PAIRS,
+        either(
+            "{hits}.",
+            "{pairs?whatever collides/whatever collides otherwise} will {they}.",
+            "{pairs?in a collision/in any other collision} the two {they}.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if any(other - one < NEAREST for one, other in pairwise(self._places)):
+            raise ValueError("gliders: give them, and the walls, in order from left to right, 1 cm or more apart")
+        taken = [pair.first for pair in (*self.joined, *self.buffers, *self.pairs)]
+        if len(set(taken)) < len(taken):
+            raise ValueError("joined, buffers, pairs: two entries name the same pair")
+        if len(self.joined) + len(self.buffers) == len(self._places) - 1:
+            raise ValueError("joined, buffers: a spring keeps every pair apart; nothing can collide")
+        for index, held in enumerate(self.buffers):
+            if held.buffer.length >= self.gliders[held.second].x - self.gliders[held.first].x:
+                raise ValueError(f"buffers.{index}: it is longer than the gap at the start; shorten it")
+        for index, pair in enumerate(self.pairs):
+            if pair.restitution in (0.0, self.restitution):
+                raise ValueError(f"pairs.{index}: give it a restitution above 0 and other than that of all the others")
+        return self
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """From left to right, on firm springs; at the top of a slope there is no wall, which nothing would reach."""
+        del rng
+        right = None if drawn["track"].tilt else drawn.get("right")
+        return {**fit(drawn["gliders"], drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
+
+    @property
+    def horizon(self) -> float:
+        """Some passes of the fastest over all that lies between, s."""
+        fastest = max(abs(glider.v) for glider in self.gliders)
+        return min(LONGEST, PASSES * (self._places[-1] - self._places[0]) / fastest) if fastest else LONGEST
+
+    @property
+    def _places(self) -> list[float]:
+        """Of walls and gliders, from left to right, m."""
+        return [place for place in (self.left, *(glider.x for glider in self.gliders), self.right) if place is not None]
+
+    def build(self, room: Frame) -> None:
+        """Points that slide along the track; neighbours bounce, unless a spring stands between them."""
+        along, frames = self.track.along, list[Frame]()
+        for index, glider in enumerate(self.gliders):
+            frame = room.body(f"gliders.{index}", glider.mass, at=scale(glider.x, along))
+            frames.append(self.track.carry(frame, glider.v).site(f"hook{index}"))
+        self._springs(room)
+        special, sprung = {pair.first: pair.restitution for pair in self.pairs}, (*self.joined, *self.buffers)
+        for index, (one, other) in enumerate(pairwise(frames)):
+            if all(index != pair.first for pair in sprung):
+                e = special.get(index, self.restitution)
+                room.bump(one, other, along, 0.0, e, sticks=e == 0.0)
+        for wall, frame, way in ((self.left, frames[0], 1.0), (self.right, frames[-1], -1.0)):
+            if wall is not None:
+                e = self.restitution
+                room.bump(room, frame, scale(way, along), way * wall, e, sticks=e == 0.0)
+
+    def _springs(self, room: Frame) -> None:
+        hooks = [room.address(f"hook{number}") for number in range(len(self.gliders))]
+        for index, pair in enumerate(self.joined):
+            stiffness = pair.spring.stiffness
+            room.spring(f"joined.{index}.spring", *hooks[pair.first : pair.second + 1], stiffness=stiffness)
+        for index, held in enumerate(self.buffers):
+            ends, spring = (hooks[held.first], hooks[held.second]), held.buffer
+            room.buffer(f"buffers.{index}.buffer", *ends, stiffness=spring.stiffness, length=spring.length)

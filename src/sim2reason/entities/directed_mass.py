@@ -1,0 +1,70 @@
+"""A block on a guide, held by two strings that come to it at angles and turn as it moves."""
+
+from math import cos, radians, sin
+from typing import Annotated, Literal
+
+from annotated_types import Ge, Le
+
+from sim2reason.bodies.block import Block
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.mechanism import X
+from sim2reason.dsl.ports import StringEnd
+from sim2reason.dsl.template import either
+from sim2reason.dsl.vectors import scale
+
+Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d", decimals=2), Range(0.5, 2.0)]
+Incline = Annotated[float, Ge(1), Le(85), Measure("angle", "deg", r"\theta", decimals=0), Range(15.0, 70.0)]
+Side = Literal["above", "below"]
+
+
+@entity
+class DirectedMass(Entity):
+    """Each string leads from the block to a small fixed pulley, over or under it, and on horizontally."""
+
+    block: Block
+    left_distance: Distance
+    left_angle: Incline
+    left_side: Side
+    right_distance: Distance
+    right_angle: Incline
+    right_side: Side
+
+    says = (
+        either(
+            "{block} can slide only along a smooth horizontal guide.",
+            "on a smooth horizontal guide, which it can't leave, slides {block}.",
+            "a smooth horizontal guide lets {block} slide to the left and right.",
+        ),
+        either(
+            "at first a small fixed pulley on its left is {left_distance} away from it, {left_angle} {left_side} the guide, and another on its right is {right_distance} away, {right_angle} {right_side} the guide.",
+            "at the start its distance from a small fixed pulley on the left is {left_distance}, at an angle of {left_angle} {left_side} the guide; from a second one on the right it is {right_distance}, at {right_angle} {right_side} the guide.",
+            "two small pulleys are fixed near by: seen from it, one is at first on the left, {left_angle} {left_side} the guide and {left_distance} away, the other on the right, {right_angle} {right_side} the guide and {right_distance} away.",
+        ),
+    )
+    side_1 = StringEnd(
+        sites=("left_hook", "left_wheel"),
+        tied="{block}",
+        leaves="runs to the small pulley on the left, round it and on horizontally to the left",
+        arrives="runs horizontally to the small pulley on the left and round it to {block}",
+        required=True,
+    )
+    side_2 = StringEnd(
+        sites=("right_hook", "right_wheel"),
+        tied="{block}",
+        leaves="runs to the small pulley on the right, round it and on horizontally to the right",
+        arrives="runs horizontally to the small pulley on the right and round it to {block}",
+        required=True,
+    )
+
+    def build(self, room: Frame) -> None:
+        """The block at the origin, on a slide that holds it both ways, and two points round which the strings go."""
+        room.body("block", self.block.mass).slide(X).site("left_hook").site("right_hook")
+        for name, distance, angle, side, way in (
+            ("left_wheel", self.left_distance, self.left_angle, self.left_side, -1.0),
+            ("right_wheel", self.right_distance, self.right_angle, self.right_side, 1.0),
+        ):
+            rise = sin(radians(angle)) * (1.0 if side == "above" else -1.0)
+            at = (way * distance * cos(radians(angle)), 0.0, distance * rise)
+            room.site(name, at=at, faces=scale(way, X))

@@ -1,0 +1,105 @@
+"""A charged bead in electric and magnetic fields, free of gravity."""
+
+import math
+from collections.abc import Mapping
+from typing import Annotated, Any, Self
+
+import numpy as np
+from pydantic import model_validator
+
+from sim2reason.bodies.charge import ChargedBead, Launched, Released
+from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import Chance
+from sim2reason.dsl.mechanism import ZERO, X, Y
+from sim2reason.dsl.model import rebuilt
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.fields import ElectricField, ForceField, MagneticField, Medium
+
+MILLI = 1e-3
+TURN = 8.0  # rad of the fastest thing that the fields do, for which the motion is followed
+USUAL = 2.0  # s, where nothing sets a time
+BENT = 1.5  # times the longest straight way through a region: how long a way through it may be
+AIM = 12.0  # degrees by which a drawn bead misses the middle of a region, at most
+
+
+@entity
+class EmEntity(Entity):
+    """It moves in the x-y plane; electric fields lie in it, magnetic ones are square to it."""
+
+    magnetic: Annotated[MagneticField | None, Chance(0.7)] = None
+    electric: Annotated[ElectricField | None, Chance(0.7)] = None
+    medium: Annotated[Medium | None, Chance(0.2)] = None
+    region: Annotated[HalfPlane | Strip | Rectangle | CircularRegion | None, Chance(0.4)] = None
+    particle: ChargedBead
+    start: Launched | Released
+
+    says = (
+        either(
+            "outside {region} there is no field.",
+            "no field extends beyond {region}.",
+            "there is no field except inside {region}.",
+        ),
+        either(
+            "at t = 0 {particle} {start}.",
+            "when t = 0, {particle} {start}.",
+            "at the time t = 0 {particle} {start}.",
+        ),
+        either(
+            "gravity is negligible.",
+            "the effect of gravity is negligible.",
+            "gravity plays no part.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _moves(self) -> Self:
+        if self.magnetic is None and self.electric is None:
+            raise ValueError("magnetic, electric: there is no field; give one")
+        if isinstance(self.start, Released):
+            if self.electric is None:
+                raise ValueError("start: a magnetic field does nothing to a bead at rest; launch it")
+            if self.region is not None and min(self.region.shape.margins(ZERO, math)) <= 0.0:
+                raise ValueError("start: there is no field where the bead is released; launch it, or move the region")
+        return self
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """A bead that starts towards the region."""
+        start, region = drawn["start"], drawn.get("region")
+        if region is None or not isinstance(start, Launched):
+            return {}
+        x, y = region.middle
+        angle = round(math.degrees(math.atan2(y, x)) + rng.uniform(-AIM, AIM)) % 360
+        return {"start": rebuilt(start, angle=float(angle))}
+
+    @property
+    def fields(self) -> dict[str, ForceField]:
+        """All that acts, by name."""
+        found = {"magnetic": self.magnetic, "electric": self.electric, "medium": self.medium}
+        return {name: field for name, field in found.items() if field is not None}
+
+    @property
+    def clocked(self) -> bool:
+        """It starts at t = 0."""
+        return True
+
+    @property
+    def horizon(self) -> float:
+        """A turn or so of the fastest thing that the fields do, or time to come to their region and through it, s."""
+        mass, charge = MILLI * self.particle.mass, self.particle.coulombs
+        fastest = max(field.rate(charge, mass) for field in self.fields.values())
+        enough = TURN / fastest if fastest else USUAL
+        if self.region is None or not isinstance(self.start, Launched):
+            return enough
+        speed = self.start.speed
+        return math.hypot(*self.region.middle) / speed + min(enough, BENT * self.region.width / speed)
+
+    def build(self, room: Frame) -> None:
+        """Two slides in a level plane, and a force for each field; a medium is everywhere."""
+        vx, vy = self.start.velocity
+        bead = room.body("particle", MILLI * self.particle.mass).slide(X, vx, name="x").slide(Y, vy, name="y")
+        region = self.region.shape if self.region is not None else None
+        for name, field in self.fields.items():
+            bead.force(name, field.law(self.particle.coulombs), None if field is self.medium else region)

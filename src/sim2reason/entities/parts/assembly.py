@@ -1,0 +1,92 @@
+"""Rigid bodies that turn about a horizontal axle: pieces welded to a light arm."""
+
+from itertools import combinations
+from math import cos, pi, radians, sin, sqrt
+from typing import Annotated, ClassVar, Self
+
+from annotated_types import Ge, Le, Len
+from pydantic import model_validator
+
+from sim2reason.bodies.arm import Arm
+from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.measures import LEAST, Count, Length, Measure, Range
+from sim2reason.dsl.mechanism import GRAVITY, X, Y
+from sim2reason.dsl.solids import Axes, composed
+from sim2reason.dsl.template import Saying, Word, either, lines_of
+from sim2reason.dsl.vectors import scale
+from sim2reason.entities.parts.pieces import AnyPiece
+
+Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
+TurnRate = Annotated[float, LEAST, Le(1e3), Measure("angular velocity", "rad/s", r"\omega_0"), Range(0.5, 4.0)]
+PERIODS, LONGEST = 1.5, 6.0  # of a small swing that the motion is followed for, and s
+
+
+class WeldedArm(Entity):
+    """Pieces welded to a light straight arm; `says` of a subclass begins with how the arm is held."""
+
+    arm: Arm = Arm()
+    pieces: Annotated[tuple[AnyPiece, ...], Len(1, 4), Count(1, 3)]
+    reach: Annotated[Length, Range(0.5, 1.5)] | None = None
+    angle: Deflection
+    rate: TurnRate | None = None
+
+    words: ClassVar[dict[str, Word]] = {
+        "start": Word(
+            "angle",
+            {0.0: "{arm} hangs straight down"},
+            "{arm} points {angle} to the right of the downward vertical",
+        ),
+        "sent": Word("angle", {0.0: "to the right"}, "downwards"),
+    }
+    LINES: ClassVar[tuple[Saying, ...]] = (
+        lines_of("pieces"),
+        either(
+            "{arm} ends {reach} from the axle.",
+            "the far end of {arm} is {reach} from the axle.",
+            "{arm} reaches to {reach} from the axle.",
+        ),
+        either("at first {start}.", "{start} at first.", "when the motion begins, {start}."),
+        either(
+            "{arm} is sent off {sent} at {rate}.",
+            "at t = 0 {arm} turns {sent} at {rate}.",
+            "with an angular velocity of {rate} {arm} is set turning {sent}.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _swings(self) -> Self:
+        if self.angle == 0.0 and self.rate is None:
+            raise ValueError("angle, rate: the arm hangs at rest; give it a rate, or an angle that is not zero")
+        if self.pieces[0].place < 0.0:
+            raise ValueError("pieces.0: it is beyond the axle; begin with a piece on the side to which the arm points")
+        thick = [(number, p.span) for number, p in enumerate(self.pieces) if not isinstance(p.shape, UniformRod)]
+        for (i, one), (j, other) in combinations(thick, 2):
+            if one[0] < other[1] and other[0] < one[1]:
+                raise ValueError(f"pieces.{i} and pieces.{j} overlap; put them farther apart on the arm")
+        return self
+
+    @property
+    def horizon(self) -> float:
+        """A period and a half of a small swing on Earth, s: 2π√(I/(m g d)); not more than 6 s."""
+        inertia = moment = 0.0
+        for piece in self.pieces:
+            solid, mass = piece.shape.solid.turned(piece.axes).moved(scale(piece.place, X)), piece.shape.mass
+            arm = solid.center
+            inertia += solid.inertia(mass)[1] + mass * (arm[0] ** 2 + arm[2] ** 2)
+            moment += mass * arm[0]
+        return min(LONGEST, PERIODS * 2.0 * pi * sqrt(inertia / (GRAVITY * max(abs(moment), 1e-9))))
+
+    def build(self, room: Frame) -> None:
+        """A massless arm on a hinge; the pieces are welded to it, each with its own mass, inertia and centre."""
+        angle = radians(self.angle)
+        along, across = (sin(angle), 0.0, -cos(angle)), (cos(angle), 0.0, sin(angle))
+        sense = -1.0 if self.angle == 0.0 else 1.0  # a hinge about y takes what hangs to the left
+        arm = room.body("arm").hinge(Y, sense * (self.rate or 0.0))
+        turned: Axes = (along, Y, across)
+        for number, piece in enumerate(self.pieces):
+            axes = composed(piece.axes, turned)
+            piece.shape.put(arm, f"pieces.{number}.body", scale(piece.place, along), axes)
+        if self.reach is not None:
+            arm.site("tip", at=scale(self.reach, along))

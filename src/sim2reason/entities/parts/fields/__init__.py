@@ -1,0 +1,67 @@
+"""Fields that act on a charged bead in the x-y plane, one file each: their sentence, and the law of their force."""
+
+from collections.abc import Mapping
+from typing import Annotated, Literal, TypeVar
+
+from annotated_types import Le
+
+from sim2reason.dsl.entity import Part
+from sim2reason.dsl.fields import Law
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.mechanism import X, Y, Z
+from sim2reason.dsl.model import Model
+from sim2reason.dsl.template import Word
+from sim2reason.dsl.vectors import Vector, scale
+from sim2reason.registry import Registry
+
+ElectricStrength = Annotated[float, LEAST, Le(1e6), Measure("electric field", "N/C", "E"), Range(0.4, 2.0)]
+MagneticStrength = Annotated[float, LEAST, Le(1e6), Measure("magnetic field", "T", "B"), Range(0.4, 1.2)]
+Direction = Literal["positive x", "negative x", "positive y", "negative y"]
+Trend = Literal["increases", "decreases"]
+SUM = {"sum": Word("trend", {"increases": "+", "decreases": "\N{MINUS SIGN}"})}  # of a strength and how it changes
+AXES: Mapping[str, Vector] = {"x": X, "y": Y, "z": Z}
+
+
+class ForceField(Part):
+    """The base. A field that is of no base below may have one of its own: an entity then needs a place for it."""
+
+    @classmethod
+    def variants(cls) -> tuple[type[Model], ...]:
+        """The fields that are registered under this base."""
+        return tuple(kind for kind in FIELDS.values() if issubclass(kind, cls))
+
+    def law(self, charge: float) -> Law:
+        """The force on a charge, C, in SI units."""
+        raise NotImplementedError
+
+    def rate(self, charge: float, mass: float) -> float:
+        """How fast it turns, swings, slows or drives a bead away, 1/s; 0 where nothing sets a time."""
+        del charge, mass
+        return 0.0
+
+
+F = TypeVar("F", bound=ForceField)
+FIELDS: Registry[type[ForceField]] = Registry("entities.parts.fields")
+
+
+def force_field(cls: type[F]) -> type[F]:
+    """Enter a field under the name of its class."""
+    return FIELDS.add(cls.__name__, cls)
+
+
+class ElectricField(ForceField):
+    """An electric field in the plane of the motion."""
+
+
+class MagneticField(ForceField):
+    """A magnetic field square to the plane of the motion."""
+
+
+class Medium(ForceField):
+    """What resists the motion."""
+
+
+def along(way: str) -> Vector:
+    """The unit vector of a direction in words."""
+    side, axis = way.split()
+    return scale(1.0 if side == "positive" else -1.0, AXES[axis])

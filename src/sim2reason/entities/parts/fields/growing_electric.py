@@ -1,0 +1,49 @@
+"""An electric field that grows or fades as time passes."""
+
+from typing import Annotated
+
+from annotated_types import Le
+
+from sim2reason.dsl.fields import Law, Profile, Push
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.fields import (
+    SUM,
+    Direction,
+    ElectricField,
+    ElectricStrength,
+    Trend,
+    along,
+    force_field,
+)
+
+Growth = Annotated[float, LEAST, Le(1e6), Measure("growth", "N/(C s)", r"\dot{E}"), Range(0.1, 0.8)]
+
+
+@force_field
+class GrowingElectric(ElectricField):
+    """The same everywhere, and a linear function of time."""
+
+    strength: ElectricStrength
+    way: Direction
+    trend: Trend
+    growth: Growth
+
+    words = SUM
+    says = (
+        either(
+            "a uniform electric field has only a component in the {way} direction, which is {strength} {sum} ({growth}) t.",
+            "the only component of a uniform electric field is that in the {way} direction, {strength} {sum} ({growth}) t.",
+            "in the {way} direction, and in no other, a uniform electric field has the component {strength} {sum} ({growth}) t.",
+        ),
+    )
+
+    def law(self, charge: float) -> Law:
+        """F = q (E₀ + rt)."""
+        growth = self.growth if self.trend == "increases" else -self.growth
+        return Push(along(self.way), Profile(charge * self.strength, rate=charge * growth))
+
+    def rate(self, charge: float, mass: float) -> float:
+        """The strength at the start, compared with its growth."""
+        del charge, mass
+        return 2.0 * self.growth / self.strength

@@ -1,0 +1,38 @@
+"""A medium that resists in proportion to the velocity."""
+
+from typing import Annotated
+
+from annotated_types import Le
+
+from sim2reason.dsl.fields import Law, Resistance
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.fields import Medium, force_field
+
+MILLI = 1e-3
+Drag = Annotated[float, LEAST, Le(1e6), Measure("drag", "mN s/m", "b"), Range(0.1, 1.0)]
+
+
+@force_field
+class LinearDrag(Medium):
+    """A force −bv."""
+
+    coefficient: Drag
+
+    says = (
+        either(
+            "a medium resists the motion with a force of {coefficient} times the speed.",
+            "the motion is resisted by a medium, with a force of {coefficient} times the speed.",
+            "against the motion a medium exerts a force that is {coefficient} times the speed.",
+        ),
+    )
+
+    def law(self, charge: float) -> Law:
+        """F = −bv."""
+        del charge
+        return Resistance(linear=MILLI * self.coefficient)
+
+    def rate(self, charge: float, mass: float) -> float:
+        """By which the speed decays."""
+        del charge
+        return MILLI * self.coefficient / mass

@@ -1,0 +1,55 @@
+"""An electric field that changes from place to place."""
+
+from math import sqrt
+from typing import Annotated, Literal
+
+from annotated_types import Le
+
+from sim2reason.dsl.fields import Law, Profile, Push
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.fields import (
+    AXES,
+    SUM,
+    Direction,
+    ElectricField,
+    ElectricStrength,
+    Trend,
+    along,
+    force_field,
+)
+
+Slope = Annotated[float, LEAST, Le(1e6), Measure("gradient", "N/(C m)", "k"), Range(0.2, 1.2)]
+
+
+@force_field
+class LinearElectric(ElectricField):
+    """One direction, and a strength that is a linear function of x or of y."""
+
+    strength: ElectricStrength
+    way: Direction
+    trend: Trend
+    axis: Literal["x", "y"]
+    slope: Slope
+
+    words = SUM
+    says = (
+        either(
+            "an electric field has only a component in the {way} direction, which is {strength} {sum} ({slope}) {axis}.",
+            "the only component of an electric field is that in the {way} direction, {strength} {sum} ({slope}) {axis}.",
+            "in the {way} direction, and in no other, an electric field has the component {strength} {sum} ({slope}) {axis}.",
+        ),
+    )
+
+    @property
+    def signed(self) -> float:
+        """By how much the strength grows along the axis, N/(C m)."""
+        return self.slope if self.trend == "increases" else -self.slope
+
+    def law(self, charge: float) -> Law:
+        """F = q (E₀ + k s) along one direction."""
+        return Push(along(self.way), Profile(charge * self.strength, charge * self.signed, AXES[self.axis]))
+
+    def rate(self, charge: float, mass: float) -> float:
+        """√(qk/m), with which the bead swings or runs away."""
+        return 2.0 * sqrt(abs(charge) * self.slope / mass)

@@ -1,0 +1,49 @@
+"""A magnetic field that changes from place to place."""
+
+from typing import Annotated, Literal
+
+from annotated_types import Le
+
+from sim2reason.dsl.fields import Law, Magnetic, Profile
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.fields import (
+    AXES,
+    SUM,
+    MagneticField,
+    MagneticStrength,
+    Trend,
+    along,
+    force_field,
+)
+
+Slope = Annotated[float, LEAST, Le(1e6), Measure("gradient", "T/m", r"\beta"), Range(0.05, 0.5)]
+
+
+@force_field
+class LinearMagnetic(MagneticField):
+    """Square to the plane, and as strong as a linear function of x or of y says."""
+
+    strength: MagneticStrength
+    way: Literal["positive z", "negative z"]
+    trend: Trend
+    axis: Literal["x", "y"]
+    slope: Slope
+
+    words = SUM
+    says = (
+        either(
+            "a magnetic field has only a component in the {way} direction, which is {strength} {sum} ({slope}) {axis}.",
+            "the only component of a magnetic field is that in the {way} direction, {strength} {sum} ({slope}) {axis}.",
+            "in the {way} direction, and in no other, a magnetic field has the component {strength} {sum} ({slope}) {axis}.",
+        ),
+    )
+
+    def law(self, charge: float) -> Law:
+        """F = q v × B, with B = B₀ + βs."""
+        slope = self.slope if self.trend == "increases" else -self.slope
+        return Magnetic(along(self.way), Profile(charge * self.strength, charge * slope, AXES[self.axis]))
+
+    def rate(self, charge: float, mass: float) -> float:
+        """The cyclotron frequency at the origin."""
+        return abs(charge) * self.strength / mass

@@ -1,0 +1,33 @@
+"""A medium that resists in proportion to the square of the velocity."""
+
+from typing import Annotated
+
+from annotated_types import Le
+
+from sim2reason.dsl.fields import Law, Resistance
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.fields import Medium, force_field
+from sim2reason.entities.parts.fields.linear_drag import MILLI
+
+SquareDrag = Annotated[float, LEAST, Le(1e6), Measure("drag", "mN s^2/m^2", "c"), Range(0.1, 0.5)]
+
+
+@force_field
+class QuadraticDrag(Medium):
+    """A force −c|v|v."""
+
+    coefficient: SquareDrag
+
+    says = (
+        either(
+            "a medium resists the motion with a force of {coefficient} times the square of the speed.",
+            "the motion is resisted by a medium, with a force of {coefficient} times the square of the speed.",
+            "against the motion a medium exerts a force that is {coefficient} times the square of the speed.",
+        ),
+    )
+
+    def law(self, charge: float) -> Law:
+        """F = −c|v|v."""
+        del charge
+        return Resistance(quadratic=MILLI * self.coefficient)

@@ -1,0 +1,25 @@
+"""An electric field that is everywhere the same."""
+
+from sim2reason.dsl.fields import Law, Profile, Push
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.fields import Direction, ElectricField, ElectricStrength, along, force_field
+
+
+@force_field
+class UniformElectric(ElectricField):
+    """The same strength and direction everywhere."""
+
+    strength: ElectricStrength
+    way: Direction
+
+    says = (
+        either(
+            "a uniform electric field of {strength} points in the {way} direction.",
+            "in the {way} direction points a uniform electric field of {strength}.",
+            "there is a uniform electric field of {strength} in the {way} direction.",
+        ),
+    )
+
+    def law(self, charge: float) -> Law:
+        """F = qE."""
+        return Push(along(self.way), Profile(charge * self.strength))

@@ -1,0 +1,31 @@
+"""A magnetic field that is everywhere the same."""
+
+from typing import Literal
+
+from sim2reason.dsl.fields import Law, Magnetic, Profile
+from sim2reason.dsl.template import either
+from sim2reason.entities.parts.fields import MagneticField, MagneticStrength, along, force_field
+
+
+@force_field
+class UniformMagnetic(MagneticField):
+    """Square to the plane of the motion."""
+
+    strength: MagneticStrength
+    way: Literal["positive z", "negative z"]
+
+    says = (
+        either(
+            "a uniform magnetic field of {strength} points in the {way} direction.",
+            "in the {way} direction points a uniform magnetic field of {strength}.",
+            "there is a uniform magnetic field of {strength} in the {way} direction.",
+        ),
+    )
+
+    def law(self, charge: float) -> Law:
+        """F = q v × B."""
+        return Magnetic(along(self.way), Profile(charge * self.strength))
+
+    def rate(self, charge: float, mass: float) -> float:
+        """The cyclotron frequency |q|B/m."""
+        return abs(charge) * self.strength / mass

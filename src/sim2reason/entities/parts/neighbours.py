@@ -1,0 +1,101 @@
+"""Neighbours on a straight track: what joins them, what is between them, how they bounce; and the lines that tell it."""
+
+from collections.abc import Sequence
+from math import ceil
+from typing import Annotated, Self, TypeVar
+
+from annotated_types import Ge, Le
+from pydantic import model_validator
+
+from sim2reason.bodies.glider import Glider
+from sim2reason.bodies.spring import Bumper, Coil
+from sim2reason.dsl.entity import Part
+from sim2reason.dsl.measures import Measure, Member, Restitution
+from sim2reason.dsl.model import rebuilt
+from sim2reason.dsl.template import each
+
+Index = Annotated[int, Ge(0), Le(5), Member("gliders")]
+Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "x", decimals=2)]
+HARDEST = 2000.0  # N/m, of springs that are drawn
+
+
+class Pair(Part):
+    """Two neighbours, by their indices, the left one first."""
+
+    first: Index
+    second: Index
+
+    @model_validator(mode="after")
+    def _neighbours(self) -> Self:
+        if self.second != self.first + 1:
+            raise ValueError("first, second: name two neighbours by index, the left one first")
+        return self
+
+
+class Joined(Pair):
+    """A spring that joins two neighbours, relaxed at the start."""
+
+    spring: Coil
+
+
+class Buffered(Pair):
+    """A light spring that is fixed to the first and that the second runs into; to which of them does not matter."""
+
+    buffer: Bumper
+
+
+Sprung = TypeVar("Sprung", Joined, Buffered)
+
+
+def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:
+    """What was drawn, from left to right and on firm springs."""
+    ordered = tuple(sorted(gliders, key=lambda glider: glider.x))
+    return {"gliders": ordered, "joined": _firm(joined, ordered), "buffers": _firm(buffers, ordered)}
+
+
+def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, ...]:
+    """Those whose springs are stiff enough, or can be made so, that nothing compresses them to nothing.
+
+    With a reduced mass µ and a relative speed of at most twice the largest, ½µ(2v)² = ½kd² where d is 0.6 of the room.
+    """
+    fastest, found = 2.0 * max(abs(glider.v) for glider in gliders), list[Sprung]()
+    for pair in pairs:
+        one, other = gliders[pair.first], gliders[pair.second]
+        room = pair.buffer.length if isinstance(pair, Buffered) else other.x - one.x
+        spring = pair.buffer if isinstance(pair, Buffered) else pair.spring
+        least = one.mass * other.mass / (one.mass + other.mass) * (fastest / (0.6 * room)) ** 2
+        if least <= HARDEST:
+            stiff = rebuilt(spring, stiffness=max(spring.stiffness, 10.0 * ceil(0.1 * least)))
+            found.append(rebuilt(pair, **{"buffer" if isinstance(pair, Buffered) else "spring": stiff}))
+    return tuple(found)
+
+
+class OwnRestitution(Pair):
+    """A restitution of two neighbours other than that of all the others."""
+
+    restitution: Restitution
+
+
+JOINED = each(
+    "joined",
+    "{joined.*.spring}, relaxed at first, joins {joined.*.first>gliders} to {joined.*.second>gliders}.",
+    "{joined.*.first>gliders} is joined to {joined.*.second>gliders} by {joined.*.spring}, which is relaxed at first.",
+    "between {joined.*.first>gliders} and {joined.*.second>gliders} runs {joined.*.spring} that is fixed to both and relaxed at first.",
+)
+"""The lines of an entity whose `gliders` have `joined`: springs that are fixed to both."""
+
+BUFFERS = each(
+    "buffers",
+    "{buffers.*.buffer} is fixed to {buffers.*.first>gliders} on the side of {buffers.*.second>gliders}.",
+    "{buffers.*.first>gliders} has, on the side of {buffers.*.second>gliders}, {buffers.*.buffer}.",
+    "on its side towards {buffers.*.second>gliders} {buffers.*.first>gliders} carries {buffers.*.buffer}.",
+)
+"""The lines of an entity whose `gliders` have `buffers`: springs that are fixed to one of them."""
+
+PAIRS = each(
+    "pairs",
+    "between {pairs.*.first>gliders} and {pairs.*.second>gliders} the coefficient of restitution is {pairs.*.restitution}.",
+    "when {pairs.*.first>gliders} and {pairs.*.second>gliders} meet, the coefficient of restitution is {pairs.*.restitution}.",
+    "the coefficient of restitution of {pairs.*.first>gliders} with {pairs.*.second>gliders} is {pairs.*.restitution}.",
+)
+"""The lines of an entity whose `gliders` have `pairs`: a restitution of its own."""

@@ -1,0 +1,236 @@
+"""Pieces of a rigid body that turns about an axle: what each is, where on its arm it sits, and how it is turned.
+
+In an arm's own axes x points along the arm, away from the axle, y along the axle, and z at right angles to both.
+"""
+
+from math import cos, radians, sin
+from typing import Annotated, Literal, Self
+
+from annotated_types import Gt, Lt
+from pydantic import model_validator
+
+from sim2reason.bodies.bar import Bar
+from sim2reason.bodies.bowl import Bowl, SphericalCap
+from sim2reason.bodies.cylinder import Cylinder
+from sim2reason.bodies.disc import Disc
+from sim2reason.bodies.hemisphere import Hemisphere
+from sim2reason.bodies.holed_sphere import HollowSphereWithHole, SphereWithHole
+from sim2reason.bodies.hollow_sphere import HollowSphere, SphericalShell
+from sim2reason.bodies.hoop import Hoop
+from sim2reason.bodies.polygonal_prism import PolygonalPrism
+from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.dsl.entity import Part
+from sim2reason.dsl.measures import Chance, Length, Measure, Range
+from sim2reason.dsl.mechanism import X, Y, Z
+from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.solids import Axes, axes_along, seen
+from sim2reason.dsl.template import either
+from sim2reason.dsl.vectors import outer, scale
+
+Distance = Annotated[Length, Range(0.15, 1.2)]
+Side = Literal["from the axle", "beyond the axle"]
+Tilt = Annotated[float, Gt(0), Lt(90), Measure("tilt", "deg", r"\beta", decimals=0), Range(15.0, 75.0)]
+Edge = Literal["length", "width", "thickness"]
+Axial = UniformRod | Cylinder | Disc | Hoop | PolygonalPrism
+WAYS = {"along the arm": X, "parallel to the axle": Y, "at right angles to both arm and axle": Z}
+
+
+class WeldedPiece(Part):
+    """A body on an arm; `distance` is that of what the text calls its centre."""
+
+    distance: Distance
+    side: Annotated[Side, Chance(0.3)] = "from the axle"
+
+    @property
+    def shape(self) -> Shape:
+        """The body."""
+        raise NotImplementedError
+
+    @property
+    def axes(self) -> Axes:
+        """Where its own axes point, in those of the arm."""
+        raise NotImplementedError
+
+    @property
+    def place(self) -> float:
+        """Where it is along the arm, m; negative beyond the axle."""
+        return self.distance if self.side == "from the axle" else -self.distance
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From where to where it reaches along the arm, m."""
+        ahead, behind = seen(X, self.axes), seen(scale(-1.0, X), self.axes)
+        return self.place - self.shape.reach(behind), self.place + self.shape.reach(ahead)
+
+    def outwards(self, *, away: bool) -> Axes:
+        """Axes of which z points away from the axle, or towards it."""
+        return axes_along(scale(1.0 if away == (self.place > 0.0) else -1.0, X))
+
+
+class RoundPiece(WeldedPiece):
+    """A sphere or a shell, which looks the same however it is turned."""
+
+    body: Sphere | SphericalShell | HollowSphere
+
+    says = (
+        either(
+            "{body} is fixed to the arm with its centre on it, {distance} {side}.",
+            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side}.",
+            "welded to the arm is {body}, centred {distance} {side}.",
+        ),
+    )
+
+    @property
+    def shape(self) -> Shape:
+        """The sphere."""
+        return self.body
+
+    @property
+    def axes(self) -> Axes:
+        """Any."""
+        return axes_along(X)
+
+
+class AxialPiece(WeldedPiece):
+    """A body with an axis, which points along the arm, along the axle, or across both."""
+
+    body: Axial
+    axis: Literal["along the arm", "parallel to the axle", "at right angles to both arm and axle"]
+
+    says = (
+        either(
+            "{body} is fixed to the arm with its centre on it, {distance} {side}, and its {body.axis} {axis}.",
+            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side} and whose {body.axis} is {axis}.",
+            "welded to the arm is {body}, centred {distance} {side}, its {body.axis} {axis}.",
+        ),
+    )
+
+    @property
+    def shape(self) -> Shape:
+        """The body."""
+        return self.body
+
+    @property
+    def axes(self) -> Axes:
+        """Round its own axis it looks the same."""
+        return axes_along(WAYS[self.axis])
+
+
+class TiltedPiece(WeldedPiece):
+    """A body with an axis that is tilted from the arm towards the axle; to which side does not matter.
+
+    Turned in the plane of the swing it would be no other body: about the axle I⊥ stays. Here it is I⊥ cos²β + I∥ sin²β.
+    """
+
+    body: Axial
+    tilt: Tilt
+
+    says = (
+        either(
+            "{body} is fixed to the arm with its centre on it, {distance} {side}, and its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
+            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side} and whose {body.axis} is tilted by {tilt} from the arm towards the direction of the axle.",
+            "welded to the arm is {body}, centred {distance} {side}, its {body.axis} in the plane of arm and axle, at {tilt} to the arm.",
+        ),
+    )
+
+    @property
+    def shape(self) -> Shape:
+        """The body."""
+        return self.body
+
+    @property
+    def axes(self) -> Axes:
+        """Round its own axis it looks the same."""
+        return axes_along((cos(radians(self.tilt)), sin(radians(self.tilt)), 0.0))
+
+
+class CappedPiece(WeldedPiece):
+    """A part of a sphere, its axis on the arm; its centre is that of its flat face or opening."""
+
+    body: Hemisphere | SphericalCap | Bowl
+    faces: Literal["the axle", "away from the axle"]
+
+    says = (
+        either(
+            "{body} is fixed to the arm with the centre of its {body.front} on it, {distance} {side}; this faces {faces}.",
+            "rigidly attached to the arm is {body}, whose {body.front} faces {faces} and has its centre on the arm {distance} {side}.",
+            "welded to the arm is {body}, its {body.front} centred {distance} {side} and facing {faces}.",
+        ),
+    )
+
+    @property
+    def shape(self) -> Shape:
+        """The cap."""
+        return self.body
+
+    @property
+    def axes(self) -> Axes:
+        """The pole is where it does not face."""
+        return self.outwards(away=self.faces == "the axle")
+
+
+class HoledPiece(WeldedPiece):
+    """A sphere with a hole, centred on the arm as the hole is."""
+
+    body: SphereWithHole | HollowSphereWithHole
+    hole: Literal["nearer to the axle", "farther from the axle"]
+
+    says = (
+        either(
+            "{body} is fixed to the arm, which runs through its own centre, {distance} {side}, and through the {body.gap}, {hole}.",
+            "rigidly attached to the arm is {body}, whose own centre lies on it {distance} {side} and whose {body.gap} lies on it {hole}.",
+            "welded to the arm is {body}, centred {distance} {side}, with its {body.gap} on the line of the arm and {hole}.",
+        ),
+    )
+
+    @property
+    def shape(self) -> Shape:
+        """The sphere."""
+        return self.body
+
+    @property
+    def axes(self) -> Axes:
+        """From its centre to the hole."""
+        return self.outwards(away=self.hole == "farther from the axle")
+
+
+class BarPiece(WeldedPiece):
+    """A rectangular bar: one of its edges along the arm, another parallel to the axle."""
+
+    body: Bar
+    along: Edge
+    across: Edge
+
+    says = (
+        either(
+            "{body} is fixed to the arm with its centre on it, {distance} {side}, its {along} along the arm and its {across} parallel to the axle.",
+            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side}, whose {along} is along it and whose {across} is parallel to the axle.",
+            "welded to the arm is {body}, centred {distance} {side}, its {along} along the arm, its {across} parallel to the axle.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _has_two_edges(self) -> Self:
+        if self.along == self.across:
+            raise ValueError("along, across: they name the same edge; name two")
+        return self
+
+    @property
+    def shape(self) -> Shape:
+        """The bar."""
+        return self.body
+
+    @property
+    def axes(self) -> Axes:
+        """Its width, thickness and length as its x, y and z; the third one as the other two leave it."""
+        order = ("width", "thickness", "length")
+        along, across = order.index(self.along), order.index(self.across)
+        ways = {along: X, across: Y, 3 - along - across: Z}
+        if (across - along) % 3 == 1:
+            return (ways[0], ways[1], ways[2])
+        ways[3 - along - across] = outer(Y, X)
+        return (ways[0], ways[1], ways[2])
+
+
+AnyPiece = RoundPiece | AxialPiece | TiltedPiece | CappedPiece | HoledPiece | BarPiece

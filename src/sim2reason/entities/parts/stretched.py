@@ -1,0 +1,13 @@
+"""What entities with a spring share: how long it is at the start."""
+
+from typing import Annotated
+
+from sim2reason.dsl.measures import Length, Range
+from sim2reason.dsl.template import either
+
+StartLength = Annotated[Length, Range(0.2, 1.0)]
+AT_FIRST = either(
+    "at first {spring} is {start} long.",
+    "the length of {spring} at the start is {start}.",
+    "{spring} starts with a length of {start}.",
+)

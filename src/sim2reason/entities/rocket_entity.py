@@ -1,0 +1,101 @@
+"""A rocket that burns its fuel at a steady rate: on a planet that really pulls, on level ground, in deep space."""
+
+from collections.abc import Mapping
+from math import sqrt
+from typing import Annotated, Any
+
+import numpy as np
+from annotated_types import Le
+
+from sim2reason.bodies.rocket import AirlessPlanet, DeepSpace, LevelGround, Rocket
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import LEAST, Measure, Range
+from sim2reason.dsl.mechanism import GRAVITY, X, Z
+from sim2reason.dsl.model import field_types
+from sim2reason.dsl.template import either
+
+ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u"), Range(0.4, 3.0)]
+BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu"), Range(1.0, 10.0)]
+G = 6.674e-11  # N m²/kg²
+KILO = 1e3
+THRUST = Range(0.8, 4.0)  # times the weight at the start: below 1 the rocket waits until it is light enough
+ESCAPE = Range(0.3, 1.2)  # exhaust speeds, in terms of the escape speed
+BURNS = 2.0  # times the time that the fuel lasts, for which the motion is followed
+
+
+@entity
+class RocketEntity(Entity):
+    """Thrust is the burn rate times the exhaust speed; without a planet or ground nothing else acts."""
+
+    rocket: Rocket
+    place: AirlessPlanet | LevelGround | DeepSpace
+    exhaust: ExhaustSpeed
+    rate: BurnRate
+
+    says = (
+        either(
+            "{rocket} {place}.",
+            "at first {rocket} {place}.",
+            "before t = 0 {rocket} {place}.",
+        ),
+        either(
+            "at t = 0 the engine starts: it burns {rate} and ejects the gas backwards at {exhaust} relative to {rocket} until no fuel is left.",
+            "from t = 0 on {rocket} burns fuel at the rate of {rate}, ejecting the gas backwards at {exhaust} relative to itself, until none is left.",
+            "its engine, started at t = 0, ejects gas backwards at {exhaust} relative to {rocket} and burns {rate} until the fuel is spent.",
+        ),
+    )
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """An exhaust that can nearly leave the planet, and a thrust that can lift the rocket."""
+        place, exhaust = drawn["place"], drawn["exhaust"]
+        if isinstance(place, DeepSpace):
+            return {}
+        g = GRAVITY
+        if isinstance(place, AirlessPlanet):
+            g, escape = place.gravity, sqrt(2.0 * place.gravity * place.radius / KILO)
+            exhaust = _spoken("exhaust", rng.uniform(ESCAPE.low, ESCAPE.high) * escape)
+        thrust = rng.uniform(THRUST.low, THRUST.high) * drawn["rocket"].mass * g
+        return {"exhaust": exhaust, "rate": _spoken("rate", thrust / (KILO * exhaust))}
+
+    @property
+    def clocked(self) -> bool:
+        """Its engine starts at t = 0."""
+        return True
+
+    @property
+    def burning_time(self) -> float:
+        """How long the fuel lasts, s."""
+        return (self.rocket.mass - self.rocket.dry) / self.rate
+
+    @property
+    def horizon(self) -> float:
+        """Twice the time that the fuel lasts, s."""
+        return BURNS * self.burning_time
+
+    def build(self, room: Frame) -> None:
+        """One coordinate: up the room in its own gravity, along a level line from a planet and in deep space.
+
+        What it stands on is a strut that it may leave; where it returns to the ground its motion ends.
+        """
+        way = Z if isinstance(self.place, LevelGround) else X
+        rocket = room.body("rocket", self.rocket.mass)
+        if isinstance(self.place, DeepSpace):
+            rocket.slide(way, name="along")
+        else:
+            rocket.slide(way, limits=(0.0, float("inf")), name="rise").site("tail")
+            room.site("pad", at=(-way[0], -way[1], -way[2]))
+            room.prop("stand", room.address("pad"), room.address("tail"))
+        rocket.burn(self.rate, KILO * self.exhaust, self.burning_time, way)
+        if isinstance(self.place, AirlessPlanet):
+            radius = KILO * self.place.radius
+            planet = room.body("place", self.place.gravity * radius**2 / G, at=(-radius, 0.0, 0.0))
+            rocket.attract(planet, G)
+
+
+def _spoken(name: str, value: float) -> float:
+    """A number as it will be said."""
+    measure = field_types(RocketEntity)[name].measure
+    assert measure is not None
+    return measure.round(value)

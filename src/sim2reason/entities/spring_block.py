@@ -1,0 +1,105 @@
+"""A block on a smooth table, held by springs at angles."""
+
+from itertools import combinations
+from math import dist, pi, sqrt
+from typing import Annotated, Self
+
+from annotated_types import Ge, Le, Len
+from pydantic import model_validator
+
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.spring import NailedSpring
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, Part, entity
+from sim2reason.dsl.measures import Chance, Count, Damping, Measure, Range
+from sim2reason.dsl.mechanism import X, Y
+from sim2reason.dsl.template import each, either
+from sim2reason.entities.parts.springs import DASHPOTS
+
+Across = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-0.3, 0.3)]
+Away = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimals=2), Range(-0.3, 0.3)]
+Rate = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-2.0, 2.0)]
+NEAREST = 0.05  # m from the block to a nail, and from nail to nail
+PERIODS = 2.0  # of an oscillation along all springs at once that the motion is followed for
+
+
+class Launch(Part):
+    """A velocity at the start."""
+
+    x: Rate
+    y: Rate
+
+
+@entity
+class SpringBlock(Entity):
+    """A small block on a table, and springs from it to nails."""
+
+    block: Block
+    springs: Annotated[tuple[NailedSpring, ...], Len(1, 6), Count(1, 4)]
+    damping: Annotated[Damping | None, Chance(0.2)] = None
+    x: Across
+    y: Away
+    launch: Annotated[Launch | None, Chance(0.5)] = None
+
+    says = (
+        either(
+            "{block} lies on a smooth horizontal table, on which x points to the right and y away from you.",
+            "on a smooth horizontal table, where x points to the right and y away from you, lies {block}.",
+            "a smooth horizontal table carries {block}; there x points to the right and y away from you.",
+        ),
+        each(
+            "springs",
+            "{springs.*} joins {block} to a nail at ({springs.*.x}, {springs.*.y}).",
+            "from {block} {springs.*} runs to a fixed point at ({springs.*.x}, {springs.*.y}).",
+            "a nail at ({springs.*.x}, {springs.*.y}) holds one end of {springs.*}, and {block} the other.",
+            table=(
+                "light {noun}s run from {block} to fixed points; the table gives each {noun}'s {columns}.",
+                "{block} is tied to fixed points by light {noun}s, and the table gives the {columns} of each.",
+                "the light {noun}s that {block} is tied to have the other end fixed; the table lists their {columns}.",
+                "light {noun}s hold {block}; each has the {columns} that the table gives.",
+            ),
+        ),
+        DASHPOTS,
+        either(
+            "at first {block} is at the point ({x}, {y}).",
+            "{block} starts from the point ({x}, {y}).",
+            "at the start {block} is held at ({x}, {y}).",
+        ),
+        either(
+            "from there it is launched with the velocity ({launch.x}, {launch.y}).",
+            "there it is given the velocity ({launch.x}, {launch.y}).",
+            "it leaves this point with the velocity ({launch.x}, {launch.y}).",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        ends = [(spring.x, spring.y) for spring in self.springs]
+        for index, end in enumerate(ends):
+            if dist(end, (self.x, self.y)) < NEAREST:
+                raise ValueError(f"springs.{index}: its fixed end is where the block starts; move one of them")
+        for (i, one), (j, other) in combinations(enumerate(ends), 2):
+            if dist(one, other) < NEAREST:
+                raise ValueError(f"springs.{i} and springs.{j} have one fixed end; make one spring of them")
+        return self
+
+    @property
+    def horizon(self) -> float:
+        """Some periods of the block if all springs lay along one line, s."""
+        return PERIODS * 2.0 * pi * sqrt(self.block.mass / sum(spring.stiffness for spring in self.springs))
+
+    def build(self, room: Frame) -> None:
+        """Two slides on the table, and a spring to each nail."""
+        launch = self.launch or Launch(x=0.0, y=0.0)
+        block = room.body("block", self.block.mass, at=(self.x, self.y, 0.0))
+        block.slide(X, launch.x, name="x").slide(Y, launch.y, name="y").site("hook")
+        for index, spring in enumerate(self.springs):
+            room.site(f"nail{index}", at=(spring.x, spring.y, 0.0))
+            room.spring(
+                f"springs.{index}",
+                room.address(f"nail{index}"),
+                room.address("hook"),
+                stiffness=spring.stiffness,
+                length=spring.length,
+                damping=self.damping or 0.0,
+            )

@@ -1,0 +1,112 @@
+"""Carts in a row on a straight track, joined by springs, with or without walls at the ends."""
+
+from math import pi, sqrt
+from typing import Annotated, Literal, Self
+
+from annotated_types import Len
+from pydantic import model_validator
+
+from sim2reason.bodies.cart import Cart
+from sim2reason.bodies.spring import Coil
+from sim2reason.bodies.track import RoughTrack
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import Entity, entity
+from sim2reason.dsl.measures import Chance, Count, Damping, FreeLength, Sized
+from sim2reason.dsl.template import Word, either
+from sim2reason.dsl.vectors import scale
+from sim2reason.entities.parts.springs import DASHPOTS, Blow, Strained
+
+WALLS = {"free": 0, "left": 1, "right": 1, "both": 2}
+PERIODS = 1.5  # of the heaviest cart on the softest spring that the motion is followed for
+Springs = Annotated[
+    tuple[Coil, ...], Len(1, 7), Count(1, 7), Sized(lambda held: len(held["carts"]) - 1 + WALLS[held["ends"]])
+]
+
+
+@entity
+class SpringMassChain(Entity):
+    """Carts and springs in series; at the start one spring may be strained and one cart be struck."""
+
+    track: RoughTrack
+    carts: Annotated[tuple[Cart, ...], Len(1, 6), Count(1, 4)]
+    ends: Annotated[Literal["free", "left", "right", "both"], Chance(1.0)] = "free"
+    springs: Springs
+    damping: Annotated[Damping | None, Chance(0.2)] = None
+    strain: Annotated[Strained, Chance(0.6)] = Strained()
+    blow: Annotated[Blow | None, Chance(0.6)] = None
+    spacing: FreeLength = 3.0
+
+    words = {
+        "where": Word(
+            "ends",
+            {
+                "free": "from {carts:/{carts.first} to {carts.last}/each of them to the next}",
+                "left": "from a fixed wall {track.left} to {carts.first}{carts:/ and from {carts.first} to {carts.last}/ and from each of them to the next}",
+                "right": "from {carts:/{carts.first} to {carts.last} and from /each of them to the next and from }{carts.last} to a fixed wall {track.right}",
+                "both": "from a fixed wall {track.left} to {carts.first}{carts:/, from {carts.first} to {carts.last}/, from each of them to the next} and from {carts.last} to a fixed wall {track.right}",
+            },
+        ),
+        "strained": Word(
+            "strain.by",
+            {0.0: "{springs:the spring is/all springs are} relaxed"},
+            "{strain.spring>springs} is {strain.way} by {strain.by}{springs:/ and the other is relaxed/ and the others are relaxed}",
+        ),
+        "toward": Word("blow.toward", {"right": "{track.ahead}", "left": "{track.back}"}),
+    }
+    says = (
+        either(
+            "{carts} {carts:stands/stand in a row, {track.order},} on {track}.",
+            "on {track} {carts:stands/stand, in this order {track.order},} {carts}.",
+            "{track} carries {carts}{carts:/, in this order {track.order}}.",
+        ),
+        either(
+            "the coefficient of friction (static and kinetic) on this track is {track.friction}.",
+            "friction on the track, static and kinetic, has the coefficient {track.friction}.",
+            "the coefficients of static and of kinetic friction on the track are both {track.friction}.",
+        ),
+        either(
+            "{springs:/light }{springs} {springs:runs/run, in this order,} {where}.",
+            "{where} {springs:runs/run, in this order,} {springs:/light }{springs}.",
+            "the {springs:link/links} {where} {springs:is/are, in this order,} {springs:/light }{springs}.",
+        ),
+        DASHPOTS,
+        either(
+            "at first {strained}.",
+            "at the start {strained}.",
+            "to begin with, {strained}.",
+        ),
+        either(
+            "{blow.cart>carts} is struck and starts off {toward} at {blow.speed}{carts:/, the other being at rest/, the others being at rest}.",
+            "at t = 0 a blow sends {blow.cart>carts} off {toward} at {blow.speed}{carts:/, while the other is at rest/, while the others are at rest}.",
+            "at t = 0 {blow.cart>carts} moves {toward} with a speed of {blow.speed}{carts:/ and the other is at rest/ and all others are at rest}.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _moves(self) -> Self:
+        if self.strain.by == 0.0 and self.blow is None and (self.track.tilt == 0.0 or self.ends == "free"):
+            raise ValueError("strain, blow: no spring is ever strained; strain one or strike a cart")
+        return self
+
+    @property
+    def horizon(self) -> float:
+        """Some periods of the heaviest cart on the softest spring, s."""
+        heaviest, softest = max(cart.mass for cart in self.carts), min(spring.stiffness for spring in self.springs)
+        return PERIODS * 2.0 * pi * sqrt(heaviest / softest)
+
+    def build(self, room: Frame) -> None:
+        """Carts at equal distances, each spring from one to the next as long as they are apart, but for its strain."""
+        along, stops = self.track.along, list[str]()
+        if self.ends in ("left", "both"):
+            stops.append(room.site("left", at=scale(-self.spacing, along)).address("left"))
+        for index, cart in enumerate(self.carts):
+            speed = 0.0 if self.blow is None else self.blow.velocity(index)
+            frame = room.body(f"carts.{index}", cart.mass, at=scale(index * self.spacing, along))
+            self.track.carry(frame, speed).site(f"hook{index}")
+            stops.append(room.address(f"hook{index}"))
+        if self.ends in ("right", "both"):
+            stops.append(room.site("right", at=scale(len(self.carts) * self.spacing, along)).address("right"))
+        for index, spring in enumerate(self.springs):
+            length, damping = self.spacing - self.strain.of(index), self.damping or 0.0
+            joined = stops[index : index + 2]
+            room.spring(f"springs.{index}", *joined, stiffness=spring.stiffness, length=length, damping=damping)
