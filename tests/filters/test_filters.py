@@ -20,6 +20,7 @@ from sim2reason.simulation.channels import Channel
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
 LEFT, RIGHT = "table.pucks.0", "table.pucks.1"
+BOTH = "table.pucks.0 & table.pucks.1"
 
 
 def candidate(scene: Scene, moment: Moment, target: Target | None, answer: float | None = None) -> Candidate:
@@ -49,8 +50,8 @@ def test_nothing_is_told_from_zero_or_from_the_text() -> None:
 def test_what_a_hit_has_not_changed_yet_is_no_question() -> None:
     slow = table(speed=1.37)
     momentum = Target("momentum", LEFT)
-    assert "changes" in reason("degenerate", candidate(slow, Collided(LEFT, RIGHT, after=False), momentum, 1.37))
-    assert not reason("degenerate", candidate(table(speed=2.0), Collided(LEFT, RIGHT, after=True), momentum, 0.4))
+    assert "changes" in reason("degenerate", candidate(slow, Collided(BOTH, after=False), momentum, 1.37))
+    assert not reason("degenerate", candidate(table(speed=2.0), Collided(BOTH, after=True), momentum, 0.4))
 
 
 def test_a_distance_that_the_question_states_is_no_answer() -> None:
@@ -88,7 +89,7 @@ def test_a_distance_that_only_one_engine_sees_covered_goes() -> None:
 
 @pytest.mark.parametrize("after", [True, False])
 def test_what_happens_at_an_event_is_vouched_for_beyond_it(after: bool) -> None:
-    found = candidate(table(), Collided(LEFT, RIGHT, after=after), Target("velocity", LEFT), 1.0)
+    found = candidate(table(), Collided(BOTH, after=after), Target("velocity", LEFT), 1.0)
     certificate = witnessed(found.study.trace)[1]
     assert not reason("agreement", replace(found, certificate=certificate))
     until = {**certificate.until, Channel(LEFT, "velocity"): 0.39}  # they meet at 0.40 s

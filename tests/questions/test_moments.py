@@ -1,5 +1,6 @@
 """When things happen, against closed forms."""
 
+from dataclasses import replace
 from math import cos, inf, nan, radians, sin, sqrt
 
 import numpy as np
@@ -8,34 +9,56 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plain_scenes import G, atwood, ramp, table
-from sim2reason.questions import Words
-from sim2reason.questions.crossing import first_crossing
+from sim2reason.dsl.scene import Scene
+from sim2reason.prose.writer import describe
+from sim2reason.quantities.subjects.pairs import pair
+from sim2reason.questions import Moment
+from sim2reason.questions.crossing import begins_beyond, crossings, first_crossing
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.spoken import pair, said, say, spoken, two_digits
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.spoken import said, say, spoken, two_digits
 from sim2reason.simulation.scenes import simulate
 
 BLOCK = "ramp.blocks.0"
-NAMES = {BLOCK: "the block", "table.pucks.0": "puck A", "table.pucks.1": "puck B"}
+PUCKS = "table.pucks.0 & table.pucks.1"
 
 
-@given(st.floats(0.05, 0.999), st.floats(0.1, 10.0))
-def test_the_first_of_two_crossings_is_found(share: float, end: float) -> None:
-    root = share * end
-    found = first_crossing(lambda t: (t - root) * (2.0 * end - t), end)
+FALL = simulate(ramp(angle=30.0))  # a motion whose clock is asked
+
+
+@given(st.floats(0.05, 0.999), st.floats(1.05, 3.0))
+def test_the_first_of_two_crossings_is_found(share: float, later: float) -> None:
+    root = 2.0 * share
+    found = first_crossing(FALL, lambda state: (state.times - root) * (later * 2.0 - state.times))
     assert found == pytest.approx(root, rel=1e-12)
 
 
 def test_a_parabola_that_only_touches_on_its_way_back_is_met_on_its_way_there() -> None:
-    assert first_crossing(lambda t: 1.0 - (t - 1.0) ** 2 - 0.75, 2.0) == pytest.approx(0.5, rel=1e-12)
+    found = first_crossing(FALL, lambda state: 1.0 - (state.times - 1.0) ** 2 - 0.75)
+    assert found == pytest.approx(0.5, rel=1e-12)
+
+
+@given(st.floats(0.1, 1.9), st.floats(1e-9, 1e-2))
+def test_a_pair_of_crossings_between_two_samples_is_seen(middle: float, apart: float) -> None:
+    found = list(crossings(FALL, lambda state: apart**2 - (state.times - middle) ** 2))
+    assert found == [pytest.approx(middle - apart, rel=1e-9)] or apart < 1e-3
 
 
 def test_what_is_never_reached_is_none() -> None:
-    assert first_crossing(lambda t: t - 3.0, 2.0) is None
-    assert first_crossing(lambda t: np.full_like(t, -1.0), 2.0) is None
+    assert first_crossing(FALL, lambda state: state.times - 3.0) is None
+    assert first_crossing(FALL, lambda state: np.full_like(state.times, -1.0)) is None
+
+
+def test_what_begins_at_zero_must_fall_below_it_first() -> None:
+    assert first_crossing(FALL, lambda state: state.times) is None
+    assert begins_beyond(FALL, lambda state: state.times)
+    assert not begins_beyond(FALL, lambda state: state.times * (state.times - 1.0))
+    found = first_crossing(FALL, lambda state: state.times * (state.times - 1.0))
+    assert found == pytest.approx(1.0, rel=1e-12)
 
 
 def test_a_block_that_slides_down_is_somewhere_at_the_textbook_time() -> None:
@@ -59,10 +82,10 @@ def test_a_block_that_stays_never_stops() -> None:
 
 def test_pucks_meet_when_the_gap_is_closed_and_sides_differ() -> None:
     trace = simulate(table(speed=2.0))
-    before, after = Collided(*list(NAMES)[1:], after=False), Collided(*list(NAMES)[1:], after=True)
+    before, after = Collided(PUCKS, after=False), Collided(PUCKS, after=True)
     assert before.time(trace) == after.time(trace) == pytest.approx(0.8 / 2.0, rel=1e-12)
     assert before.side(0.4) < 0.4 == after.side(0.4)
-    assert Collided("table.pucks.0", "nobody", after=True).time(trace) is None
+    assert Collided("table.pucks.0 & nobody", after=True).time(trace) is None
 
 
 def test_times_are_those_that_are_said() -> None:
@@ -93,11 +116,12 @@ def test_what_is_no_number_is_not_said(value: float) -> None:
 
 @pytest.mark.parametrize("released", [True, False])
 def test_every_moment_has_three_phrases_in_the_words_of_the_text(released: bool) -> None:
-    moments = (AtStart(), AtTime(0.5), Moved(BLOCK, 0.5), Stopped(BLOCK), Collided(*list(NAMES)[1:], after=True))
-    for moment in moments:
-        phrases = moment.phrases(Words(NAMES, released))
+    told: list[tuple[Moment, Scene]] = [(moment, ramp()) for moment in (AtStart(), AtTime(0.5), Moved(BLOCK, 0.5))]
+    for moment, scene in [*told, (Stopped(BLOCK), ramp()), (Collided(PUCKS, after=True), table())]:
+        words = replace(words_of(describe(scene)), released=released)
+        phrases = moment.phrases(words)
         assert len(set(phrases)) >= 3
-        assert all(NAMES[name].split()[-1] in phrase for name in moment.subjects for phrase in phrases)
+        assert all(words.mentions[name].split()[-1] in phrase for name in moment.subjects for phrase in phrases)
         if isinstance(moment, AtStart | AtTime):
             assert all(("t =" in phrase) != released for phrase in phrases)
 

@@ -55,57 +55,41 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import apart, free_bodies, named
-from sim2reason.questions.crossing import first_crossing
-from sim2reason.questions.moments import MOMENTS, Clause, Happening
-from sim2reason.questions.spoken import said, say, spoken
-from sim2reason.simulation.channels import Channel
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.spoken import spoken
 
 
 @MOMENTS.register("sped_up")
 @dataclass(frozen=True, slots=True)
-class SpedUp(Happening):
+class SpedUp(Threshold):
     """The first time that a body has a stated speed."""
 
-    label = "speed"
-
-    body: str
-    speed: float
+    label, of, hangs_on, unit = "speed", Bodies(), "velocity", "m/s"
 
     @classmethod
-    def found(cls, study, words, rng):
-        """A drawn speed for the first body."""
-        name, end = free_bodies(study.mechanism, words)[0], study.trace.stable_until
-        moment = cls(name, spoken(rng.uniform(0.2, 0.8) * _speed(study.trace, name, np.array([end]))[0]))
-        time = study.time(moment)
-        return [moment] if time is not None and apart(time, study.trace) else []
+    def drawn(cls, name, trace, rng):
+        """A part of the greatest."""
+        return spoken(rng.uniform(0.2, 0.8) * _speed(trace.scan, name).max())
 
-    @classmethod
-    def parsed(cls, text, trace, words):
-        """Every body that is named, with every speed."""
-        return (cls(name, speed) for name in named(text, trace.mechanism, words) for speed in said(text, "m/s"))
-
-    subjects = property(lambda self: (self.body,))
-    channels = tells = property(lambda self: (Channel(self.body, "velocity"),))
-    stated = property(lambda self: ((self.speed, "m/s"),))
-
-    def time(self, trace):
-        """By scanning."""
-        return first_crossing(lambda times: _speed(trace, self.body, times) - self.speed, trace.stable_until)
+    def excess(self, state):
+        """How much faster it is."""
+        return _speed(state, self.name) - self.value
 
     def phrases(self, words):
         """As in: when the block first moves at 2.0 m/s."""
-        first = f"{words.mentions[self.body]} first moves at {say(self.speed, 'm/s')}"
+        first = f"{self.subject(words)} first moves at {self.said(words)}"
         return (f"when {first}", f"at the moment when {first}", f"as soon as {first}")
 
     def clause(self, words):
         """As in: the block first moves at 2.0 m/s."""
-        speed = say(self.speed, "m/s")
-        return Clause(words.mentions[self.body], "does", f"first move at {speed}", f"first moves at {speed}")
+        speed = self.said(words)
+        return Clause(self.subject(words), "does", f"first move at {speed}", f"first moves at {speed}")
 
 
-def _speed(trace, body, times):
-    return np.linalg.norm(QUANTITIES["velocity"].evaluate(trace.sample(times), body), axis=1)
+def _speed(state, body):
+    return np.linalg.norm(QUANTITIES["velocity"].evaluate(state, body), axis=1)
 '''
 KIND = '''
 import numpy as np
@@ -157,14 +141,14 @@ import numpy as np
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Displacement
 from sim2reason.quantities.subjects import Sense, Subject
-from sim2reason.questions.spoken import pair
+from sim2reason.quantities.subjects.pairs import pair
 
 
 @dataclass(frozen=True)
-class Pairs(Subject):
+class Couples(Subject):
     """Every two bodies that may meet."""
 
-    name = slot = "pair"
+    name, slot = "couple", "pair"
 
     def names(self, mechanism):
         """By the names of both."""
@@ -188,7 +172,7 @@ class Gap(Quantity):
     """How much farther apart the centres of two bodies are than at the start."""
 
     name, unit, symbol = "gap", "m", "d"
-    of = Pairs()
+    of = Couples()
     magnitude = "the change in the distance between the centres of {pair} since the start"
     signed = "the gain in the distance between the centres of {pair} since the start"
     floor = 0.1
@@ -255,7 +239,7 @@ def test_one_file_is_enough(kind: str, wanted: Wanted, scene: Scene) -> None:
     certified = _asked(search, kind, wanted)
     query, words = certified.question.query, words_of(search.description)
     # told, and parsed back to the same query and the same answer
-    offered = targets(search.study.mechanism, words)
+    offered = targets(words)
     shapes = KINDS[query.kind].shapes(query, words, offered[query.target] if query.target is not None else None)
     assert certified.question.text in {sentence(shape) for shape in shapes}
     assert {parse_question(sentence(shape), search.study, words) for shape in shapes} == {query}
@@ -289,7 +273,7 @@ def test_a_new_quantity_is_a_channel_and_has_a_panel() -> None:
     search = QuestionSearch(atwood(), 3)
     shown = motion_curves(search.study.trace, search.description)
     panel = next(panel for panel in shown.panels if panel.title == "power (W)")
-    assert [curve.name for curve in panel.curves] == ["A, power of weight", "B, power of weight"]
+    assert [curve.name for curve in panel.curves] == ["A", "B"]
     assert all(np.abs(curve.values).max() > 1.0 for curve in panel.curves)
     assert Channel("one.system.blocks.0", "power of weight") in search._told[1].until
 

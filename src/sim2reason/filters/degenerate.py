@@ -20,12 +20,19 @@ class Degenerate:
 
     def reason(self, candidate: Candidate) -> str:
         """Compare the answer with zero, with the scene's scale and with every number of the text."""
-        answer, query = abs(candidate.question.answer), candidate.question.query
-        if answer <= max(KINDS[query.kind].measured(query).least, SMALLEST * _scale(candidate)):
+        answer = abs(candidate.question.answer)
+        if answer <= max(_least(candidate), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"
         if any(abs(answer - abs(said)) <= SAME * answer for said in _stated(candidate, candidate.question.unit)):
             return "the answer is a stated number"
         return "nothing changes it before" if _lasting(candidate) else ""
+
+
+def _least(candidate: Candidate) -> float:
+    """The smallest answer; of what grows with mass in proportion to the heaviest body, where that is light."""
+    least, quantity = KINDS[candidate.question.query.kind].measured(candidate.question.query).least, _asked(candidate)
+    heaviest = max(body.mass for body in candidate.study.mechanism.bodies)
+    return least * min(1.0, heaviest) if quantity is not None and quantity.heavy else least
 
 
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
@@ -33,8 +40,8 @@ def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
     for parameter in candidate.study.scene.parameters:
         if not parameter.hidden and parameter.value is not None and parameter.measure.unit == unit:
             yield parameter.value
-    moment = candidate.question.query.moment
-    yield from (number for number, of in (moment.stated if moment is not None else ()) if of == unit)
+    moment, units = candidate.question.query.moment, candidate.study.mechanism.units
+    yield from (number for number, of in (moment.stated if moment is not None else ()) if units.spell(of) == unit)
 
 
 def _asked(candidate: Candidate) -> Quantity | None:
@@ -46,11 +53,12 @@ def _asked(candidate: Candidate) -> Quantity | None:
 
 
 def _lasting(candidate: Candidate) -> bool:
-    """Whether a quantity that the text gives at the start still has that value."""
-    quantity, target, answer = _asked(candidate), candidate.question.query.target, candidate.question.answer
-    if quantity is None or target is None or not quantity.given:
+    """Whether a quantity at a later moment still has the value that it has just after the start."""
+    query, study = candidate.question.query, candidate.study
+    quantity, target, answer = _asked(candidate), query.target, candidate.question.answer
+    if quantity is None or target is None or not KINDS[query.kind].time(query, study):
         return False
-    start = target.value(candidate.study.trace.sample(np.zeros(1)))
+    start = target.value(study.trace.sample(np.zeros(1)))
     return abs(answer - start) <= SAME * abs(answer)
 
 

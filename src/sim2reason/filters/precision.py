@@ -10,6 +10,7 @@ from sim2reason.questions import KINDS, Study
 from sim2reason.simulation.trace import Trace
 
 SHIFT = 1e-3  # relative
+BEYOND = 1.1  # times the moment that is asked about: what comes later than that has shifted too far
 WORST = 20.0  # the condition number κ = √Σ(Δa/a)² / SHIFT
 
 
@@ -25,12 +26,14 @@ class Precision:
         if answer == 0.0:
             return "no number of digits is relative to zero"
         kind = KINDS[query.kind]
-        before = _story(study.trace, kind.time(query, study))
+        time = kind.time(query, study)
+        before = _story(study.trace, time)
+        until = None if time is None else BEYOND * time
         total = 0.0
         for parameter in study.scene.parameters:
             if not shiftable(study.scene, parameter):
                 continue
-            other = shifted(study, parameter)
+            other = shifted(study, parameter, until)
             new = kind.answer(query, other) if other is not None else None
             if other is None or new is None or _story(other.trace, kind.time(query, other)) != before:
                 return f"a small shift of {parameter.path} changes the order of events"
@@ -48,14 +51,14 @@ def shiftable(scene: Scene, parameter: Parameter) -> bool:
     return not (body is not None and body.told_by_word(name))
 
 
-def shifted(study: Study, parameter: Parameter) -> Study | None:
-    """The motion with one number shifted, or None if there is none; shifted down where up is not valid."""
+def shifted(study: Study, parameter: Parameter, until: float | None = None) -> Study | None:
+    """The motion with one number shifted, to a time, or None if there is none; shifted down where up is not valid."""
     for factor in (1.0 + SHIFT, 1.0 - SHIFT):
         try:
             scene = study.scene.having(parameter.path, (parameter.value or 0.0) * factor)
         except (SceneError, ValueError):
             continue
-        return study.variant(scene)
+        return study.variant(scene, until)
     return None
 
 

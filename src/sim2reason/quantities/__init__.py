@@ -1,6 +1,8 @@
 """What can be recorded, asked and plotted of a motion, each a function of the state alone."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
+from functools import wraps
 from string import Formatter
 from typing import ClassVar, TypeVar
 
@@ -20,18 +22,21 @@ class Quantity(ABC):
         vector: whether it has three components, in room coordinates.
 
     How it is phrased; a quantity without words is recorded, but never asked. Templates name the subject by its
-    slot, ``{body}``:
+    slot, ``{body}``, and may use what it fills besides, such as ``{ground}``:
         magnitude: the noun phrase of its size.
         signed: that with a sign; of a vector it is a component, named by ``{component}``.
-        how: a question of its own for its size, with ``{when}`` and ``{ground}``: *how fast is …?*
-        sense: what is positive, where that is not a matter of the subject's directions, as in a gain.
-        grounded: whether it needs *relative to the ground* of a body that rides on another.
+        how: a question of its own, with ``{when}``: *how fast is … 2 s after release?* It asks for the size, or for
+            what has a sign where there is no phrase for the size.
+        indirect: the same as a clause: *how fast … is moving*.
+        sense: what is positive, where that is not a matter of the subject's directions, as in an increase.
+        center: whether it belongs to one point of its subject, the centre of mass of what has a size.
 
     When it is asked:
         weight: how often, compared with other quantities.
         needs: what its subject must have and the text must say, such as ``mass``.
         given: whether the text gives it at the start.
-        immediate: whether it can differ from zero at once.
+        immediate: whether it can differ from zero at once, and hangs on more than what the text gives.
+        timeless: whether it never changes, so that no question names a moment.
 
     How small is nothing:
         floor: the certificate's smallest scale, in SI units; with `heavy` it is that times the largest mass in kg.
@@ -39,6 +44,7 @@ class Quantity(ABC):
 
     Where it is plotted:
         panel: the panel, which quantities of one unit may share; empty for none.
+        pooled: whether the panel shows the sum over all of the text, not one curve for each.
         order: its place in panels and among what is asked of a subject.
     """
 
@@ -50,20 +56,25 @@ class Quantity(ABC):
     magnitude: ClassVar[str] = ""
     signed: ClassVar[str] = ""
     how: ClassVar[str] = ""
+    indirect: ClassVar[str] = ""
     sense: ClassVar[Sense | None] = None
-    grounded: ClassVar[bool] = False
+    center: ClassVar[bool] = False
     weight: ClassVar[float] = 1.0
     needs: ClassVar[tuple[str, ...]] = ()
     given: ClassVar[bool] = False
     immediate: ClassVar[bool] = False
+    timeless: ClassVar[bool] = False
     floor: ClassVar[float]
     heavy: ClassVar[bool] = False
     least: ClassVar[float] = 1e-3
     panel: ClassVar[str] = ""
+    pooled: ClassVar[bool] = False
     order: ClassVar[int] = 100
 
     def __init_subclass__(cls) -> None:
         """Refuse a declaration that lacks a fact, or whose words do not fit; TypeError says what is amiss."""
+        if cls.evaluate is Quantity.evaluate:
+            return  # what several share
         missing = [fact for fact in ("name", "unit", "symbol", "of", "floor") if not hasattr(cls, fact)]
         if missing:
             raise TypeError(f"{cls.__name__}: it declares no {', '.join(missing)}")
@@ -72,15 +83,18 @@ class Quantity(ABC):
             raise TypeError(f"{cls.__name__}: its weight {cls.weight} and its floor {cls.floor} must be positive")
         cls._check("magnitude", set())
         cls._check("signed", {"component"} if cls.vector else set())
-        cls._check("how", {"ground", "when"})
+        cls._check("how", {"when"})
+        cls._check("indirect", set())
+        if "evaluate" in vars(cls):
+            cls.evaluate = staticmethod(_remembered(cls.name, cls.evaluate))  # type: ignore[method-assign]
 
     @classmethod
     def _check(cls, fact: str, beside: set[str]) -> None:
-        """The placeholders of a template are the subject's and those `beside` it, all of them."""
+        """The placeholders of a template are the subject's and those `beside` it, all of them, and maybe its extras."""
         template: str = getattr(cls, fact)
         used = {name for _, name, _, _ in Formatter().parse(template) if name is not None}
         wanted = {cls.of.slot, *beside}
-        if template and used != wanted:
+        if template and used - cls.of.extras != wanted:
             raise TypeError(f"{cls.__name__}: {fact} names {sorted(used)}; it must name {sorted(wanted)}: {template!r}")
 
     @staticmethod
@@ -93,7 +107,7 @@ class Quantity(ABC):
         return self.of.names(mechanism)
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether there is any of it on one subject, such as friction on a rough face; so by default."""
+        """Whether it is worth asking of one subject, as friction is on a rough face; so by default."""
         del mechanism, name
         return True
 
@@ -101,6 +115,19 @@ class Quantity(ABC):
     def summary(self) -> str:
         """Its facts in one line."""
         return f"unit {self.unit}, symbol {self.symbol}, of {self.of.name}"
+
+
+def _remembered(name: str, evaluate: Callable[[State, str], Array]) -> Callable[[State, str], Array]:
+    """The same, worked out once for each state: many quantities are read off a few others."""
+
+    @wraps(evaluate)
+    def read(state: State, subject: str) -> Array:
+        found = state.known.get((name, subject))
+        if found is None:
+            found = state.known[name, subject] = evaluate(state, subject)
+        return found
+
+    return read
 
 
 Q = TypeVar("Q", bound=Quantity)

@@ -12,27 +12,28 @@ class NormalForce(Quantity):
 
     name, unit, symbol = "normal force", "N", "N"
     of = Contacts()
-    magnitude = "the normal force on {body} from the surface that it rests on"
+    magnitude = "the magnitude of the normal force exerted on {body} by {surface}"
     needs = ("mass",)
     immediate = True
     floor, heavy = 0.1, True
-    order = 0
+    panel, order = "normal force", 0
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Never negative, (n,)."""
+        """Never negative but on faces that hold both ways, (n,)."""
         return state.normal[subject]
 
 
 @quantity
 class FrictionForce(Quantity):
-    """The force on the body that rests along the direction of its sliding coordinate, with sign."""
+    """The force on the body that rests along the direction in which it slips, with sign."""
 
     name, unit, symbol = "friction force", "N", "f"
     of = Contacts()
-    magnitude = "the magnitude of the friction force on {body} from the surface that it rests on"
+    magnitude = "the magnitude of the friction force exerted on {body} by {surface}"
     needs = ("mass",)
     immediate = True
+    weight = 1.5
     floor, heavy = 0.1, True
     order = 1
 

@@ -2,57 +2,134 @@
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.mechanism import ZERO, Attraction, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.triples import applied, product
+from sim2reason.dsl.triples import minus, product
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Displacement, Velocity
+from sim2reason.quantities.momentum import AngularMomentum
+from sim2reason.quantities.rotation import AngularVelocity
 from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import EVEN, Bodies, axes
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path
+
+INCREASE = Sense("an increase", (0.0, 0.0, 0.0))
+
+
+class Energy(Quantity):
+    """What all energies of a body share."""
+
+    of = Bodies()
+    unit = "J"
+    needs = ("mass",)
+    floor, heavy = 0.1, True
 
 
 @quantity
-class KineticEnergy(Quantity):
+class KineticEnergy(Energy):
     """The kinetic energy of a body alone, that of its turning included."""
 
-    name, unit, symbol = "kinetic energy", "J", "K"
-    of = Bodies()
+    name, symbol = "kinetic energy", "K"
     magnitude = "the kinetic energy of {body}"
-    needs = ("mass",)
+    how = "how much kinetic energy does {body} have {when}?"
     given = True
-    floor, heavy = 0.1, True
-    order = 5
+    panel, pooled, order = "energy", True, 5
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """K = ½ m v² + ½ ω·Iω (König), (n,), with its own inertia about its centre of mass."""
-        found, frame = state.mechanism.body[subject], state.frames[subject]
-        speed = Velocity.evaluate(state, subject)
-        energy = 0.5 * found.mass * np.einsum("ij,ij->i", speed, speed)
-        if frame.spin is None:
-            return energy
-        spin = frame.unturned(frame.spin)
-        return energy + 0.5 * product(spin, applied(found.inertia, spin))
+        moving = TranslationalEnergy.evaluate(state, subject)
+        if state.frames[subject].spin is None:
+            return moving
+        return moving + RotationalEnergy.evaluate(state, subject)
+
+
+class EnergyOfTurning(Energy):
+    """A part of the kinetic energy of a body that turns."""
+
+    weight = 0.6
+    given = True
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Whether the body turns and has a moment of inertia, so that the parts differ from the whole."""
+        return any(mechanism.body[name].inertia) and bool(center_path(mechanism, name).turns)
 
 
 @quantity
-class PotentialEnergy(Quantity):
-    """The gravitational potential energy of a body less that at the start."""
+class TranslationalEnergy(EnergyOfTurning):
+    """The kinetic energy of the motion of the centre of mass."""
 
-    name, unit, symbol = "potential energy", "J", "U"
-    of = Bodies()
-    signed = "the gain in gravitational potential energy of {body} since the start (negative for a loss)"
-    sense = Sense("a gain", (0.0, 0.0, 1.0), fixed=True)
-    needs = ("mass",)
-    floor, heavy = 0.1, True
+    name, symbol = "translational kinetic energy", "K"
+    magnitude = "the translational kinetic energy of {body}"
     order = 6
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """ΔU = −m g·s, (n,)."""
-        mass = state.mechanism.body[subject].mass
-        return -mass * Displacement.evaluate(state, subject) @ np.array(state.mechanism.gravity)
+        """½ m v², (n,)."""
+        speed = Velocity.evaluate(state, subject)
+        return 0.5 * state.mass(subject) * np.einsum("ij,ij->i", speed, speed)
+
+
+@quantity
+class RotationalEnergy(EnergyOfTurning):
+    """The kinetic energy of turning about the centre of mass."""
+
+    name, symbol = "rotational kinetic energy", "K"
+    magnitude = "the rotational kinetic energy of {body}"
+    order = 7
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Bodies that turn and have a moment of inertia."""
+        return tuple(name for name in self.of.names(mechanism) if self.present(mechanism, name))
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """½ ω·Iω, (n,)."""
+        omega, momentum = AngularVelocity.evaluate(state, subject), AngularMomentum.evaluate(state, subject)
+        return 0.5 * np.einsum("ij,ij->i", omega, momentum)
+
+
+@quantity
+class PotentialEnergy(Energy):
+    """The gravitational potential energy of a body less that at the start, in a uniform field or near what is fixed."""
+
+    name, symbol = "potential energy", "U"
+    signed = "the change in {body}'s gravitational potential energy"
+    how = "by how much has {body}'s gravitational potential energy changed {when}?"
+    sense = INCREASE
+    panel, pooled, order = "energy", True, 8
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """−m g·s, and −G m M/r of each body at rest that attracts it, less their values at the start, (n,)."""
+        rise = -(Displacement.evaluate(state, subject) @ np.array(state.mechanism.gravity))
+        total = state.mass(subject) * rise
+        for pull, other in _pulls(state.mechanism, subject):
+            total = total + _attracted(state, pull, subject, other)
+        return total
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Only what can rise or fall has any."""
-        return any(abs(axis[2]) > EVEN for axis in axes(mechanism, name))
+        """What rises or falls has any, and what only bodies at rest attract; a pair that moves has it in common."""
+        if any(burn.body == name for burn in mechanism.burns):
+            return False
+        pulls = _pulls(mechanism, name)
+        alone = all(not center_path(mechanism, other).ways for _, other in pulls)
+        rises = mechanism.gravity != ZERO and center_path(mechanism, name).rises
+        return alone and (rises or bool(pulls))
+
+
+def _pulls(mechanism: Mechanism, name: str) -> list[tuple[Attraction, str]]:
+    """The attractions of a body, each with the other one."""
+    return [(p, p.b if p.a == name else p.a) for p in mechanism.attractions if name in (p.a, p.b)]
+
+
+def _attracted(state: State, pull: Attraction, name: str, other: str) -> Array:
+    """−G m M/((p − 1) rᵖ⁻¹) less its value at the start, (n,); of p = 1 the logarithm."""
+    apart = minus(state.frames.center(name).place, state.frames.center(other).place)
+    began = minus(state.began.center(name).place, state.began.center(other).place)
+    far, near = np.sqrt(product(apart, apart)), float(np.sqrt(product(began, began)))
+    strength = pull.constant * state.mass(name) * state.mass(other)
+    if pull.power == 1.0:
+        return strength * np.log(far / near)
+    power = pull.power - 1.0
+    return strength / power * (near**-power - far**-power)

@@ -1,5 +1,6 @@
 """Where bodies are and how they move: of their centres of mass, in room coordinates."""
 
+from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, plus, times
 from sim2reason.quantities import Quantity, quantity
@@ -12,10 +13,11 @@ class Displacement(Quantity):
 
     name, unit, symbol = "displacement", "m", "s"
     of, vector = Bodies(), True
-    magnitude = "the distance of {body} from its starting point"
-    signed = "the {component}displacement of {body} from its starting point"
-    how = "how far is {body} from its starting point{ground} {when}?"
-    grounded = True
+    magnitude = "the distance{aside} between {body} and its starting point"
+    signed = "the {component}displacement of {body} from its starting point{ground}"
+    how = "how far{aside} is {body} from its starting point {when}?"
+    indirect = "how far{aside} {body} is from its starting point"
+    center = True
     weight = 2.0
     floor = 0.1
     panel, order = "displacement", 0
@@ -32,10 +34,11 @@ class Velocity(Quantity):
 
     name, unit, symbol = "velocity", "m/s", "v"
     of, vector = Bodies(), True
-    magnitude = "the speed of {body}"
-    signed = "the {component}velocity of {body}"
+    magnitude = "the speed of {body}{ground}"
+    signed = "the {component}velocity of {body}{ground}"
     how = "how fast is {body} moving{ground} {when}?"
-    grounded = given = True
+    indirect = "how fast {body} is moving{ground}"
+    center = given = True
     weight = 3.0
     floor, least = 0.1, 1e-2
     panel, order = "velocity", 1
@@ -52,9 +55,9 @@ class Acceleration(Quantity):
 
     name, unit, symbol = "acceleration", "m/s^2", "a"
     of, vector = Bodies(), True
-    magnitude = "the magnitude of the acceleration of {body}"
-    signed = "the {component}acceleration of {body}"
-    grounded = immediate = True
+    magnitude = "the magnitude of the acceleration of {body}{ground}"
+    signed = "the {component}acceleration of {body}{ground}"
+    center = immediate = True
     weight = 2.0
     floor, least = 1.0, 1e-2
     panel, order = "acceleration", 2
@@ -67,3 +70,21 @@ class Acceleration(Quantity):
         for number, way in point.gradient.items():
             total = plus(total, times(state.a[:, number], way))
         return state.vector(total)
+
+
+@quantity
+class CenterOffset(Quantity):
+    """Where the centre of mass lies from the origin of the body's frame, such as its axle; recorded, not asked."""
+
+    name, unit, symbol = "centre of mass offset", "m", "c"
+    of, vector = Bodies(), True
+    floor = 0.1
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Bodies whose frame stands elsewhere."""
+        return tuple(body.name for body in mechanism.bodies if body.center != ZERO)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """R c, (n, 3)."""
+        return state.vector(state.frames[subject].turned(state.mechanism.body[subject].center))

@@ -1,42 +1,44 @@
 """What is worth asking about a motion."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import State
 from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.subjects.bodies import axes, rides
 from sim2reason.questions.targets import Target
-from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
 CLEAR = 1e-3  # of the duration: how far a time stays away from events
 
 
-def pick(targets: Iterable[Target], rng: np.random.Generator) -> Target | None:
-    """A target by the weight of its quantity, which all targets of that quantity share; None if there is none."""
-    found = list(targets)
-    if not found:
-        return None
-    names = [target.quantity for target in found]
-    weights = np.array([QUANTITIES[name].weight / names.count(name) for name in names])
-    return found[int(rng.choice(len(found), p=weights / weights.sum()))]
+def pick(
+    targets: Iterable[Target], rng: np.random.Generator, worth: Callable[[Target], bool] = lambda _: True
+) -> Target | None:
+    """A target that is worth asking, by the weight of its quantity, which all its targets share; None without any."""
+    left = list(targets)
+    while left:
+        names = [target.quantity for target in left]
+        weights = np.array([t.share * QUANTITIES[t.quantity].weight / names.count(t.quantity) for t in left])
+        chosen = left.pop(int(rng.choice(len(left), p=weights / weights.sum())))
+        if worth(chosen):
+            return chosen
+    return None
 
 
 def apart(time: float, trace: Trace) -> bool:
-    """Whether a time stays away from every event, so that before and after can not be mistaken."""
+    """Whether a time stays away from every event that changes anything, so that before and after can't be mistaken."""
     clear = CLEAR * float(trace.state.times[-1])
-    return all(abs(time - event.time) > clear for event in trace.events)
+    return all(abs(time - event.time) > clear for event in trace.events if event.kind != "turn")
 
 
-def free_bodies(mechanism: Mechanism, words: Words) -> list[str]:
-    """Bodies of the text that move along one line in the room and ride on nothing."""
-    return [
-        n for n in mechanism.body if n in words.mentions and len(axes(mechanism, n)) == 1 and not rides(mechanism, n)
-    ]
+def at(trace: Trace, time: float) -> State:
+    """The motion at one instant."""
+    return trace.sample(np.array([time]))
 
 
-def named(text: str, mechanism: Mechanism, words: Words) -> list[str]:
-    """Bodies that a sentence names."""
-    return [name for name in mechanism.body if name in words.mentions and words.mentions[name] in text]
+def only_falls(mechanism: Mechanism) -> bool:
+    """Whether nothing but weight acts, so that everything has the acceleration that the text gives it."""
+    forces = (mechanism.lines, mechanism.contacts, mechanism.forces, mechanism.attractions, mechanism.burns)
+    return not any(forces) and all(c.kind == "slide" for c in mechanism.coordinates)

@@ -1,27 +1,97 @@
-"""When something first reaches a value."""
+"""When something reaches a value: looked for on the engine's own steps, and closed in on between two of them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.dsl.state import Array, State
+from sim2reason.simulation.trace import Trace
 
-SCAN = 64  # samples in the search for the first crossing; motions are piecewise parabolas, so none is missed
-STEPS = 60  # halvings of an interval: below any double's resolution
+Excess = Callable[[State], Array]
+"""A function of the state that is negative before and positive after what is looked for, (n,)."""
+
+SMALL = 1e-9  # of the function's largest value: less is nothing
+JUMP = 1e-12  # of the duration: a function that changes sign within less jumps, at an event
+ROUNDS = 16  # of closing in; three or four reach the resolution of doubles
+FINE = 33  # instants where the function may touch zero between two samples
+_NEAR = 10.0 ** -np.arange(1.0, 9.0)
 
 
-def first_crossing(excess: Callable[[Array], Array], end: float) -> float | None:
-    """The first time in (0, end] at which a function that starts below zero reaches zero; None if it does not."""
-    low, high = 0.0, end
-    for _ in range(STEPS):  # each round narrows the interval by the number of samples
-        times = np.linspace(low, high, SCAN)
-        above = np.flatnonzero(excess(times) >= 0.0)
-        if len(above) == 0:
-            return None
-        first = int(above[0])
-        if first == 0:
-            return low if low > 0.0 else None
-        low, high = float(times[first - 1]), float(times[first])
-        if high - low <= 4e-16 * end:
+def crossings(trace: Trace, excess: Excess) -> Iterator[float]:
+    """The times, s, at which a function that was below zero comes up through zero, without a jump, in order.
+
+    What begins at zero must fall below it first. NaN is neither below nor above.
+    """
+    times, values = _sampled(trace, excess)
+    size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
+    above, below = values >= 0.0, values < -SMALL * size
+    was_below = False
+    for number in range(1, len(times)):
+        was_below = was_below or bool(below[number - 1])
+        if not above[number] or not was_below:
+            continue
+        was_below = False
+        low, high = float(times[number - 1]), float(times[number])
+        if values[number - 1] >= 0.0:
+            continue  # it lost its value on the way, and has it again
+        if high - low <= JUMP * float(times[-1]):
+            if values[number] - values[number - 1] <= SMALL * size:
+                yield high  # an event, such as a turn, at which nothing jumps
+        else:
+            yield _closed_in(trace, excess, (low, float(values[number - 1])), (high, float(values[number])))
+
+
+def first_crossing(trace: Trace, excess: Excess) -> float | None:
+    """The first of the `crossings`; None if there is none while the motion is described."""
+    return next(crossings(trace, excess), None)
+
+
+def begins_beyond(trace: Trace, excess: Excess) -> bool:
+    """Whether a function begins at zero and rises first, as a rate does where the start is a turning point."""
+    values = excess(trace.scan)
+    size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
+    clear = values[np.abs(values) > SMALL * size]
+    return bool(abs(values[0]) <= SMALL * size and len(clear) and clear[0] > 0.0)
+
+
+def _sampled(trace: Trace, excess: Excess) -> tuple[Array, Array]:
+    """The function on the trace's scan, and more closely where it may touch zero between three samples of one sign."""
+    times = trace.scan.times
+    values = excess(trace.scan)
+    if len(times) < 3:
+        return times, values
+    before, here, after = values[:-2], values[1:-1], values[2:]
+    bend = before - 2.0 * here + after
+    with np.errstate(divide="ignore", invalid="ignore"):
+        rise = np.abs((after - before) ** 2 / (8.0 * bend)) + np.abs(bend) / 8.0  # of a parabola over its middle sample
+    same = (before * here > 0.0) & (after * here > 0.0) & (np.sign(bend) == np.sign(here))
+    close = np.flatnonzero(same & (np.abs(here) < 2.0 * rise) & (np.abs(here) <= np.minimum(abs(before), abs(after))))
+    if not len(close):
+        return times, values
+    closer: list[Array] = [np.linspace(times[i], times[i + 2], FINE)[1:-1] for i in close.tolist()]
+    more: Array = np.setdiff1d(np.concatenate(closer), times)
+    order = np.argsort(joined := np.concatenate([times, more]))
+    return joined[order], np.concatenate([values, excess(trace.sample(more))])[order]
+
+
+def _closed_in(trace: Trace, excess: Excess, low: tuple[float, float], high: tuple[float, float]) -> float:
+    """When the sign changes between two instants, each with its value: by secants, and points around their roots."""
+    (a, fa), (b, fb) = low, high
+    for _ in range(ROUNDS):
+        width = b - a
+        if width <= 4e-16 * b:
             break
-    return high
+        guess = a - width * fa / (fb - fa)
+        around = np.concatenate([guess - width * _NEAR, [guess], guess + width * _NEAR, a + width * _EIGHTHS])
+        times = np.unique(np.clip(around, a, b))
+        values = excess(trace.sample(times))
+        reached = int(np.argmax((values >= 0.0) | (times >= b)))
+        if reached == 0:
+            return float(times[0])
+        a, b, fa, fb = (float(x) for x in (times[reached - 1], times[reached], values[reached - 1], values[reached]))
+        if not fb > fa:
+            break
+    return b
+
+
+_EIGHTHS = np.arange(0.0, 1.01, 0.125)

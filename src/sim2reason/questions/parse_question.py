@@ -10,7 +10,7 @@ def parse_question(text: str, study: Study, words: Words) -> Query | None:
 
     Each kind reads numbers and names from the sentence; the rest must be word for word what its `shapes` give.
     """
-    offered = targets(study.mechanism, words)
+    offered = targets(words)
     heard = {target: noun for target, noun in offered.items() if noun.heard(text)}
     for kind in KINDS.values():
         for query in kind.parsed(text, study, words, heard):

@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 
+from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Query
 from sim2reason.questions.targets import Noun, Target
 from sim2reason.questions.words import Words
@@ -26,18 +27,26 @@ def sentence(shape: str) -> str:
     return shape[0].upper() + shape[1:]
 
 
-def asking(target: Target, noun: Noun, when: str) -> tuple[str, ...]:
-    """All ways to ask for a quantity, a magnitude or a component, at a moment."""
+def asking(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str, ...]:
+    """All ways to ask for a quantity, a magnitude or a component, at a moment.
+
+    `again` speaks of the moment after the noun phrase has named what it is about.
+    """
+    if noun.timeless:
+        return tuple(shape.replace(" {when}", "") for shape in _plain(noun.phrase, "{when}", "{when}"))
+    again = again or when
+    how = (noun.how.replace("{when}", again),) if noun.how else ()  # everyday English, where there is any
     if target.sense is None or target.sense.fixed:
-        how = (noun.how.replace("{when}", when),) if noun.how else ()  # everyday English, where there is any
-        return (*how, *_plain(noun.phrase, when))
+        clauses = tuple(f"{verb} {noun.indirect} {again}." for verb in ("find", "determine")) if noun.indirect else ()
+        return (*how, *clauses, *_plain(noun.phrase, when, again))
     positive, said = target.sense.positive, noun.phrase
     return (
-        f"taking {positive} as positive, find {said} {when}.",
-        f"taking {positive} as positive, what is {said} {when}?",
-        f"what is {said} {when}, {positive} being positive?",
-        f"with {positive} as positive, determine {said} {when}.",
-        f"find {said} {when}, counting {positive} as positive.",
+        *(f"{question.removesuffix('?')}, {positive} being positive?" for question in how),
+        f"taking {positive} as positive, find {said} {again}.",
+        f"taking {positive} as positive, what is {said} {again}?",
+        f"what is {said} {again}, {positive} being positive?",
+        f"with {positive} as positive, determine {said} {again}.",
+        f"find {said} {again}, counting {positive} as positive.",
         *((f"{when}, what is {said}, if {positive} counts as positive?",) if when[0].isalpha() else ()),
     )
 
@@ -46,14 +55,28 @@ def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     """All ways to ask for a quantity, in every phrase for its moment."""
     assert query.target is not None
     assert query.moment is not None
-    return tuple(shape for when in query.moment.phrases(words) for shape in asking(query.target, noun, when))
+    shapes = (
+        shape
+        for when in query.moment.phrases(words)
+        for shape in asking(query.target, noun, when, _again(query.moment, noun.phrase, when, words))
+    )
+    return tuple(dict.fromkeys(shapes))
 
 
-def _plain(noun: str, when: str) -> tuple[str, ...]:
+def _again(moment: Moment, noun: str, when: str, words: Words) -> str:
+    """A moment after a noun phrase that has named what it is about and no other body: *when it first stops*."""
+    subject = moment.subject(words)
+    if not (subject and moment.pronoun and subject in noun):
+        return when
+    others = (said for said in words.mentions.values() if said in noun and said not in subject)
+    return when if any(others) else when.replace(subject, moment.pronoun, 1)
+
+
+def _plain(noun: str, when: str, again: str) -> tuple[str, ...]:
     return (
-        f"what is {noun} {when}?",
-        f"find {noun} {when}.",
-        f"determine {noun} {when}.",
-        f"calculate {noun} {when}.",
+        f"what is {noun} {again}?",
+        f"find {noun} {again}.",
+        f"determine {noun} {again}.",
+        f"calculate {noun} {again}.",
         *((f"{when}, what is {noun}?",) if when[0].isalpha() else ()),  # no sentence begins with a number
     )

@@ -21,5 +21,10 @@ def words_of(description: Description) -> Words:
 
 def prompt(description: Description, question: Question, rng: np.random.Generator) -> str:
     """The text of the scene, the question, and how to give the answer."""
-    form = FORMATS[int(rng.random() * len(FORMATS))].format(unit=show_unit(question.unit))
+    form = FORMATS[int(rng.random() * len(FORMATS))].format(unit=unit_in_words(question.unit))
     return f"{description.text} {question.text} {form}"
+
+
+def unit_in_words(unit: str) -> str:
+    """A unit as a sentence has it: degrees are a word, all else a symbol."""
+    return "degrees" if unit == "deg" else show_unit(unit)

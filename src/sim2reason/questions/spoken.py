@@ -1,23 +1,16 @@
-"""How questions say numbers and pairs, and how numbers are found in them again."""
+"""How questions say numbers, and how they are found in them again."""
 
 import re
 from functools import cache
 
 import numpy as np
 
-from sim2reason.dsl.measures import show_unit
-
-
-def pair(one: str, other: str) -> str:
-    """Two bodies as one phrase: *pucks A and B*, *block A and wedge W*."""
-    noun, _, letter = one.rpartition(" ")
-    same, _, second = other.rpartition(" ")
-    return f"{noun}s {letter} and {second}" if noun == same and noun != "the" else f"{one} and {other}"
+from sim2reason.dsl.measures import join_unit
 
 
 def say(value: float, unit: str) -> str:
     """Two significant digits and the unit."""
-    return f"{two_digits(value)} {show_unit(unit)}"
+    return join_unit(two_digits(value), unit)
 
 
 def said(text: str, unit: str) -> list[float]:
@@ -27,7 +20,22 @@ def said(text: str, unit: str) -> list[float]:
 
 @cache
 def _number(unit: str) -> re.Pattern[str]:
-    return re.compile(rf"(\d{{1,6}}(?:\.\d{{1,6}})?) {re.escape(show_unit(unit))}(?![\w/])")
+    """A number as `say` has it: the degree sign follows without a space."""
+    shown = join_unit("", unit)
+    return re.compile(rf"(\d{{1,6}}(?:\.\d{{1,6}})?){re.escape(shown)}(?![\w/])")
+
+
+ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
+
+
+def ordinal(number: int) -> str:
+    """Which of several, counted from one: *first*."""
+    return ORDINALS[number - 1]
+
+
+def numbers_of(text: str) -> list[int]:
+    """The numbers whose ordinals stand in a text; 1 where there is none."""
+    return [number for number, word in enumerate(ORDINALS, start=1) if re.search(rf"\b{word}\b", text)] or [1]
 
 
 def two_digits(value: float) -> str:

@@ -12,6 +12,8 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, Trace
 
+SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
+
 
 class Timed(Hashable, Protocol):
     """What comes at some time of a motion."""
@@ -28,7 +30,7 @@ class Study:
         """`trace` is the motion of `scene`, as the recorded engine has it."""
         self.scene, self.trace = scene, trace
         self._times: dict[Timed, float | None] = {}
-        self._variants: dict[Scene, Study | None] = {}
+        self._variants: dict[Scene, tuple[Study | None, float]] = {}  # and until when they are known
 
     @classmethod
     def of(cls, scene: Scene, times: Array) -> Self:
@@ -50,11 +52,15 @@ class Study:
             self._times[moment] = moment.time(self.trace)
         return self._times[moment]
 
-    def variant(self, scene: Scene) -> "Study | None":
-        """A changed scene with its motion over the same time; None if there is none."""
-        if scene not in self._variants:
+    def variant(self, scene: Scene, until: float | None = None) -> "Study | None":
+        """A changed scene with its motion until a time, s, by default as long as this one's; None if there is none."""
+        end = float(self.trace.state.times[-1])
+        until = end if until is None else min(max(until, SHORTEST * end), end)
+        known, reaches = self._variants.get(scene, (None, -1.0))
+        if reaches < until:
             try:
-                self._variants[scene] = Study.of(scene, np.array([0.0, float(self.trace.state.times[-1])]))
+                known = Study.of(scene, np.array([0.0, until]))
             except (SceneError, SimulationError, UnsupportedError):
-                self._variants[scene] = None
-        return self._variants[scene]
+                known = None
+            self._variants[scene] = known, until
+        return known

@@ -3,11 +3,11 @@
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import groupby
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import State
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects import Sense
@@ -28,6 +28,11 @@ class Target:
         return QUANTITIES[self.quantity].unit
 
     @property
+    def share(self) -> float:
+        """How often it is asked, compared with the other targets of its quantity."""
+        return self.sense.share if self.sense is not None else 1.0
+
+    @property
     def signed(self) -> bool:
         """Whether a minus sign can be right."""
         return self.sense is not None
@@ -44,63 +49,82 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class Noun:
-    """How a question calls a target: a noun phrase, and where English has one a question of its own.
+    """How a question calls a target: a noun phrase, and where English has them a question and a clause of its own.
 
-    `how` keeps its placeholder ``{when}``.
+    `how` keeps its placeholder ``{when}``; what is `timeless` is asked without a moment.
     """
 
     phrase: str
     how: str = ""
+    indirect: str = ""
+    timeless: bool = False
 
     def heard(self, text: str) -> bool:
         """Whether a sentence can ask for it."""
-        return self.phrase in text or (self.how != "" and self.how.partition("{when}")[0].lower() in text.lower())
+        if self.phrase in text or (self.indirect and self.indirect in text):
+            return True
+        return self.how != "" and self.how.partition("{when}")[0].lower() in text.lower()
 
 
 Targets = Mapping[Target, Noun]
 
 
-def targets(mechanism: Mechanism, words: Words) -> Targets:
+@lru_cache(maxsize=4)
+def targets(words: Words) -> Targets:
     """Everything that can be asked about, with its words; what they would not tell apart is left out."""
-    offered = list(_phrased(mechanism, words))
+    offered = list(_phrased(words))
     count = Counter(noun.phrase for _, noun in offered)
     return {target: noun for target, noun in offered if count[noun.phrase] == 1}
 
 
-def _phrased(mechanism: Mechanism, words: Words) -> Iterator[tuple[Target, Noun]]:
+def _phrased(words: Words) -> Iterator[tuple[Target, Noun]]:
     for subject, members in groupby(ordered(), key=lambda quantity: quantity.of):
-        quantities = list(members)
-        for name, phrase in subject.phrases(mechanism, words.mentions).items():
-            asked = [quantity for quantity in quantities if _askable(quantity, mechanism, name, words)]
-            yield from _of_subject(asked, mechanism, name, phrase)
+        quantities = [quantity for quantity in members if quantity.magnitude or quantity.signed]
+        for name in words.called(subject):
+            yield from _of_subject(
+                [quantity for quantity in quantities if _askable(quantity, name, words)], name, words
+            )
 
 
-def _askable(quantity: Quantity, mechanism: Mechanism, name: str, words: Words) -> bool:
+def _askable(quantity: Quantity, name: str, words: Words) -> bool:
     """Whether a subject has a quantity, and the text gives all that this needs."""
-    given = (quantity.of.gives(need, mechanism, name, words.said) for need in quantity.needs)
-    return quantity.present(mechanism, name) and all(given)
+    given = (quantity.of.gives(need, words.mechanism, name, words.said) for need in quantity.needs)
+    return quantity.present(words.mechanism, name) and all(given)
 
 
-def _of_subject(asked: list[Quantity], mechanism: Mechanism, name: str, phrase: str) -> Iterator[tuple[Target, Noun]]:
+def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:
     """Magnitudes, then components along each sense, then what has a sense of its own."""
+    if not asked:
+        return
+    filler = _Filler(name, words)
     for quantity in asked:
         if quantity.magnitude:
-            ground = _ground(quantity, mechanism, name)
-            how = _filled(quantity.how, quantity, phrase, ground=ground, when="{when}")
-            yield Target(quantity.name, name), Noun(_filled(quantity.magnitude, quantity, phrase) + ground, how)
+            how, indirect = filler.of(quantity, quantity.how), filler.of(quantity, quantity.indirect)
+            noun = Noun(filler.of(quantity, quantity.magnitude), how, indirect, quantity.timeless)
+            yield Target(quantity.name, name), noun
     signed = [quantity for quantity in asked if quantity.signed]
-    senses = signed[0].of.senses(mechanism, name) if signed else []
+    senses = signed[0].of.senses(words.mechanism, name) if signed else []
     along = [(sense, quantity) for sense in senses for quantity in signed if quantity.sense is None]
     own = [(quantity.sense, quantity) for quantity in signed if quantity.sense is not None]
     for sense, quantity in [*along, *own]:
         component = f"{sense.axis} component of the " if sense.axis else ""
-        said = _filled(quantity.signed, quantity, phrase, component=component)
-        yield Target(quantity.name, name, sense), Noun(said + _ground(quantity, mechanism, name))
+        how = "" if quantity.magnitude else filler.of(quantity, quantity.how)
+        yield Target(quantity.name, name, sense), Noun(filler.of(quantity, quantity.signed, component), how)
 
 
-def _filled(template: str, quantity: Quantity, phrase: str, **others: str) -> str:
-    return template.format(**{quantity.of.slot: phrase, **others})
+class _Filler:
+    """Fills the templates of quantities of one subject."""
 
+    def __init__(self, name: str, words: Words) -> None:
+        self._name, self._words = name, words
 
-def _ground(quantity: Quantity, mechanism: Mechanism, name: str) -> str:
-    return quantity.of.ground(mechanism, name) if quantity.grounded else ""
+    def of(self, quantity: Quantity, template: str, component: str = "") -> str:
+        """A template with all but the moment filled in."""
+        if not template:
+            return ""
+        subject, words = quantity.of, self._words
+        phrase = words.called(subject)[self._name]
+        if quantity.center:
+            phrase = subject.point(words.mechanism, self._name, phrase)
+        fills = words.fills(subject, self._name)
+        return template.format(**{subject.slot: phrase}, **fills, component=component, when="{when}")

@@ -8,19 +8,23 @@ from typing import ClassVar
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.vectors import Vector
 
+LETTERS = 2  # characters of what is a letter, not a noun
+
 
 @dataclass(frozen=True, slots=True)
 class Sense:
     """A direction in the words of the text, and in room coordinates.
 
-    `axis` names a component (``x``, ``horizontal``); empty where the subject moves along one line anyway.
-    `fixed` is a sense that the text or the noun phrase fixes, so that no question need say what is positive.
+    `positive` is what counts as positive, as in *taking … as positive*. `axis` names a component (``x``, ``vertical``);
+    empty where the subject moves along one line anyway. `fixed` is a sense that the text or the noun phrase fixes, so
+    that no question need say what is positive. `share` says how often it is asked of, compared with others.
     """
 
     positive: str
     vector: Vector
     axis: str = ""
     fixed: bool = False
+    share: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -30,10 +34,12 @@ class Subject(ABC):
     Class data:
         name: what one of them is called, ``body``.
         slot: the placeholder that stands for it in a quantity's phrases.
+        extras: further placeholders that a phrase may use, which `fills` fills.
     """
 
     name: ClassVar[str]
     slot: ClassVar[str]
+    extras: ClassVar[frozenset[str]] = frozenset()
 
     @abstractmethod
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
@@ -50,26 +56,39 @@ class Subject(ABC):
         `said` holds the paths of all numbers that the text says.
         """
 
+    def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
+        """What stands for each of the `extras`; by default there are none."""
+        del mechanism, name, mentions
+        return {}
+
+    def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
+        """How the text speaks of the point of it that has a place and a velocity; by default as of itself."""
+        del mechanism, name
+        return phrase
+
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
         """The directions of one for which the text has words; none by default."""
         del mechanism, name
         return []
 
     def directions(self, mechanism: Mechanism, name: str) -> list[Vector]:
-        """The directions in which one can move in the room; none by default."""
+        """The directions in which one can move in the room, if they do not change; none by default."""
         del mechanism, name
         return []
 
-    def ground(self, mechanism: Mechanism, name: str) -> str:
-        """What must be added where its motion could be taken as relative to what carries it."""
-        del mechanism, name
-        return ""
-
     def label(self, phrase: str) -> str:
-        """A phrase for the legend of a plot."""
-        return phrase.removeprefix("the ")
+        """A phrase for the legend of a plot; of *block A* the letter."""
+        words = phrase.removeprefix("the ").split()
+        return words[1] if len(words) == 2 and len(words[1]) <= LETTERS else " ".join(words)
 
 
 def all_said(need: str, mechanism: Mechanism, said: Collection[str]) -> bool:
     """Whether the text says a number (such as ``mass``) of every body that has it."""
-    return all(f"{body.name}.{need}" in said for body in mechanism.bodies if getattr(body, need) != 0.0)
+    return all(is_said(need, body.name, said) for body in mechanism.bodies if getattr(body, need, 0.0) != 0.0)
+
+
+def is_said(need: str, name: str, said: Collection[str]) -> bool:
+    """Whether the text says a number of what is called `name`; a ``dry_mass`` says the mass as well."""
+    if f"{name}.{need}" in said:
+        return True
+    return any(path.startswith(f"{name}.") and path.endswith(f"_{need}") for path in said)

@@ -4,82 +4,74 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.vectors import Vector
-from sim2reason.quantities.subjects import Sense, Subject
+from sim2reason.dsl.vectors import Vector, scale
+from sim2reason.quantities.subjects import Sense, Subject, is_said
+from sim2reason.quantities.subjects.paths import EVEN, CenterPath, center_path, is_pulley_wheel, rides
 
-EVEN = 1e-9  # the vertical part of a direction that is level
-UP = "up"
+UP, RIGHT = "up", "right"
+SELDOM = 0.3  # of a component along no axis of the text
+AXES = ("x", "y", "z")  # labels of coordinates along axes that the text defines
 
 
 @dataclass(frozen=True)
 class Bodies(Subject):
-    """Every body."""
+    """Every body; those whose centre of mass can move are spoken of."""
 
     name = slot = "body"
+    extras = frozenset({"ground", "aside"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """All bodies, massless ones and wheels among them."""
         return tuple(mechanism.body)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Those that move without turning."""
+        """Those that can move, but for the wheels of pulleys: a pulley is no disc that the text follows."""
         return {name: mentions[name] for name in mechanism.body if name in mentions and moves(mechanism, name)}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Whether the body has it and the text says it at the body's address."""
-        return getattr(mechanism.body[name], need) != 0.0 and f"{name}.{need}" in said
+        return getattr(mechanism.body[name], need, 1.0) != 0.0 and is_said(need, name, said)
+
+    def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
+        """*Relative to the ground*, within a phrase or at its end, of what rides on another body."""
+        del mentions
+        ground = "relative to the ground" if rides(mechanism, name) else ""
+        return {"ground": ground and f" {ground}", "aside": ground and f", {ground},"}
+
+    def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
+        """The centre of mass of what has a size and swings; what turns about its centre moves as that does."""
+        swings = any(mechanism.body[name].inertia) and center_path(mechanism, name).swings
+        return f"the centre of mass of {phrase}" if swings else phrase
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Up, up the slope, the axes of a table."""
-        return senses(mechanism, name)
+        """Up, up the slope, the axes that the text defines."""
+        own = [c for c in mechanism.body[name].coordinates if c.label in AXES and c.kind == "slide"]
+        path = center_path(mechanism, name)
+        if own and len(own) == len(path.ways):
+            return [Sense(f"along the {c.label} axis", c.axis, c.label, fixed=True) for c in own]
+        right = [Sense(RIGHT, c.axis) for c in mechanism.body[name].coordinates if c.label == RIGHT]
+        return _of_path(path) or (right if path.straight else [])
 
     def directions(self, mechanism: Mechanism, name: str) -> list[Vector]:
-        """Those of its own and of what carries it."""
-        return axes(mechanism, name)
-
-    def ground(self, mechanism: Mechanism, name: str) -> str:
-        """What rides on a body that moves another way moves in two ways."""
-        return " relative to the ground" if len(axes(mechanism, name)) > 1 and rides(mechanism, name) else ""
+        """Those of its own and of what carries it; none of a path that bends."""
+        path = center_path(mechanism, name)
+        return [] if path.bends else list(path.ways)
 
     def label(self, phrase: str) -> str:
         """Its letter, or its noun."""
         return phrase.removeprefix("the ") if phrase.startswith("the ") else phrase.rpartition(" ")[2]
 
 
-def axes(mechanism: Mechanism, name: str) -> list[Vector]:
-    """The directions in which a body can move in the room, its own first."""
-    found: list[Vector] = []
-    step: str | None = name
-    while step is not None:
-        body = mechanism.body[step]
-        found.extend(c.axis for c in body.coordinates if c.kind == "slide")
-        step = body.parent
-    return found
-
-
 def moves(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body can move, and does not turn."""
-    return bool(axes(mechanism, name)) and not any(mechanism.body[name].inertia)
+    """Whether the centre of mass of a body can move, and it is not the wheel of a pulley."""
+    return bool(center_path(mechanism, name).ways) and not is_pulley_wheel(mechanism, name)
 
 
-def rides(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body rides on another one that moves."""
-    parent = mechanism.body[name].parent
-    return parent is not None and moves(mechanism, parent)
-
-
-def senses(mechanism: Mechanism, name: str) -> list[Sense]:
-    """The directions that the text gives words for: up, up the slope, the axes of a table.
-
-    Left and right are only used where the text fixes them, which a prism with two faces does.
-    """
-    found, body = axes(mechanism, name), mechanism.body[name]
-    if len(body.coordinates) == 2 and name not in mechanism.contacts:
-        return [Sense(f"the {c.label} axis", c.axis, c.label, fixed=True) for c in body.coordinates]
-    if len(found) == 1:
-        return [] if abs(found[0][2]) < EVEN else [Sense(_uphill(found[0]), found[0])]
-    return [Sense(UP, (0.0, 0.0, 1.0), "vertical")] if any(abs(axis[2]) > EVEN for axis in found) else []
-
-
-def _uphill(axis: Vector) -> str:
-    return UP if abs(axis[2]) > 1.0 - EVEN else "up the slope"
+def _of_path(path: CenterPath) -> list[Sense]:
+    """The directions for which English has words; right is only one where the text fixes it, as a label says."""
+    if not path.rises:
+        return []
+    if not path.straight:
+        return [Sense(UP, (0.0, 0.0, 1.0), "vertical", share=SELDOM)]
+    way = path.ways[0] if path.ways[0][2] > 0.0 else scale(-1.0, path.ways[0])
+    return [Sense(UP if way[2] > 1.0 - EVEN else "up the slope", way)]

@@ -6,12 +6,16 @@ from dataclasses import dataclass
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.subjects import Subject, all_said
 
+SURFACES = ("plane", "incline", "table", "floor", "track", "surface")  # fields of entities on which bodies may lie
+ANY = "the surface that it rests on"
+
 
 @dataclass(frozen=True)
 class Contacts(Subject):
     """Every resting body, for what its face does to it."""
 
     name, slot = "contact", "body"
+    extras = frozenset({"surface"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """All bodies that lie on a face."""
@@ -25,3 +29,20 @@ class Contacts(Subject):
         """A force on a face comes from everything that is there."""
         del name
         return all_said(need, mechanism, said)
+
+    def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
+        """The body or the plane that it lies on, by its name where the text has one that means nothing else."""
+        return {"surface": surface(mechanism, name, mentions)}
+
+
+def surface(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
+    """What a body rests on, in the words of the text."""
+    parent = mechanism.body[name].parent
+    if parent is not None:
+        return mentions.get(parent, ANY)
+    owner = name
+    while owner := owner.rpartition(".")[0]:
+        found = [mentions[f"{owner}.{field}"] for field in SURFACES if f"{owner}.{field}" in mentions]
+        if found:
+            return found[0] if list(mentions.values()).count(found[0]) == 1 else ANY
+    return ANY

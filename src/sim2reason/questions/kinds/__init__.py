@@ -1,7 +1,7 @@
 """The kinds of question, one file each: what is asked of a motion, in which sentences, and what the answer is."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import isfinite
 from typing import ClassVar, TypeVar
@@ -9,14 +9,18 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.choices import at
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
 from sim2reason.registry import Registry
 from sim2reason.simulation.channels import Channel
+
+SAME = 2e-3  # relative: what rounds to the same three digits
+JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps there
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +78,13 @@ class Kind(ABC):
 
 
 class ValueKind(Kind):
-    """What is a quantity at a moment? The moments say which of these kinds they belong to."""
+    """What is a quantity at a moment? The moments say which of these kinds they belong to.
+
+    Class data:
+        timeless: whether it is the kind that asks for what never changes, and then names no moment.
+    """
+
+    timeless: ClassVar[bool] = False
 
     def moments(self) -> list[type[Moment]]:
         """The classes of moments at which it asks; UnknownNameError if one names a kind that does not exist."""
@@ -96,9 +106,10 @@ class ValueKind(Kind):
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every quantity at every moment that it names."""
+        named = [target for target, noun in targets.items() if self.timeless or not noun.timeless]
         for cls in self.moments():
             for moment in cls.parsed(text, study.trace, words):
-                yield from (Query(self.name, target, moment) for target in targets)
+                yield from (Query(self.name, target, moment) for target in named)
 
 
 K = TypeVar("K", bound=Kind)
@@ -128,6 +139,37 @@ def by_cause() -> list[type[Moment]]:
     return sorted(MOMENTS.values(), key=lambda moment: not moment.event)
 
 
-def drawn(classes: list[type[M]], study: Study, words: Words, rng: np.random.Generator) -> list[M]:
-    """The moments of some classes that a motion offers."""
-    return [moment for cls in classes for moment in cls.found(study, words, rng)]
+def drawn(
+    classes: list[type[M]],
+    study: Study,
+    words: Words,
+    rng: np.random.Generator,
+    wanted: Callable[[M], bool] = lambda _: True,
+) -> M | None:
+    """One of the moments that a motion offers: a class of them is drawn first; None if there is none."""
+    order: list[int] = rng.permutation(len(classes)).tolist()
+    for number in order:
+        found = [moment for moment in classes[number].found(study, words, rng) if wanted(moment)]
+        if found:
+            return found[int(rng.integers(len(found)))]
+    return None
+
+
+def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
+    """Whether a quantity at a moment is not what it was just after the start: else the moment decorates the question.
+
+    At an event whose words name no side of it, it must not jump either.
+    """
+    time, trace = study.time(moment), study.trace
+    if time is None:
+        return lambda _: False
+    start, here = at(trace, 0.0), at(trace, moment.side(time))
+    sides = [at(trace, float(np.nextafter(time, 0.0)))] if moment.event and moment.sided is None else []
+
+    def differs(target: Target) -> bool:
+        value = target.value(here)
+        if not np.isfinite(value) or abs(value - target.value(start)) <= SAME * abs(value):
+            return False
+        return all(abs(value - target.value(side)) <= JUMP * abs(value) for side in sides)
+
+    return differs

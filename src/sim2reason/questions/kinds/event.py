@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.questions.choices import pick
-from sim2reason.questions.kinds import ValueKind, drawn, kind
+from sim2reason.questions.kinds import ValueKind, changed, drawn, kind
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Targets
@@ -20,12 +20,11 @@ class EventKind(ValueKind):
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A moment of this motion and a quantity that it bears on, but none that the question tells."""
-        found = drawn(self.moments(), study, words, rng)
-        if not found:
+        moment = drawn(self.moments(), study, words, rng)
+        if moment is None:
             return None
-        moment = found[int(rng.integers(len(found)))]
         offered = [target for target in targets if Channel(target.subject, target.quantity) not in moment.tells]
-        if moment.event:
+        if moment.own:
             offered = [target for target in offered if target.subject in moment.subjects] or offered
-        target = pick(offered, rng)
+        target = pick(offered, rng, changed(study, moment))
         return Query(self.name, target, moment) if target is not None else None

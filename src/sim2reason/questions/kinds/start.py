@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import pick
+from sim2reason.questions.choices import only_falls, pick
 from sim2reason.questions.kinds import ValueKind, drawn, kind
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
@@ -17,14 +17,12 @@ class StartKind(ValueKind):
 
     name = "start"
     share = 0.25
+    timeless = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A quantity that can differ from zero before anything has moved."""
-        mechanism = study.mechanism
-        if not (mechanism.lines or mechanism.contacts):
-            return None  # what only falls has the acceleration that the text gives it
-        target = pick([target for target in targets if QUANTITIES[target.quantity].immediate], rng)
-        found = drawn(self.moments(), study, words, rng)
-        if target is None or not found:
+        if only_falls(study.mechanism):
             return None
-        return Query(self.name, target, found[int(rng.integers(len(found)))])
+        target = pick([target for target in targets if QUANTITIES[target.quantity].immediate], rng)
+        moment = drawn(self.moments(), study, words, rng)
+        return Query(self.name, target, moment) if target is not None and moment is not None else None

@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.questions.choices import pick
-from sim2reason.questions.kinds import ValueKind, drawn, kind
+from sim2reason.questions.kinds import ValueKind, changed, drawn, kind
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Targets
@@ -18,9 +18,7 @@ class StateKind(ValueKind):
     share = 0.18  # at most 30 % of all that passes the filters
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Any quantity, and a time away from events."""
-        target = pick(targets, rng)
-        found = drawn(self.moments(), study, words, rng)
-        if target is None or not found:
-            return None
-        return Query(self.name, target, found[int(rng.integers(len(found)))])
+        """A time away from events, and any quantity that is not then what it was at the start."""
+        moment = drawn(self.moments(), study, words, rng)
+        target = pick(targets, rng, changed(study, moment)) if moment is not None else None
+        return Query(self.name, target, moment) if target is not None else None

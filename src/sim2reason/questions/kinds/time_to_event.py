@@ -22,8 +22,12 @@ class TimeToEventKind(Kind):
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something that happens in this motion."""
         del targets
-        found = [moment for moment in drawn(_happenings(), study, words, rng) if moment.clause(words) is not None]
-        return Query(self.name, None, found[int(rng.integers(len(found)))]) if found else None
+
+        def wanted(moment: Happening) -> bool:
+            return moment.clause(words) is not None and not moment.is_plain(study)
+
+        moment = drawn(_happenings(), study, words, rng, wanted)
+        return Query(self.name, None, moment) if moment is not None else None
 
     def answer(self, query: Query, study: Study) -> float | None:
         """The time."""
@@ -41,8 +45,9 @@ class TimeToEventKind(Kind):
         clause, since = query.moment.clause(words), "release" if words.released else "t = 0"
         if clause is None:
             return ()
+        takes = f"from {since} on, how long does {clause.subject} take {clause.takes}?"
         return (
-            f"how long after {since} {clause.question}?",
+            takes if clause.takes else f"how long after {since} {clause.question}?",
             f"what time passes from {since} until {clause.statement}?",
             f"find the time from {since} until {clause.statement}.",
             f"what is the time from {since} until {clause.statement}?",

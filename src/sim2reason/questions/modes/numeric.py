@@ -10,7 +10,7 @@ from sim2reason.questions.targets import targets
 def numeric(study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
     """A question of a kind (by default drawn by share) about a motion, or None if it offers none."""
     asked = KINDS[kind] if kind else _drawn(rng)
-    offered = targets(study.mechanism, words)
+    offered = targets(words)
     query = asked.draw(study, words, offered, rng)
     if query is None:
         return None

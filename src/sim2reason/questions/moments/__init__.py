@@ -21,15 +21,19 @@ class Moment(ABC):
         kind: the kind of question that asks for quantities at it.
         label: what items record as `asked.event`; None for a time that is stated.
         event: whether it is an event of the engines, which both must see; else its channels must be certified.
+        own: whether it is of its own subjects that quantities are asked at it first, as at a collision.
+        pronoun: what may stand for its `subject` in a sentence that has named it.
     """
 
     kind: ClassVar[str]
     label: ClassVar[str | None]
     event: ClassVar[bool] = False
+    own: ClassVar[bool] = False
+    pronoun: ClassVar[str] = "it"
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """The bodies that it speaks of; none by default."""
+        """The names of what it speaks of, bodies, lines or pairs; none by default."""
         return ()
 
     @property
@@ -65,19 +69,33 @@ class Moment(ABC):
     def phrases(self, words: Words) -> tuple[str, ...]:
         """How a question speaks of it, *when …*."""
 
+    def subject(self, words: Words) -> str:
+        """How a question calls the one that it is about; by default it is about nothing."""
+        del words
+        return ""
+
+    @property
+    def sided(self) -> bool | None:
+        """Whether it is just after (True) or just before (False) what happens; None if its words say neither."""
+        return None
+
     def side(self, time: float) -> float:
         """The instant at which quantities are read: the moment itself, or just before it."""
-        return time
+        return float(np.nextafter(time, 0.0)) if self.sided is False else time  # events belong to what follows them
 
 
 @dataclass(frozen=True, slots=True)
 class Clause:
-    """Something that happens, as a question and as a statement: *does A first stop*, *A first stops*."""
+    """Something that happens, as a question and as a statement: *does A first stop*, *A first stops*.
+
+    What takes time says so, too: *to move 0.50 m*.
+    """
 
     subject: str
     auxiliary: str
     asked: str
     told: str
+    takes: str = ""
 
     @property
     def question(self) -> str:
@@ -98,6 +116,11 @@ class Happening(Moment):
     @abstractmethod
     def clause(self, words: Words) -> Clause | None:
         """What happens; None if when it comes is not to be asked."""
+
+    def is_plain(self, study: Study) -> bool:
+        """Whether no physics is needed to tell when it comes, so that this is not asked; by default it is."""
+        del study
+        return False
 
 
 def check_facts(name: str, member: object) -> None:

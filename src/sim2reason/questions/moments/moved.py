@@ -1,99 +1,77 @@
-"""The first time that a body is a stated distance from its starting point."""
+"""The instant at which a body has moved a stated distance along a straight line."""
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import apart, free_bodies, named
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.kinematics import Displacement, Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path, rides
 from sim2reason.questions.crossing import first_crossing
-from sim2reason.questions.moments import MOMENTS, Clause, Happening
-from sim2reason.questions.spoken import said, say, spoken
-from sim2reason.questions.study import Study
+from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.spoken import spoken
 from sim2reason.questions.words import Words
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
 NEAREST, FARTHEST = 0.2, 0.9  # of how far the body gets
-SHORTEST, LONGEST = 0.01, 3.0  # m; strings are not longer
+SHORTEST, LONGEST, TIED = 0.01, 9e3, 3.0  # m; strings are not longer than the last
 
 
 @MOMENTS.register("moved")
 @dataclass(frozen=True, slots=True)
-class Moved(Happening):
-    """The first time that a body is a stated distance from its starting point."""
+class Moved(Threshold):
+    """When a body has moved a stated distance along a straight line, without turning back."""
 
     label = "moved"
-
-    body: str
-    distance: float  # m, as spoken
-
-    @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """A drawn distance for one body that gets somewhere."""
-        trace, names = study.trace, free_bodies(study.mechanism, words)
-        if not names:
-            return []
-        name = names[int(rng.integers(len(names)))]
-        reached = float(_far(trace, name, np.linspace(0.0, trace.stable_until, 17)).max())
-        distance = rng.uniform(NEAREST, FARTHEST) * min(reached, LONGEST)
-        if distance < SHORTEST:
-            return []
-        moment = cls(name, spoken(distance))
-        time = study.time(moment)
-        return [moment] if time is not None and apart(time, trace) else []
+    of = Bodies()
+    verb = Verb("has moved", "moved", "has")
+    hangs_on = "displacement"
+    unit = "m"
 
     @classmethod
-    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Every body that is named, with every number of metres."""
-        return (
-            cls(name, distance)
-            for name in named(text, trace.mechanism, words)
-            for distance in said(text, words.units.length)
-        )
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Bodies that move along one line and ride on nothing."""
+        mechanism = words.mechanism
+        called = words.called(cls.of).items()
+        return {n: said for n, said in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
 
-    @property
-    def subjects(self) -> tuple[str, ...]:
-        """The body."""
-        return (self.body,)
+    @classmethod
+    def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
+        """A part of how far it gets."""
+        return drawn_distance(name, trace, rng)
 
-    @property
-    def channels(self) -> tuple[Channel, ...]:
-        """How far the body gets."""
-        return (Channel(self.body, "displacement"),)
-
-    @property
-    def stated(self) -> tuple[tuple[float, str], ...]:
-        """The distance."""
-        return ((self.distance, "m"),)
-
-    @property
-    def tells(self) -> tuple[Channel, ...]:
-        """How far the body is then."""
-        return (Channel(self.body, "displacement"),)
+    def excess(self, state: State) -> Array:
+        """How much farther it is than the distance."""
+        return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value
 
     def time(self, trace: Trace) -> float | None:
-        """By scanning and halving; None if it never gets that far while the motion is described."""
-        return first_crossing(lambda times: _far(trace, self.body, times) - self.distance, trace.stable_until)
+        """When it is so far away, if it has not turned back before."""
+        found = first_crossing(trace, self.excess)
+        return found if found is not None and not _turns_back(trace, self.name, found) else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the block is first 0.50 m from its starting point."""
-        body, distance = words.mentions[self.body], say(self.distance, words.units.length)
-        return (
-            f"when {body} is first {distance} from its starting point",
-            f"at the moment when {body} is first {distance} from its starting point",
-            f"as soon as {body} is {distance} from its starting point",
-        )
+        """As in: after the block has moved 0.50 m."""
+        moved = f"{self.subject(words)} has moved {self.said(words)}"
+        return (f"after {moved}", f"when {moved}", f"at the moment when {moved}")
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the block is first 0.50 m from its starting point."""
-        there = f"first {say(self.distance, words.units.length)} from its starting point"
-        return Clause(words.mentions[self.body], "is", there, f"is {there}")
+        """As in: the block has moved 0.50 m."""
+        said = self.said(words)
+        return Clause(self.subject(words), "has", f"moved {said}", f"has moved {said}", f"to move {said}")
 
 
-def _far(trace: Trace, body: str, times: Array) -> Array:
-    """The distance from the starting point at `times`, (n,)."""
-    return np.linalg.norm(QUANTITIES["displacement"].evaluate(trace.sample(times), body), axis=1)
+def drawn_distance(name: str, trace: Trace, rng: np.random.Generator) -> float | None:
+    """A part of how far a body gets from its starting point, m."""
+    reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
+    distance = rng.uniform(NEAREST, FARTHEST) * min(reached, TIED if trace.mechanism.lines else LONGEST)
+    return spoken(distance) if distance >= SHORTEST else None
+
+
+def _turns_back(trace: Trace, name: str, until: float) -> bool:
+    """Whether a body that moves along a line reverses before a time."""
+    way = np.array(center_path(trace.mechanism, name).ways[0])
+    speeds = (Velocity.evaluate(trace.scan, name) @ way)[trace.scan.times <= until]
+    return bool(speeds.min(initial=0.0) * speeds.max(initial=0.0) < -1e-9 * float(np.abs(speeds).max(initial=0.0)) ** 2)

@@ -1,0 +1,134 @@
+"""How bodies turn."""
+
+from math import degrees
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.triples import plus, times
+from sim2reason.dsl.vectors import inner
+from sim2reason.quantities import Quantity, quantity
+from sim2reason.quantities.subjects.paths import parallel, turning_axes
+from sim2reason.quantities.subjects.turners import TurningBodies
+
+
+@quantity
+class AngularVelocity(Quantity):
+    """The angular velocity of a body in the room."""
+
+    name, unit, symbol = "angular velocity", "rad/s", "ω"
+    of, vector = TurningBodies(), True
+    magnitude = "the magnitude of the angular velocity of {body}"
+    how = "with what angular speed is {body} turning {when}?"
+    given = True
+    weight = 2.0
+    floor, least = 0.1, 1e-2
+    panel, order = "angular velocity", 1
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """The sum of the rates of all hinges, each about its present axis, (n, 3)."""
+        return state.vector(state.frames[subject].turning.velocity)
+
+
+@quantity
+class AngularAcceleration(Quantity):
+    """The angular acceleration of a body in the room."""
+
+    name, unit, symbol = "angular acceleration", "rad/s^2", "α"
+    of, vector = TurningBodies(), True
+    magnitude = "the magnitude of the angular acceleration of {body}"
+    immediate = True
+    floor, least = 1.0, 1e-2
+    panel, order = "angular acceleration", 2
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """The rate of change of the angular velocity, that of the axes included, (n, 3)."""
+        turning = state.frames[subject].turning
+        total = turning.bias
+        for number, axis in turning.gradient.items():
+            total = plus(total, times(state.a[:, number], axis))
+        return state.vector(total)
+
+
+class Angle(Quantity):
+    """What angles about one axis share."""
+
+    of = TurningBodies()
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Bodies that turn about parallel axes, so that their angles add up."""
+        names = self.of.names(mechanism)
+        return tuple(name for name in names if _about_one_axis(mechanism, name) and self.fits(mechanism, name))
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Whether it has one axis."""
+        return name in self.subjects(mechanism)
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Whether a body turns in the way that this angle is of."""
+        raise NotImplementedError
+
+
+@quantity
+class AngleTurned(Angle):
+    """The angle from the start, in degrees, positive about the axis of the body's innermost hinge."""
+
+    name, unit, symbol = "angle turned", "deg", "φ"
+    magnitude = "the angle between {body} and its starting position"
+    how = "by what angle is {body} turned from its starting position {when}?"
+    weight = 2.0
+    floor, least = 1.0, 0.1
+    panel, order = "angle turned", 0
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """What swings rather than rolls."""
+        return not _rolls(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """The sum of the angles of all hinges, (n,)."""
+        return degrees(1.0) * _turned(state, subject)
+
+
+@quantity
+class AngleRolled(Angle):
+    """The angle from the start, in radians, of a body that rolls or slips as it turns: it may be many turns."""
+
+    name, unit, symbol = "angle rolled", "rad", "φ"
+    magnitude = "the angle through which {body} has turned since the start"
+    how = "through what angle has {body} turned {when}?"
+    floor, least = 0.1, 1e-2
+    panel, order = "angle turned", 0
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """What rolls."""
+        return _rolls(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """The sum of the angles of all hinges, (n,)."""
+        return _turned(state, subject)
+
+
+def _about_one_axis(mechanism: Mechanism, name: str) -> bool:
+    axes = [axis for _, axis in turning_axes(mechanism, name)]
+    return all(parallel(axis, axes[0]) for axis in axes)
+
+
+def _rolls(mechanism: Mechanism, name: str) -> bool:
+    """Whether a hinge that turns the body is among those by which it slips on a face."""
+    hinges = {hinge for hinge, _ in turning_axes(mechanism, name)}
+    return any(hinge in hinges for face in mechanism.faces for hinge, _ in face.slip if not face.turning)
+
+
+def _turned(state: State, subject: str) -> Array:
+    """The angle from the start, rad, (n,)."""
+    mechanism = state.mechanism
+    axes = turning_axes(mechanism, subject)
+    total = np.zeros(len(state.times))
+    for name, axis in axes:
+        total = total + inner(axis, axes[0][1]) * state.q[:, mechanism.number[name]]
+    return total

@@ -1,0 +1,56 @@
+"""How a text speaks of lines: of strings, springs and rods, by their own names or by their ends."""
+
+from collections.abc import Iterable, Mapping
+
+from sim2reason.dsl.mechanism import Line, Mechanism
+
+
+def line_phrases(
+    mechanism: Mechanism, mentions: Mapping[str, str], lines: Iterable[Line], noun: str, *, alone: bool
+) -> dict[str, str]:
+    """A phrase for every line that can be told from the others of its kind, by name.
+
+    One that is a body of the text goes by its mention, the only one of its kind, if it is `alone`, by its noun.
+    """
+    wheels = pulleys(mechanism, mentions)
+    found: dict[str, str] = {}
+    kept = list(lines)
+    for line in kept:
+        whole = noun if line.name == line.whole else f"part of the {noun}"
+        ends = [_end(mechanism, site, mentions, wheels) for site in (line.through[0], line.through[-1])]
+        if line.name in mentions:
+            found[line.name] = mentions[line.name]
+        elif alone and len(kept) == 1:
+            found[line.name] = f"the {noun}"
+        elif all(ends):
+            found[line.name] = f"the {whole} between {ends[0]} and {ends[1]}"
+    phrases = list(found.values())
+    return {name: phrase for name, phrase in found.items() if phrases.count(phrase) == 1}
+
+
+def pulleys(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+    """The pulleys of the text by what carries them: the body, or for fixed ones their own address."""
+    found: dict[str, str] = {}
+    for address in mentions:
+        site = mechanism.site.get(f"{address}.left")
+        if site is not None and site.body is not None:
+            found[site.body] = address
+    return found
+
+
+def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers: Mapping[str, str]) -> str:
+    """What a line ends at, in words; empty for an end that the text has no name for."""
+    owner, site = name.rpartition(".")[0], mechanism.site[name]
+    if owner in mentions:  # the rim of a pulley
+        return mentions[owner]
+    if site.body is None:
+        return ""
+    carried_pulley = carriers.get(site.body)
+    return mentions.get(site.body) or (f"the axle of {mentions[carried_pulley]}" if carried_pulley else "")
+
+
+def ends_label(phrase: str) -> str:
+    """The ends in a phrase, for a legend: *block A – pulley P*."""
+    ends = phrase.partition(" between ")[2] or phrase
+    said = ends.replace("the axle of ", "axle of ").replace("the ", "").replace(" and ", " – ")
+    return f"{said} (part)" if phrase.startswith("the part") else said

@@ -1,0 +1,54 @@
+"""Pairs of bodies that have to do with each other at a distance."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.quantities.subjects import Subject
+from sim2reason.quantities.subjects.bodies import Bodies, moves
+
+AND = " & "
+
+
+@dataclass(frozen=True)
+class Pairs(Subject):
+    """Every two bodies that may meet or attract each other, as ``a & b``."""
+
+    name = slot = "pair"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """All pairs of meetings, then those of attractions."""
+        met = [AND.join(meeting.names) for meeting in mechanism.meetings if len(meeting.names) == 2]
+        drawn = [AND.join((pull.a, pull.b)) for pull in mechanism.attractions]
+        return tuple(dict.fromkeys([*met, *drawn]))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """As in: pucks A and B; only where both are named and one can move."""
+        found: dict[str, str] = {}
+        for name in self.names(mechanism):
+            a, b = members(name)
+            if a in mentions and b in mentions and (moves(mechanism, a) or moves(mechanism, b)):
+                found[name] = pair(mentions[a], mentions[b])
+        return found
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Whether the text says it of both."""
+        return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
+
+    def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
+        """The centres of what meets before they do."""
+        wide = any(AND.join(met.names) == name and met.distance > 0.0 for met in mechanism.meetings)
+        return f"the centres of {phrase}" if wide else phrase
+
+
+def members(name: str) -> tuple[str, str]:
+    """The two bodies of a pair."""
+    a, _, b = name.partition(AND)
+    return a, b
+
+
+def pair(one: str, other: str) -> str:
+    """Two bodies as one phrase: *pucks A and B*, *block A and wedge W*."""
+    noun, _, letter = one.rpartition(" ")
+    same, _, second = other.rpartition(" ")
+    return f"{noun}s {letter} and {second}" if noun == same and noun != "the" else f"{one} and {other}"

@@ -1,0 +1,36 @@
+"""The instant at which an engine burns out."""
+
+from dataclasses import dataclass
+
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.occurrence import Occurrence
+from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.words import Words
+
+
+@MOMENTS.register("burned_out")
+@dataclass(frozen=True, slots=True)
+class BurnedOut(Occurrence):
+    """Burn-out: the instant at which all fuel is used up."""
+
+    label = "burn-out"
+    own = True
+    kinds = ("burn-out",)
+    of = Bodies()
+    most = 0
+    pronoun = ""
+    verb = Verb("burns out", "burn out")
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: at burn-out."""
+        rocket = self.subject(words)
+        return (
+            f"at the burn-out of {rocket}",
+            f"when the engine of {rocket} burns out",
+            f"at the moment when the fuel of {rocket} is used up",
+        )
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the engine of the rocket burns out."""
+        return self.verb.clause(f"the engine of {self.subject(words)}", None)

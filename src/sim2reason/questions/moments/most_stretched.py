@@ -1,0 +1,20 @@
+"""The first time that a spring is stretched the most."""
+
+from dataclasses import dataclass
+
+from sim2reason.questions.moments import MOMENTS
+from sim2reason.questions.moments.parts.spring_turn import SpringTurn
+from sim2reason.questions.moments.parts.verbs import Verb
+
+
+@MOMENTS.register("most_stretched")
+@dataclass(frozen=True, slots=True)
+class MostStretched(SpringTurn):
+    """The first time that a spring is stretched the most."""
+
+    label = "greatest extension"
+    verb = Verb("reaches its greatest extension", "reach its greatest extension")
+
+    def sign(self) -> float:
+        """Its length is then the longest."""
+        return 1.0

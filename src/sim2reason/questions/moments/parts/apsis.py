@@ -1,0 +1,44 @@
+"""Where the distance of two bodies that attract each other is least or greatest."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.pairs import DistanceBetween
+from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.questions.moments.parts.peak import Peak
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Trace
+
+CIRCLE = 1e-2  # of their distance: what varies by less has neither a closest nor a farthest point
+
+
+@dataclass(frozen=True, slots=True)
+class Apsis(Peak):
+    """Where the distance of two bodies that attract each other is least or greatest."""
+
+    of = Pairs()
+    hangs_on = "distance"
+    pronoun = "they"
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """Those that attract each other."""
+        drawn = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
+        return {name: said for name, said in words.called(cls.of).items() if frozenset(members(name)) in drawn}
+
+    def receding(self, state: State) -> Array:
+        """How fast they part, m/s, (n,): r·v/r."""
+        a, b = members(self.name)
+        frames = state.frames
+        apart = state.vector(frames.center(b).place) - state.vector(frames.center(a).place)
+        parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
+        return np.einsum("ij,ij->i", apart, parting) / np.linalg.norm(apart, axis=1)
+
+    def time(self, trace: Trace) -> float | None:
+        """When it turns; None of what goes round in a circle."""
+        far = DistanceBetween.evaluate(trace.scan, self.name)
+        round_it_goes = float(far.max() - far.min()) <= CIRCLE * float(far.max())
+        return None if round_it_goes else Peak.time(self, trace)

@@ -1,0 +1,133 @@
+"""Moments that are events of the engines."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+from typing import ClassVar, Self
+
+import numpy as np
+
+from sim2reason.quantities.subjects import Subject
+from sim2reason.questions.moments import Clause, Happening
+from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.spoken import numbers_of
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Event, Trace
+
+
+@dataclass(frozen=True, slots=True)
+class Occurrence(Happening):
+    """An event of one subject, the first of its kinds or a later one.
+
+    Class data:
+        kinds: of the engines' events.
+        of: the kind of subject.
+        verb: what it does.
+        most: up to which of one subject's it is asked about; 0 if it happens but once.
+    """
+
+    event = True
+    kinds: ClassVar[tuple[str, ...]]
+    of: ClassVar[Subject]
+    verb: ClassVar[Verb]
+    most: ClassVar[int] = 1
+
+    name: str
+    number: int = 1
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Every subject's first ones."""
+        del rng
+        happened = {name for event in study.trace.events if event.kind in cls.kinds for name in event.subjects}
+        if not happened:
+            return []
+        named = [name for name in cls.candidates(words) if happened & cls.seen_as(name, words)]
+        all_of_them = (moment for name in named for moment in cls.each(name))
+        return [moment for moment in all_of_them if study.time(moment) is not None]
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """Every subject that is named, with every ordinal."""
+        del trace
+        numbers = set(numbers_of(text))
+        for name, phrase in cls.candidates(words).items():
+            if phrase in text:
+                yield from (moment for moment in cls.each(name) if not cls.most or moment.number in numbers)
+
+    @classmethod
+    def each(cls, name: str) -> Iterator[Self]:
+        """All moments of one subject."""
+        return (cls(name, number) for number in range(1, max(1, cls.most) + 1))
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """The subjects that it can happen to, by name, as the text calls them."""
+        return dict(words.called(cls.of))
+
+    @classmethod
+    def seen_as(cls, name: str, words: Words) -> set[str]:
+        """The names under which events speak of a subject."""
+        del words
+        return {name}
+
+    @property
+    def subjects(self) -> tuple[str, ...]:
+        """The one that it happens to."""
+        return (self.name,)
+
+    def is_this(self, event: Event, trace: Trace) -> bool:
+        """Whether an event is of this kind and subject."""
+        del trace
+        return event.kind in self.kinds and event.subjects[0] == self.name
+
+    def time(self, trace: Trace) -> float | None:
+        """The time of the event."""
+        events = (e for e in trace.events if 0.0 < e.time <= trace.stable_until and self.is_this(e, trace))
+        found = next(islice(events, self.number - 1, None), None)
+        return found.time if found is not None else None
+
+    def subject(self, words: Words) -> str:
+        """How a question calls the one that it happens to."""
+        return words.called(self.of)[self.name]
+
+    @property
+    def _count(self) -> int | None:
+        return self.number if self.most else None
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: when the string first goes slack."""
+        return self.verb.phrases(self.subject(words), self._count)
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the string first goes slack."""
+        return self.verb.clause(self.subject(words), self._count)
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityJump(Occurrence):
+    """An event at which velocities jump, so that questions say on which side of it they ask."""
+
+    own = True
+    after: bool = True
+
+    @classmethod
+    def each(cls, name: str) -> Iterator[Self]:
+        """Both sides of each."""
+        for number in range(1, max(1, cls.most) + 1):
+            yield cls(name, number, after=True)
+            yield cls(name, number, after=False)
+
+    @property
+    def sided(self) -> bool | None:
+        """Its side."""
+        return self.after
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: just after the ball first hits the ground."""
+        return self.verb.sided(self.subject(words), self.number, after=self.after)
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the ball first hits the ground; when that is, is asked of one side alone."""
+        return self.verb.clause(self.subject(words), self._count) if self.after else None

@@ -1,0 +1,43 @@
+"""Moments at which something is the greatest that it gets."""
+
+from abc import abstractmethod
+from dataclasses import dataclass
+from math import inf
+from typing import ClassVar
+
+from sim2reason.dsl.state import Array, State
+from sim2reason.questions.choices import at
+from sim2reason.questions.crossing import begins_beyond, crossings
+from sim2reason.questions.moments.parts.passage import Passage
+from sim2reason.simulation.trace import Trace
+
+SAME = 1e-6  # of the way between its least and its greatest value
+
+
+@dataclass(frozen=True, slots=True)
+class Peak(Passage):
+    """The first time that something is the greatest that it gets while the motion is followed.
+
+    A motion that begins there has none that anybody would call the first.
+
+    Class data:
+        above: what it must exceed there, as an extension must zero.
+    """
+
+    above: ClassVar[float] = -inf
+
+    @abstractmethod
+    def extent(self, state: State) -> Array:
+        """What is greatest then, (n,); `excess` is the rate at which it sinks."""
+
+    def time(self, trace: Trace) -> float | None:
+        """When it first turns back, if it never gets beyond."""
+        if begins_beyond(trace, self.excess):
+            return None
+        reached = ((time, float(self.extent(at(trace, time))[0])) for time in crossings(trace, self.excess))
+        first = next(((time, value) for time, value in reached if value > self.above), None)
+        if first is None:
+            return None
+        everywhere = self.extent(trace.scan)
+        greatest, least = float(everywhere.max()), float(everywhere.min())
+        return first[0] if first[1] >= greatest - SAME * (greatest - least) else None

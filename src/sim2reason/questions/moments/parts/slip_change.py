@@ -1,0 +1,42 @@
+"""Changes between sticking and slipping on a face."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.subjects.contacts import Contacts
+from sim2reason.questions.moments.parts.occurrence import Occurrence
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Event, Trace
+
+STILL = 1e-7  # of its greatest speed of slip
+
+
+@dataclass(frozen=True, slots=True)
+class SlipChange(Occurrence):
+    """A change between sticking and slipping on a face."""
+
+    own = True
+    of = Contacts()
+
+    def slipped(self, event: Event, trace: Trace) -> bool:
+        """Whether the body slips until shortly before an event; what only turns back does, too."""
+        slips = np.abs(slip(trace.scan, self.name))
+        still = STILL * float(slips.max())
+        before = slips[trace.scan.times < event.time - STILL * trace.scan.times[-1]]
+        return len(before) > 0 and float(before[-1]) > still
+
+
+def slip(state: State, name: str) -> Array:
+    """The velocity with which a body slips on its face, m/s, (n,)."""
+    mechanism = state.mechanism
+    total = np.zeros(len(state.times))
+    for coordinate, factor in mechanism.contacts[name].slip:
+        total = total + factor * state.v[:, mechanism.number[coordinate]]
+    return total
+
+
+def rolls(words: Words, name: str) -> bool:
+    """Whether a body rolls on its face rather than slides: it may turn there."""
+    return len(words.mechanism.contacts[name].slip) > 1

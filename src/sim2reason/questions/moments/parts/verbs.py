@@ -1,0 +1,42 @@
+"""The words for what happens: a verb in its forms, the first time or a later one."""
+
+from dataclasses import dataclass
+
+from sim2reason.questions.moments import Clause
+from sim2reason.questions.spoken import ordinal
+
+
+@dataclass(frozen=True, slots=True)
+class Verb:
+    """What a subject does, as a statement and as a question: *goes slack*, *does … go slack*."""
+
+    told: str
+    asked: str
+    auxiliary: str = "does"
+
+    def phrases(self, subject: str, number: int | None) -> tuple[str, ...]:
+        """*When …*; `number` counts the times, None is for what can happen but once."""
+        if number == 1:
+            first = f"{subject} first {self.told}"
+            return (f"when {first}", f"at the moment when {first}", f"when {self._counted(subject, 1)}")
+        happens = f"{subject} {self.told}" if number is None else self._counted(subject, number)
+        return (f"when {happens}", f"at the moment when {happens}", f"at the instant at which {happens}")
+
+    def sided(self, subject: str, number: int, *, after: bool) -> tuple[str, ...]:
+        """*Just before …* or *just after …*."""
+        side, again = "after" if after else "before", self._counted(subject, number)
+        return (
+            f"just {side} {subject} first {self.told}" if number == 1 else f"at the moment just {side} {again}",
+            f"just {side} {again}",
+            f"immediately {side} {again}",
+        )
+
+    def clause(self, subject: str, number: int | None) -> Clause:
+        """For *how long after …*."""
+        if number == 1:
+            return Clause(subject, self.auxiliary, f"first {self.asked}", f"first {self.told}")
+        times = "" if number is None else f" for the {ordinal(number)} time"
+        return Clause(subject, self.auxiliary, self.asked + times, self.told + times)
+
+    def _counted(self, subject: str, number: int) -> str:
+        return f"{subject} {self.told} for the {ordinal(number)} time"

@@ -1,0 +1,213 @@
+"""When things happen in motions of every kind, by formulas from textbooks, and whether both engines see it."""
+
+from collections.abc import Callable
+from math import acos, acosh, asin, cos, pi, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+import motions
+from plain_scenes import ramp
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.mechanism import Z
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.prose.writer import describe
+from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, Study, Words
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.began_to_slip import BeganToSlip
+from sim2reason.questions.moments.bounced import Bounced
+from sim2reason.questions.moments.burned_out import BurnedOut
+from sim2reason.questions.moments.closest import Closest
+from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.entered_region import EnteredRegion
+from sim2reason.questions.moments.farthest import Farthest
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.landed import Landed
+from sim2reason.questions.moments.left_face import LeftFace
+from sim2reason.questions.moments.left_region import LeftRegion
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
+from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.went_slack import WentSlack
+from sim2reason.questions.moments.went_taut import WentTaut
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.targets import targets
+from sim2reason.simulation.certify import Certificate, certify
+from sim2reason.simulation.engines.exact import simulate as exact
+from sim2reason.simulation.scenes import simulate
+
+G = 9.8
+ROD_RATE = sqrt(1.5 * G / 1.2)  # of small swings of a uniform rod of 1.2 m
+BOB_RATE = sqrt(G / 0.8)
+OMEGA = sqrt(20.0 / 0.5)
+SLACK = acos(-0.5)  # cos θ = −(k − 2)/3 with v₀² = kgℓ, k = 3.5
+FLIGHT = 4.0 * sqrt(0.5 * G) * sin(SLACK) / G  # until it is taut again: 4 v_z/g, with v² = gℓ(k − 2)/3
+RISE, AHEAD = 5.0 * sin(radians(40.0)), 5.0 * cos(radians(40.0))
+FALL = sqrt(RISE**2 + 2.0 * G)  # the speed downwards at the ground
+
+
+def integral(function: Callable[[np.ndarray], np.ndarray], end: float) -> float:
+    """From zero, of a smooth function, by 60 points of Gauss and Legendre."""
+    points, weights = np.polynomial.legendre.leggauss(60)
+    return float(0.5 * end * weights @ function(0.5 * end * (points + 1.0)))
+
+
+def elliptic(angle: float, parameter: float) -> float:
+    """F(φ | m)."""
+    return integral(lambda phi: 1.0 / np.sqrt(1.0 - parameter * np.sin(phi) ** 2), angle)
+
+
+def swing(rate: float, start: float, angle: float) -> float:
+    """When a pendulum that is let go at `start` is first at `angle`, rad: (K − F(ψ, k))/ω, sin ψ = sin(θ/2)/k."""
+    k = sin(start / 2.0)
+    return (elliptic(pi / 2.0, k * k) - elliptic(asin(sin(angle / 2.0) / k), k * k)) / rate
+
+
+def struck(angle: float) -> float:
+    """When a bob that leaves its lowest point with v₀² = 3.5 gℓ is at an angle: θ′² = (g/ℓ)(k − 2 + 2 cos θ)."""
+    return 2.0 / sqrt(3.5 * G) * elliptic(angle / 2.0, 4.0 / 3.5)
+
+
+def slid(angle: float) -> float:
+    """When what slides off a dome of 1 m from 10° is at an angle: θ′² = 4g (sin²(θ/2) − s₀²), sin(θ/2) = s₀ cosh u."""
+    first = sin(radians(5.0))
+    end = acosh(sin(angle / 2.0) / first)
+    return integral(lambda u: 1.0 / np.sqrt(G * (1.0 - (first * np.cosh(u)) ** 2)), end)
+
+
+def thrown(distance: float) -> float:
+    """When a ball is first so far from where it was thrown: the least root of x² + z² = d²."""
+    roots = np.roots([G**2 / 4.0, -RISE * G, RISE**2 + AHEAD**2, 0.0, -(distance**2)])
+    return float(min(root.real for root in roots if abs(root.imag) < 1e-9 and root.real > 0.0))
+
+
+def kepler(anomaly: float, eccentricity: float = 0.5) -> float:
+    """M = E − e sin E, in periods."""
+    return (anomaly - eccentricity * sin(anomaly)) / (2.0 * pi)
+
+
+TIMES: list[tuple[Callable[[], motions.Motion], Moment, float]] = [
+    (motions.string_pendulum, WentSlack("swing.hanger"), struck(SLACK)),
+    (motions.string_pendulum, WentTaut("swing.hanger", after=True), struck(SLACK) + FLIGHT),
+    (motions.string_pendulum, Deflected("swing.hanger", 60.0), struck(radians(60.0))),
+    (motions.string_pendulum, HighestPoint("swing.bob"), struck(SLACK) + FLIGHT / 4.0),
+    (motions.rod_pendulum, LowestPoint("swing.rod"), swing(ROD_RATE, radians(60.0), 0.0)),
+    (motions.rod_pendulum, Deflected("swing.rod", 30.0), swing(ROD_RATE, radians(60.0), radians(30.0))),
+    (motions.rod_pendulum, Stopped("swing.rod"), 2.0 * swing(ROD_RATE, radians(60.0), 0.0)),
+    (motions.rod_pendulum, TurnedThrough("swing.rod", 40.0), swing(ROD_RATE, radians(60.0), radians(20.0))),
+    (motions.light_rod, LowestPoint("swing.bob"), swing(BOB_RATE, radians(60.0), 0.0)),
+    (motions.light_rod, Deflected("swing.hanger", 30.0), swing(BOB_RATE, radians(60.0), radians(30.0))),
+    (motions.rolling_ball, StoppedSlipping("lane.ball"), 2.0 * 3.0 / (7.0 * 0.2 * G)),
+    (motions.rolling_ball, Moved("lane.ball", 1.0), (3.0 - sqrt(9.0 - 0.4 * G)) / (0.2 * G)),
+    (motions.spring_block, NaturalLength("bench.spring"), pi / 2.0 / OMEGA),
+    (motions.spring_block, MostCompressed("bench.spring"), pi / OMEGA),
+    (lambda: motions.spring_block(-0.2), MostStretched("bench.spring"), pi / OMEGA),
+    (motions.spring_block, Moved("bench.block", 0.1), acos(0.5) / OMEGA),
+    (motions.orbit, Farthest("sky.planet & sky.star"), 0.5),
+    (lambda: motions.orbit(-0.5), Closest("sky.planet & sky.star"), 0.5),
+    (motions.orbit, Orbited("sky.planet & sky.star", 90), kepler(acos(0.5))),
+    (motions.orbit, Orbited("sky.planet & sky.star", 180), 0.5),
+    (motions.orbit, Orbited("sky.planet & sky.star", 360), 1.0),
+    (motions.rocket, BurnedOut("pad.rocket"), 6.0),
+    (motions.thrown_ball, HighestPoint("field.ball"), RISE / G),
+    (motions.thrown_ball, Bounced("field.ball", after=True), (RISE + FALL) / G),
+    (motions.thrown_ball, Bounced("field.ball", 3, after=False), (RISE + FALL + 2.0 * FALL * 0.8 * 1.8) / G),
+    (lambda: motions.thrown_ball(None), Landed("field.ball"), (RISE + FALL) / G),
+    (motions.thrown_ball, Away("field.ball", 0.5), thrown(0.5)),
+    (motions.charge, EnteredRegion("lab.charge"), 0.5),
+    (motions.charge, LeftRegion("lab.charge"), 0.5 + pi / 3.0),
+    (motions.dome, LeftFace("hill.block"), slid(acos(2.0 / 3.0 * cos(radians(10.0))))),
+    (motions.pushed_block, BeganToSlip("bench.block"), 0.4 * G / 3.0),
+    (motions.slab, StoppedSlipping("bench.block"), 2.0 / (0.4 * G)),
+    (motions.pucks, Collided("table.a & table.b", after=True), 0.42),
+]
+
+
+@pytest.mark.parametrize(("motion", "moment", "expected"), TIMES, ids=[type(each[1]).__name__ for each in TIMES])
+def test_it_happens_when_the_formula_says(
+    motion: Callable[[], motions.Motion], moment: Moment, expected: float
+) -> None:
+    trace = motion().told()[0].trace
+    assert moment.time(trace) == pytest.approx(expected, rel=1e-8)
+
+
+def test_every_moment_that_is_no_stated_time_is_tried() -> None:
+    assert {type(each[1]) for each in TIMES} == {cls for cls in MOMENTS.values() if cls.kind == "event"}
+
+
+@pytest.mark.parametrize(("motion", "moment", "expected"), TIMES, ids=[type(each[1]).__name__ for each in TIMES])
+def test_both_engines_vouch_for_it(motion: Callable[[], motions.Motion], moment: Moment, expected: float) -> None:
+    """The filter lets the question through when it happens, and some quantity at it."""
+    study, words = motion().told()
+    certificate = certify(study.mechanism, study.trace.state.times)[1]
+    assert not refused(Query("time_to_event", None, moment), study, certificate)
+    asked = [target for target in targets(words) if target.subject in moment.subjects and target.quantity != "tension"]
+    verdicts = {target: refused(Query("event", target, moment), study, certificate) for target in asked}
+    assert not asked or not all(verdicts.values()), verdicts
+    assert expected > 0.0
+
+
+def refused(query: Query, study: Study, certificate: Certificate) -> str:
+    """Why the agreement of both engines does not cover a question; empty if it does."""
+    answer = KINDS[query.kind].answer(query, study)
+    assert answer is not None
+    question = Question("numeric", query, "?", answer, KINDS[query.kind].measured(query).unit)
+    return FILTERS["agreement"].reason(Candidate(study, question, "", certificate=certificate))
+
+
+# ---- what is not asked
+
+
+def test_what_begins_at_its_highest_point_does_not_reach_it_for_the_first_time() -> None:
+    study, words = motions.rod_pendulum().told()
+    assert HighestPoint("swing.rod").time(study.trace) is None
+    assert not MostStretched.found(*motions.spring_block().told(), np.random.default_rng(0))
+    assert Closest("sky.planet & sky.star").time(motions.orbit().told()[0].trace) is None
+    assert LowestPoint.found(study, words, np.random.default_rng(0))
+
+
+def test_a_top_that_is_lower_than_the_start_is_not_the_highest_point() -> None:
+    """A ball that falls from 1 m rebounds to e² of that: the highest point of its path is where it began."""
+    builder = Builder()
+    room = builder.room("field")
+    room.bump(room, room.body("ball", 0.2, at=(0.0, 0.0, 1.0)).slide(Z), Z, 0.0, 0.8)
+    trace = exact(builder.finish(), np.linspace(0.0, 1.1, 41))
+    assert [event.kind for event in trace.events] == ["collision", "turn"]
+    assert HighestPoint("field.ball").time(trace) is None
+
+
+def drawn(study: Study, words: Words, kind: str) -> list[Query]:
+    """What a kind would ask, over many draws."""
+    found = (KINDS[kind].draw(study, words, targets(words), np.random.default_rng(seed)) for seed in range(120))
+    return [query for query in found if query is not None]
+
+
+def test_a_force_that_never_changes_is_not_asked_at_a_moment() -> None:
+    """On a ramp the acceleration and the normal force are what they are from release on."""
+    for kind in ("state", "event"):
+        asked = {query.target.quantity for query in drawn(*told(), kind) if query.target is not None}
+        assert asked
+        assert not asked & {"acceleration", "net force", "normal force", "friction force"}
+
+
+def told() -> tuple[Study, Words]:
+    """A block that slides down a rough ramp."""
+    scene = ramp(friction=0.2)
+    return Study(scene, simulate(scene)), words_of(describe(scene))
+
+
+def test_where_a_force_jumps_at_an_event_it_is_not_asked_there() -> None:
+    """When the ball begins to roll, friction falls from µmg to nothing: at that instant it is neither."""
+    study, words = motions.rolling_ball().told()
+    asked = [query for query in drawn(study, words, "event") if isinstance(query.moment, StoppedSlipping)]
+    assert {"velocity", "kinetic energy"} & {query.target.quantity for query in asked if query.target is not None}
+    assert not {"friction force", "acceleration", "torque"} & {q.target.quantity for q in asked if q.target is not None}
+    assert AtTime(0.5).time(study.trace) == 0.5
