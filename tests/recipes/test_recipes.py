@@ -7,14 +7,23 @@ from cells import CELLS, drawn
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import outer_ports
 from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.mobility import is_weightless, stuck_bodies
 from sim2reason.errors import SceneError, UnknownNameError
 from sim2reason.prose.writer import describe
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, hybrid, incline, pulley
-from sim2reason.recipes.parts.grow import LONGEST_SENTENCE, PREFIX, Tier, grow
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, box, hybrid, incline, mixed, pulley
+from sim2reason.recipes.parts.grow import LONGEST_SENTENCE, Tier, grow
 from sim2reason.scene_files import dump, load
 
 SCENES = 12
-GROWN = {"pulley": pulley.TIERS, "incline": incline.TIERS, "hybrid": hybrid.TIERS}
+PLANE = ({"TwoSideMassPlane": 1.0},)
+MASSES = {"mass": Range(1.0, 3.0), "pulley mass": Range(0.1, 0.5), "blocks": Count(1, 1)}
+GROWN = {
+    "pulley": pulley.TIERS,
+    "incline": incline.TIERS,
+    "hybrid": hybrid.TIERS,
+    "box": box.TIERS,
+    "mixed": mixed.TIERS,
+}
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), CELLS)
@@ -57,7 +66,7 @@ def test_numbers_are_what_is_said(recipe: str, difficulty: Difficulty) -> None:
 
 
 def test_a_choice_of_zero_is_a_choice() -> None:
-    smooth = Tier(Count(1, 1), {"TwoSideMassPlane": 1.0}, {"mass": Range(1.0, 2.0)})
+    smooth = Tier(Count(1, 1), PLANE, {**MASSES, "mass": Range(1.0, 2.0)})
     for seed in range(20):
         scene = grow(smooth, np.random.default_rng(seed))
         assert [p.value for p in scene.parameters if p.measure.name == "friction"] == [0.0]
@@ -65,13 +74,48 @@ def test_a_choice_of_zero_is_a_choice() -> None:
 
 def test_what_can_not_be_told_in_so_few_words_is_refused() -> None:
     with pytest.raises(SceneError, match="5 words"):
-        grow(Tier(Count(1, 1), {"TwoSideMassPlane": 1.0}, {}, words=5), np.random.default_rng(0))
+        grow(Tier(Count(1, 1), PLANE, MASSES, words=5), np.random.default_rng(0))
 
 
 def test_names_say_what_entities_are() -> None:
     for recipe in GROWN:
         for scene in drawn(recipe, "hard", SCENES):
-            assert all(n.name.rstrip("0123456789") == PREFIX[type(n.entity).__name__] for n in scene.entities)
+            for named in scene.entities:
+                assert named.name.rstrip("0123456789").replace("_", "") == type(named.entity).__name__.lower()
+
+
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+def test_hybrid_scenes_hold_both_kinds(difficulty: Difficulty) -> None:
+    pulleys, faces = hybrid.TIERS[difficulty].groups
+    for scene in drawn("hybrid", difficulty, SCENES):
+        kinds = {type(named.entity).__name__ for named in scene.entities}
+        assert kinds & pulleys.keys()
+        assert kinds & faces.keys()
+
+
+@pytest.mark.parametrize(("recipe", "difficulty"), [cell for cell in CELLS if cell[0] in GROWN])
+def test_masses_are_comparable_and_pulleys_light(recipe: str, difficulty: Difficulty) -> None:
+    """No disc heavier than what it carries, no crumb beside a boulder."""
+    for scene in drawn(recipe, difficulty, SCENES):
+        found = [(p.measure.name, p.value) for p in scene.parameters if p.value]
+        blocks = [value for name, value in found if name == "mass"]
+        pulleys = [value for name, value in found if name == "pulley mass"]
+        assert max(blocks) <= 1.05 * GROWN[recipe][difficulty].spread * min(blocks)
+        assert max(pulleys, default=0.0) <= 1.05 * min(blocks)
+
+
+def test_everything_can_move_and_nothing_moves_for_nothing() -> None:
+    for recipe in GROWN:
+        for scene in drawn(recipe, "medium", SCENES):
+            assert not stuck_bodies(scene.mechanism)
+            assert not is_weightless(scene.mechanism)
+
+
+def test_over_all_recipes_strings_and_planes_are_a_quarter_at_most() -> None:
+    dealt = all_recipes()
+    machines = [name for name in dealt if name in ("pulley", "incline", "hybrid", "box")]
+    assert set(dealt) == set(RECIPES)
+    assert len(machines) <= 0.25 * len(dealt)
 
 
 def test_unknown_names_are_refused_with_what_there_is() -> None:

@@ -1,6 +1,8 @@
 """Recipes: which entities meet, and how hard; difficulty belongs here and not to entities."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from inspect import getdoc
 from typing import TYPE_CHECKING, Literal
 
 from sim2reason.errors import UnknownNameError
@@ -14,11 +16,44 @@ if TYPE_CHECKING:  # plans of datasets read the names here, and no more
 Difficulty = Literal["easy", "medium", "hard"]
 DIFFICULTIES: tuple[Difficulty, ...] = ("easy", "medium", "hard")
 
-Recipe = Callable[[Difficulty, "np.random.Generator"], "Scene"]
+Draw = Callable[[Difficulty, "np.random.Generator"], "Scene"]
 """One random scene. May raise SceneError for a draw that does not fit together: the caller draws again."""
 
+
+@dataclass(frozen=True)
+class Recipe:
+    """How scenes of one kind are drawn, and how often over all recipes: `share` times in every round."""
+
+    draw: Draw
+    share: int = 1
+
+    def __call__(self, difficulty: Difficulty, rng: "np.random.Generator") -> "Scene":
+        """Draw one scene."""
+        return self.draw(difficulty, rng)
+
+    @property
+    def summary(self) -> str:
+        """What its function says of itself, in one line."""
+        return (getdoc(self.draw) or "").partition("\n")[0]
+
+
 RECIPES: Registry[Recipe] = Registry("recipes")
-recipe = RECIPES.register
+
+
+def recipe(name: str, share: int = 1) -> Callable[[Draw], Draw]:
+    """Decorate the function that draws the scenes of a recipe."""
+
+    def register(draw: Draw) -> Draw:
+        RECIPES.add(name, Recipe(draw, share))
+        return draw
+
+    return register
+
+
+def all_recipes() -> tuple[str, ...]:
+    """The names of all recipes, each as often as it is dealt in a round."""
+    rounds = range(max(member.share for member in RECIPES.values()))
+    return tuple(name for turn in rounds for name, member in RECIPES.items() if member.share > turn)
 
 
 def known(difficulty: str) -> Difficulty:

@@ -1,17 +1,21 @@
-"""Pucks that meet on a table."""
+"""Pucks that meet on a table, and what meets on a straight track."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import cos, hypot, pi, sin, sqrt
 
 import numpy as np
 
 from sim2reason.bodies.puck import Puck, Table
-from sim2reason.dsl.entity import Named
+from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.measures import Count, Range
-from sim2reason.dsl.model import field_types
+from sim2reason.dsl.model import Choices, field_types
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.two_d_collision_plane import PairRestitution, TwoDCollisionPlane
+from sim2reason.errors import SceneError
 from sim2reason.recipes import Difficulty, recipe
+from sim2reason.recipes.parts.ideas import Idea, one_of
 
 PLACES = Range(-1.5, 1.5)  # m
 CLEAR = 4.0  # radii between any two pucks at the start
@@ -25,23 +29,50 @@ class CollisionTier:
     mass: Range
     speed: Range
     restitution: tuple[str, ...]  # elastic, partial, dead
+    track: Choices  # how the collisions on a straight track are drawn
     tilt: float = 0.0  # the chance of a tilted table
     pairs: float = 0.0  # the chance that one pair has a restitution of its own
 
 
+STRAIGHT = 0.5  # of the scenes are on a straight track
+PLAIN: Choices = {"tilt?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
 TIERS = {
-    "easy": CollisionTier(Count(2, 3), Range(0.5, 3.0), Range(0.5, 1.5), ("elastic",)),
-    "medium": CollisionTier(Count(2, 4), Range(0.5, 8.0), Range(0.5, 3.0), ("elastic", "partial", "partial"), 0.0, 0.3),
+    "easy": CollisionTier(
+        Count(2, 3),
+        Range(0.5, 3.0),
+        Range(0.5, 1.5),
+        ("elastic",),
+        {**PLAIN, "gliders": Count(2, 3), "left?": 0.3, "right?": 0.3, "restitution": 1.0},
+    ),
+    "medium": CollisionTier(
+        Count(2, 3),
+        Range(0.5, 8.0),
+        Range(0.5, 3.0),
+        ("elastic", "partial", "partial"),
+        {**PLAIN, "gliders": Count(2, 4), "buffers": Count(0, 1)},
+        0.0,
+        0.3,
+    ),
     "hard": CollisionTier(
-        Count(3, 5), Range(0.1, 20.0), Range(1.0, 5.0), ("elastic", "partial", "partial", "dead"), 0.6, 0.3
+        Count(3, 4),
+        Range(0.5, 15.0),
+        Range(1.0, 5.0),
+        ("elastic", "partial", "partial", "dead"),
+        {"gliders": Count(3, 5), "joined": Count(0, 1), "buffers": Count(0, 1), "pairs": Count(0, 1)},
+        0.6,
+        0.3,
     ),
 }
 
 
 @recipe("collision")
 def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Two to five pucks, each aimed so that it meets the slowest one before it."""
+    """Pucks, each aimed so that it meets the slowest one before it, or balls, carts and walls on a straight track."""
     tier = TIERS[difficulty]
+    if rng.random() < STRAIGHT:
+        scene = one_of((Idea(ComplexCollisionPlane.__name__, tier.track),), rng, "track")
+        _check_meets(scene.entities[0].entity)
+        return scene
     radius = _drawn(TwoDCollisionPlane, "radius", rng)
     count = int(rng.integers(tier.pucks.low, tier.pucks.high + 1))
     places = _places(count, CLEAR * radius, rng)
@@ -52,15 +83,26 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
         mass = _drawn(Puck, "mass", rng, tier.mass)
         vx, vy = (_rounded(Puck, "vx", part) for part in velocity)
         pucks.append(Puck(mass=mass, x=place[0], y=place[1], vx=vx, vy=vy))
-    tilt = _drawn(Table, "tilt", rng, Range(2.0, 70.0)) if rng.random() < tier.tilt else 0.0
+    tilt = _drawn(Table, "tilt", rng, Range(2.0, 30.0)) if rng.random() < tier.tilt else 0.0
+    restitution = _restitution(tier, rng)
     entity = TwoDCollisionPlane(
         table=Table(tilt=tilt),
         radius=radius,
         pucks=tuple(pucks),
-        restitution=_restitution(tier, rng),
-        pairs=_pairs(count, tier, rng),
+        restitution=restitution,
+        pairs=_pairs(count, restitution, tier, rng),
     )
     return Scene(entities=(Named(name="table", entity=entity),))
+
+
+def _check_meets(track: Entity) -> None:
+    """Refuse a draw in which all run away from each other; SceneError."""
+    assert isinstance(track, ComplexCollisionPlane)
+    speeds = [glider.v for glider in track.gliders]
+    ends = [0.0] if track.left is not None else []
+    speeds = [*ends, *speeds, *([0.0] if track.right is not None else [])]
+    if not any(one > other for one, other in pairwise(speeds)):
+        raise SceneError("track", "nothing on it meets", "draw again")
 
 
 def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None = None) -> float:
@@ -119,8 +161,12 @@ def _restitution(tier: CollisionTier, rng: np.random.Generator) -> float:
     return 1.0 if kind == "elastic" else 0.0
 
 
-def _pairs(count: int, tier: CollisionTier, rng: np.random.Generator) -> tuple[PairRestitution, ...]:
+def _pairs(count: int, usual: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[PairRestitution, ...]:
+    """At most one pair whose restitution is not the usual one."""
     if count < 3 or rng.random() >= tier.pairs:
         return ()
     first = int(rng.integers(count - 1))
-    return (PairRestitution(first=first, second=first + 1, restitution=_drawn(PairRestitution, "restitution", rng)),)
+    own = usual
+    while own == usual:
+        own = _drawn(PairRestitution, "restitution", rng)
+    return (PairRestitution(first=first, second=first + 1, restitution=own),)

@@ -5,20 +5,36 @@ import numpy as np
 from sim2reason.dsl.measures import Count
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
-from sim2reason.recipes.parts.grow import MOVABLE, REVERSE, Tier, grow
-from sim2reason.recipes.parts.ranges import NUMBERS, PRISM, WORDS
+from sim2reason.recipes.parts.grow import Tier, grow
+from sim2reason.recipes.parts.ranges import NUMBERS, PRISM, TWO, WORDS
 
-SHORT = {"TwoSideMassPlane": 1.5, "MassWithFixedPulley": 1.5, MOVABLE: 1.0, REVERSE: 1.0}
-POOL = {**SHORT, "MassPrismPlane": 2.5}
+MOVABLE = "MassWithMovablePulley"
+PULLEYS = {"MassWithFixedPulley": 1.5, MOVABLE: 1.0, "MassWithReverseMovablePulley": 1.0}
+RAMP = {"TwoSideMassPlane": 1.5}
+FACES = {**RAMP, "MassPrismPlane": 2.5}
 SIDES = dict.fromkeys((f"{MOVABLE}.left", f"{MOVABLE}.right"), ("Hanging", "OnPlane"))  # more would be too long to tell
 EASY = {**dict.fromkeys(SIDES, ("Hanging",)), "MassWithFixedPulley.system": ("Hanging", "OnPlane")}
 TIERS = {
-    "easy": Tier(Count(1, 2), SHORT, {**NUMBERS["easy"], **EASY}, more=0.1, words=WORDS["easy"]),
+    "easy": Tier(
+        Count(2, 2), (PULLEYS, RAMP), {**NUMBERS["easy"], **EASY}, spread=6.0, more=0.1, words=WORDS["easy"] + TWO
+    ),
     "medium": Tier(
-        Count(2, 3), POOL, {**NUMBERS["medium"], **SIDES}, rough=0.3, more=0.2, words=WORDS["medium"] + PRISM
+        Count(2, 3),
+        (PULLEYS, FACES),
+        {**NUMBERS["medium"], **SIDES},
+        spread=8.0,
+        rough=0.3,
+        more=0.2,
+        words=WORDS["medium"] + PRISM,
     ),
     "hard": Tier(
-        Count(3, 4), POOL, {**NUMBERS["hard"], **SIDES}, rough=0.6, massive=0.5, more=0.2, words=WORDS["hard"]
+        Count(3, 4),
+        (PULLEYS, FACES),
+        {**NUMBERS["hard"], **SIDES},
+        rough=0.6,
+        massive=0.5,
+        more=0.2,
+        words=WORDS["hard"],
     ),
 }
 

@@ -5,19 +5,21 @@ import numpy as np
 from sim2reason.dsl.measures import Count
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
-from sim2reason.recipes.parts.grow import MOVABLE, REVERSE, Tier, grow
-from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
+from sim2reason.recipes.parts.grow import Tier, grow
+from sim2reason.recipes.parts.ranges import NUMBERS, TWO, WORDS
 
-POOL = {"MassWithFixedPulley": 2.0, MOVABLE: 1.5, REVERSE: 1.5}
+MOVABLE = "MassWithMovablePulley"
+POOL = ({"MassWithFixedPulley": 2.0, MOVABLE: 1.5, "MassWithReverseMovablePulley": 1.5},)
 SYSTEMS = ("MassWithFixedPulley.system", f"{MOVABLE}.left", f"{MOVABLE}.right")
 HANGING = dict.fromkeys(SYSTEMS, ("Hanging",))
 STANDING = dict.fromkeys(SYSTEMS, ("Hanging", "OnPlane"))  # strings to wedges take more words than a reader holds
 TIERS = {
-    "easy": Tier(Count(1, 2), POOL, {**NUMBERS["easy"], **HANGING}, massive=0.4, words=WORDS["easy"]),
+    "easy": Tier(Count(2, 2), POOL, {**NUMBERS["easy"], **HANGING}, spread=6.0, massive=0.4, words=WORDS["easy"] + TWO),
     "medium": Tier(
         Count(2, 3),
         POOL,
         {**NUMBERS["medium"], **HANGING, SYSTEMS[0]: ("Hanging", "OnPlane")},
+        spread=8.0,
         massive=0.4,
         words=WORDS["medium"],
     ),

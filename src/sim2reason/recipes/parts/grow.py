@@ -1,52 +1,58 @@
-"""Growing a scene: entities are connected port by port until every string has two ends."""
+"""Growing a scene: entities are connected port by port, by what the ports say of themselves, until none is open."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import exp, log
 
 import numpy as np
 
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
-from sim2reason.dsl.entity import ENTITIES, Entity, Named, outer_ports
+from sim2reason.dsl.entity import ENTITIES, Named
 from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.mobility import is_weightless, stuck_bodies
 from sim2reason.dsl.model import Choice, draw
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
 from sim2reason.prose.writer import describe
+from sim2reason.recipes.parts.open_ports import OpenPort, ends_for, is_down, is_passed, open_ports, stands_still, takes
 
-REVERSE = "MassWithReverseMovablePulley"
-MOVABLE = "MassWithMovablePulley"
-TRIES = 30
+TRIES = 40
 LONGEST_SENTENCE = 40  # words
-HAND, HOOK = "ConstantForcePuller", "FixedSupport"
-PREFIX = {
-    "MassWithFixedPulley": "fixed",
-    MOVABLE: "movable",
-    REVERSE: "bight",
-    "TwoSideMassPlane": "ramp",
-    "MassPrismPlane": "prism",
-    HAND: "hand",
-    HOOK: "hook",
-}
+ONWARD = 0.75  # the chance that a string goes on to another entity where it could end
+UNDER = 0.3  # the chance that a string passes an entity on its way
+LOADED = 0.75  # the chance that something optional hangs where it can
+PULLEYS = ("FixedPulley.mass", "MovablePulley.mass")
+STRINGS = {"tendon": 1.0}
+CLOSERS = {"ConstantForcePuller": 0.4, "FixedSupport": 0.6}
 
 
 @dataclass(frozen=True)
 class Tier:
     """How hard: how many entities, of which types and how often, and where numbers come from.
 
-    `rough` is the chance that faces have friction, `massive` that pulleys have mass, `more` that an
-    optional port is used.
+    `groups` are pools of entity types with their weights; a scene has an entity of each. `rough` is the chance that
+    faces have friction, `massive` that pulleys have mass, `more` that an optional port is used.
     """
 
     size: Count
-    pool: Mapping[str, float]  # entity type to weight
+    groups: tuple[Mapping[str, float], ...]
     choices: Mapping[str, Choice]
+    alone: Mapping[str, Choice] = field(default_factory=dict[str, Choice])  # besides, where there is one entity
+    connections: Mapping[str, float] = field(default_factory=lambda: STRINGS)  # what joins them, and how often
+    closers: Mapping[str, float] = field(default_factory=lambda: CLOSERS)  # what closes an open end
+    spread: float = 10.0  # the largest ratio of the masses of two blocks
     rough: float = 0.0
-    friction: Range = field(default=Range(0.2, 0.7))
     massive: float = 0.3
     more: float = 0.4
-    speed: float = 0.0  # the chance that a plane without strings starts with a speed
     words: int = 200  # the longest text
+
+    @property
+    def pool(self) -> Mapping[str, float]:
+        """All entity types that may meet."""
+        return {kind: weight for group in self.groups for kind, weight in group.items()}
 
 
 class Grower:
@@ -55,123 +61,163 @@ class Grower:
     def __init__(self, tier: Tier, rng: np.random.Generator) -> None:
         """Friction and massive pulleys are decided once for the whole scene."""
         self.tier, self.rng = tier, rng
-        rough, massive = self._chance(tier.rough), self._chance(tier.massive)
-        self.choices: dict[str, Choice] = {
-            "friction": tier.friction if rough else 0.0,
-            "FixedPulley.mass?": float(massive),
-            "MovablePulley.mass?": float(massive),
-            **tier.choices,
-        }
         self.left = int(rng.integers(tier.size.low, tier.size.high + 1))
+        self.choices: dict[str, Choice] = {"load?": LOADED, **tier.choices, **self._masses()}
+        if self.left == 1:
+            self.choices.update(tier.alone)
+        if not self._chance(tier.rough):
+            self.choices["friction"] = 0.0
         self.entities: list[Named] = []
-        self.paths: list[tuple[Link, ...]] = []
+        self.joined: list[tuple[type[Connection], tuple[Link, ...]]] = []
         self.used: set[tuple[str, str]] = set()
 
-    def scene(self) -> Scene:
-        """Grow until no port that must be used is open."""
-        first = self._add(self._pick(self.tier.pool))
-        self._open_ports(first)
-        string = CONNECTIONS["tendon"]
-        return Scene(
-            entities=tuple(self.entities), connections=tuple(self._strung(string, path) for path in self.paths)
-        )
+    def _masses(self) -> dict[str, Choice]:
+        """Blocks of comparable masses, and pulleys with mass, if any, that are lighter than all of them."""
+        blocks, pulleys = self.tier.choices["mass"], self.tier.choices["pulley mass"]
+        assert isinstance(blocks, Range)
+        assert isinstance(pulleys, Range)
+        size = exp(self.rng.uniform(log(blocks.low), log(blocks.high)))
+        lightest = float(f"{max(blocks.low, size / self.tier.spread):.2g}")
+        massive = float(lightest > pulleys.low and self._chance(self.tier.massive))
+        return {
+            "mass": Range(lightest, float(f"{min(blocks.high, lightest * self.tier.spread):.2g}")),
+            **dict.fromkeys(PULLEYS, Range(pulleys.low, max(pulleys.low, min(pulleys.high, lightest)))),
+            **{f"{name}?": massive for name in PULLEYS},
+        }
 
-    def _strung(self, kind: type[Connection], path: tuple[Link, ...]) -> Connection:
-        return draw(kind, self.rng, {}, given={"links": path})
+    def scene(self) -> Scene:
+        """Grow until no port that must be used is open.
+
+        Raises:
+            SceneError: something in it can't move, or moves without inertia.
+        """
+        self._join_all(self._add(self._pick()))
+        if self._missing():
+            raise SceneError("scene", "an entity of one kind is missing", "draw again")
+        connections = tuple(draw(kind, self.rng, {}, given={"links": links}) for kind, links in self.joined)
+        entities = vacated(self.entities, (links for _, links in self.joined))
+        scene = Scene(entities=entities, connections=connections)
+        stuck = stuck_bodies(scene.mechanism)
+        if stuck:
+            raise SceneError(stuck[0], "nothing lets it move", "draw again")
+        if is_weightless(scene.mechanism):
+            raise SceneError("scene", "something light moves freely", "draw again")
+        return scene
 
     def _chance(self, chance: float) -> bool:
         return bool(self.rng.random() < chance)
 
-    def _pick(self, pool: Mapping[str, float]) -> str:
-        names, weights = list(pool), np.array(list(pool.values()))
-        return names[int(self.rng.choice(len(names), p=weights / weights.sum()))]
+    def _one_of(self, weights: Mapping[str, float]) -> str:
+        names, shares = list(weights), np.array(list(weights.values()))
+        return names[int(self.rng.choice(len(names), p=shares / shares.sum()))]
+
+    def _pick(self) -> str:
+        """A type of entity; of a group that the scene still lacks, once there is no room for another."""
+        missing = self._missing()
+        return self._one_of(missing[0] if len(missing) >= self.left and missing else self.tier.pool)
+
+    def _missing(self) -> list[Mapping[str, float]]:
+        """The groups of which the scene has no entity."""
+        kinds = {type(named.entity).__name__ for named in self.entities}
+        return [group for group in self.tier.groups if not kinds & group.keys()]
 
     def _add(self, kind: str) -> Named:
         """A drawn entity of a type, under a name of its own."""
-        self.left -= kind not in (HAND, HOOK)
-        count = sum(named.name.rstrip("0123456789") == PREFIX[kind] for named in self.entities)
-        choices = dict(self.choices)
-        if kind == REVERSE:  # with nothing on its axle a light pulley would be held by nothing
-            choices["load?"] = 0.75 if self.left > 0 else 1.0
-        if kind == "TwoSideMassPlane" and not self.entities and self.left == 0:
-            choices["speed?"] = self.tier.speed
-        entity = draw(ENTITIES[kind], self.rng, choices)
-        named = Named(name=f"{PREFIX[kind]}{count + 1 if count else ''}", entity=entity)
-        self.entities.append(named)
+        named = self._named(kind)
+        self._enter(named)
         return named
 
-    def _open_ports(self, named: Named) -> None:
-        """Give every port of a new entity its string, if it must or happens to have one."""
-        ports = outer_ports(type(named.entity))
-        for port, declared in sorted(
-            ports.items(), key=lambda item: item[0] != "bottom"
-        ):  # while there is room for a load
-            if (named.name, port) in self.used:
-                continue
-            if not declared.required and not self._wants(named.entity, port):
-                continue
-            link = Link(entity=named.name, port=port)
-            self.used.add((named.name, port))
-            if isinstance(declared, Pass):
-                start = self._far_end((), loose=False)
-                self._string((start, link, self._far_end((start,), loose=True)))
-            else:
-                self._string(self._path(link))
+    def _named(self, kind: str) -> Named:
+        base = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", kind).lower()
+        count = sum(type(named.entity).__name__ == kind for named in self.entities)
+        entity = draw(ENTITIES[kind], self.rng, self.choices)
+        return Named(name=f"{base}{count + 1 if count else ''}", entity=entity)
 
-    def _wants(self, entity: Entity, port: str) -> bool:
-        if getattr(entity, "speed", None) is not None:
-            return False
-        if port == "bottom":
-            return getattr(entity, "load", None) is None
-        return (self.left > 0 and (not self.paths or self._chance(0.8))) or self._chance(self.tier.more)
+    def _enter(self, named: Named) -> None:
+        self.entities.append(named)
+        self.left -= type(named.entity).__name__ in self.tier.pool
 
-    def _path(self, start: Link) -> tuple[Link, ...]:
-        """A string from an open end: perhaps under a movable pulley, and on to another end."""
-        links = [start]
-        if self.left > 0 and start.port != "bottom" and REVERSE in self.tier.pool and self._chance(0.3):
-            bight = self._add(REVERSE)
-            self.used.add((bight.name, "under"))
-            links.append(Link(entity=bight.name, port="under"))
-        loose = len(links) > 1 or start.port == "top"
-        return (*links, self._far_end(tuple(links), loose=loose))
+    # ---- ports
 
-    def _far_end(self, links: tuple[Link, ...], *, loose: bool) -> Link:
-        """The other end of a string: a new entity while there is room, else what closes it.
+    def _join_all(self, named: Named) -> None:
+        """Give every port of a new entity its connection, if it must or happens to have one."""
+        for here in open_ports(named):
+            taken = (named.name, here.port.name) in self.used
+            if not taken and (here.port.required or self._wants()):
+                self._join(here)
 
-        A hook only where something can still move (`loose`), a hand only where none pulls already.
-        """
-        pulled = any(link.port == "end" for link in links)
-        hangs = bool(links) and links[-1].port == "bottom"  # straight down, where only an axle can be met
-        pool = {kind: w for kind, w in self.tier.pool.items() if kind == MOVABLE or (kind != REVERSE and not hangs)}
-        if pool and self.left > 0 and (not loose or self._chance(0.75)):
-            named = self._add(self._pick(pool))
-            ends = [port for port, held in outer_ports(type(named.entity)).items() if not isinstance(held, Pass)]
-            port = ends[int(self.rng.integers(len(ends)))]
-            self.used.add((named.name, port))
-            return Link(entity=named.name, port=port)
-        kind = HOOK if loose and (pulled or self._chance(0.6)) else HAND
-        return Link(entity=self._add(kind).name, port="end")
+    def _wants(self) -> bool:
+        return (self.left > 0 and (not self.joined or self._chance(0.8))) or self._chance(self.tier.more)
 
-    def _string(self, path: tuple[Link, ...]) -> None:
-        """Enter a string, then give the new entities on it their other strings."""
-        self.paths.append(path)
-        for link in path:
-            self.used.add((link.entity, link.port))
-        for link in path:
-            self._open_ports(next(named for named in self.entities if named.name == link.entity))
+    def _join(self, here: OpenPort) -> None:
+        """Lead a connection from a port: to a new entity while there is room, else to what closes it."""
+        shares = {key: share for key, share in self.tier.connections.items() if takes(CONNECTIONS[key], here.port)}
+        if not shares:
+            return
+        kind = CONNECTIONS[self._one_of(shares)]
+        if isinstance(here.port, Pass):
+            first = self._far_end(kind, here, [])
+            path = [first, here, self._far_end(kind, here, [first, here])]
+        else:
+            path = [here, *self._between(kind, here)]
+            path.append(self._far_end(kind, path[-1], path))
+            if not kind.admits(here.port, 0, len(path) - 1):
+                path.reverse()
+        for stop in path:
+            self.used.add((stop.owner.name, stop.port.name))
+        self.joined.append((kind, tuple(stop.link for stop in path)))
+        for stop in path:
+            self._join_all(stop.owner)
+
+    def _between(self, kind: type[Connection], here: OpenPort) -> list[OpenPort]:
+        """What a connection passes on its way: now and then a new entity that must be passed."""
+        passed = {name: weight for name, weight in self.tier.pool.items() if is_passed(name, kind)}
+        if not (passed and self.left > 0 and not is_down(here.direction) and self._chance(UNDER)):
+            return []
+        named = self._add(self._one_of(passed))
+        return [stop for stop in open_ports(named) if isinstance(stop.port, Pass)][:1]
+
+    def _far_end(self, kind: type[Connection], here: OpenPort, path: list[OpenPort]) -> OpenPort:
+        """The other end of a connection. What stands still is led to only where something on the way can move."""
+        pool = {name: w for name, w in self.tier.pool.items() if not is_passed(name, kind)}
+        moving = any(isinstance(stop.port, Pass) for stop in (here, *path))
+        onward = not path or not moving or bool(self._missing()) or self._chance(ONWARD)
+        if pool and self.left > 0 and onward:
+            for _ in range(3):
+                picked = self._pick()
+                named = self._named(picked if picked in pool else self._one_of(pool))
+                ends = ends_for(named, kind, here)
+                if ends:
+                    self._enter(named)
+                    return ends[int(self.rng.integers(len(ends)))]
+        taken = {type(stop.owner.entity).__name__ for stop in path}
+        closers = {name: weight for name, weight in self.tier.closers.items() if name not in taken}
+        while closers:
+            named = self._named(self._one_of(closers))
+            end = next(iter(ends_for(named, kind, here)), None)
+            if end is not None and (moving or not stands_still(named.entity)):
+                self._enter(named)
+                return end
+            del closers[type(named.entity).__name__]
+        raise SceneError(here.owner.name, f"nothing closes its {here.port.name}", "draw again")
 
 
 def grow(tier: Tier, rng: np.random.Generator) -> Scene:
-    """A random scene of a tier, drawn again while it takes too many words to tell.
+    """A random scene of a tier, drawn again while it does not hold together or takes too many words to tell.
 
     Raises:
-        SceneError: its parts do not fit together, or nothing short enough was drawn.
+        SceneError: nothing that was drawn holds together and is short enough.
     """
+    refused = SceneError("recipe", f"no scene of {TRIES} can be told in {tier.words} words", "draw again")
     for _ in range(TRIES):
-        scene = Grower(tier, rng).scene()
+        try:
+            scene = Grower(tier, rng).scene()
+        except SceneError as error:
+            refused = error
+            continue
         if _is_short(scene, tier.words):
             return scene
-    raise SceneError("recipe", f"no scene of {TRIES} can be told in {tier.words} words", "draw again")
+    raise refused
 
 
 def _is_short(scene: Scene, words: int) -> bool:

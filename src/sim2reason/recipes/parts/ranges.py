@@ -10,6 +10,8 @@ WORDS: Mapping[Difficulty, int] = {"easy": 78, "medium": 135, "hard": 205}
 """The longest text of a scene, without its question."""
 PRISM = 10
 """Words more for scenes that else have no room for a prism."""
+TWO = 17
+"""Words more for easy scenes that are always of two entities."""
 
 NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "easy": {

@@ -1,0 +1,51 @@
+"""Boxes and prisms that are free to slide, with blocks on their tops, sides and faces."""
+
+import numpy as np
+
+from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.scene import Scene
+from sim2reason.recipes import Difficulty, recipe
+from sim2reason.recipes.parts.grow import Tier, grow
+from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
+
+BOXES = ({"MassBoxPlane": 2.0, "MassPrismPlane": 1.0},)
+DRAWN = {"ConstantForcePuller": 1.0}
+HUNG = {"ConstantForcePuller": 1.0, "HangingMass": 1.0}
+SIZES = {"left_angle": Range(15.0, 75.0), "right_angle": Range(15.0, 75.0)}
+ONE = {"blocks": Count(1, 1), "left_blocks": Count(1, 1), "right_blocks": Count(1, 1)}
+TIERS = {
+    "easy": Tier(
+        Count(1, 1),
+        BOXES,
+        {**NUMBERS["easy"], **SIZES, **ONE, "left?": 0.0},
+        closers=DRAWN,
+        spread=6.0,
+        more=0.3,
+        words=WORDS["medium"],
+    ),
+    "medium": Tier(
+        Count(1, 1),
+        BOXES,
+        {**NUMBERS["medium"], **SIZES, **ONE, "left?": 0.6},
+        closers=DRAWN,
+        spread=8.0,
+        rough=0.5,
+        more=0.5,
+        words=WORDS["medium"] + 30,
+    ),
+    "hard": Tier(
+        Count(1, 1),
+        BOXES,
+        {**NUMBERS["hard"], **SIZES, "left?": 0.6, "blocks": Count(1, 2)},
+        closers=HUNG,
+        rough=0.8,
+        more=0.7,
+        words=WORDS["hard"],
+    ),
+}
+
+
+@recipe("box")
+def draw_box(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
+    """One large movable body with what moves on it, often drawn by a hand or a load."""
+    return grow(TIERS[difficulty], rng)

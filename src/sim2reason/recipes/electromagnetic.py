@@ -1,0 +1,33 @@
+"""Charged beads in electric and magnetic fields."""
+
+import numpy as np
+
+from sim2reason.dsl.scene import Scene
+from sim2reason.recipes import Difficulty, recipe
+from sim2reason.recipes.parts.ideas import Idea, one_of
+
+KIND = "EmEntity"
+PLAIN = {"medium?": 0.0, "region?": 0.0, "electric": ("UniformElectric",), "magnetic": ("UniformMagnetic",)}
+IDEAS = {
+    "easy": (
+        Idea(KIND, {**PLAIN, "electric?": 0.0, "magnetic?": 1.0}),
+        Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 0.0}),
+        Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 1.0}),
+    ),
+    "medium": (  # a field that depends on the place, or that has an end
+        Idea(KIND, {**PLAIN, "electric?": 1.0, "magnetic?": 0.3, "electric": ("LinearElectric",)}),
+        Idea(KIND, {**PLAIN, "electric?": 0.0, "magnetic?": 1.0, "magnetic": ("LinearMagnetic", "DipoleMagnetic")}),
+        Idea(KIND, {**PLAIN, "region?": 1.0, "start": ("Launched",)}, 2.0),
+    ),
+    "hard": (  # one that depends on time, or on the velocity; and regions of crossed fields
+        Idea(KIND, {**PLAIN, "electric?": 1.0, "electric": ("GrowingElectric", "OscillatingElectric")}, 2.0),
+        Idea(KIND, {**PLAIN, "magnetic?": 1.0, "electric?": 0.5, "medium?": 1.0}, 2.0),
+        Idea(KIND, {**PLAIN, "region?": 1.0, "electric?": 1.0, "magnetic?": 1.0, "start": ("Launched",)}),
+    ),
+}
+
+
+@recipe("electromagnetic")
+def draw_electromagnetic(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
+    """A charged bead in fields that are uniform, or depend on place, velocity and time, with or without an end."""
+    return one_of(IDEAS[difficulty], rng, "fields")

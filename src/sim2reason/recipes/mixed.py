@@ -1,0 +1,62 @@
+"""Families that meet through connections: springs, pendulums and rolling bodies with strings, pulleys and planes."""
+
+import numpy as np
+
+from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.scene import Scene
+from sim2reason.recipes import Difficulty, recipe
+from sim2reason.recipes.parts.grow import Tier, grow
+from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
+
+SPRINGS = {"AnchoredSpring": 1.5, "SpringMassIncline": 1.5}
+MACHINES = {"MassWithFixedPulley": 1.0, "TwoSideMassPlane": 0.7}
+LOADS = {"HangingMass": 2.0, "ConstantForcePuller": 1.0}
+SIMPLE = {
+    "MassWithFixedPulley.system": ("Hanging",),
+    "blocks": Count(1, 1),
+    "RollingEntity.body": ("Sphere", "SphericalShell", "Roller", "Disc", "Hoop"),
+    "grip": ("NoSlipping",),
+    "start?": 0.0,
+    "pieces": Count(1, 1),
+    "angle": Range(10.0, 60.0),
+}
+TIERS = {
+    "easy": Tier(
+        Count(2, 2),
+        ({**SPRINGS, "RollingEntity": 2.0}, MACHINES),
+        {**NUMBERS["easy"], **SIMPLE},
+        closers=LOADS,
+        spread=6.0,
+        more=0.1,
+        words=WORDS["medium"],
+    ),
+    "medium": Tier(  # a coupling: a pendulum on a carriage, a block that two strings or a spring hold at angles
+        Count(2, 2),
+        ({"SliderMass": 2.0, "DirectedMass": 1.0}, {"LightRodPendulum": 2.0, **MACHINES}),
+        {**NUMBERS["medium"], **SIMPLE},
+        connections={"tendon": 1.0, "pivot": 1.0},
+        closers=LOADS,
+        spread=8.0,
+        more=0.3,
+        words=WORDS["hard"],
+    ),
+    "hard": Tier(
+        Count(2, 3),
+        (
+            {"SliderMass": 2.0, "RollingEntity": 1.0, "MassPrismPlane": 1.0, **SPRINGS},
+            {"RigidPendulum": 2.0, **MACHINES},
+        ),
+        {**NUMBERS["hard"], **SIMPLE},
+        connections={"tendon": 1.0, "pivot": 1.0, "spring": 0.6},
+        closers={**LOADS, "FixedSupport": 1.0},
+        rough=0.3,
+        more=0.4,
+        words=WORDS["hard"] + 40,
+    ),
+}
+
+
+@recipe("mixed")
+def draw_mixed(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
+    """Two or three entities of different families, joined by strings, hinges and springs."""
+    return grow(TIERS[difficulty], rng)

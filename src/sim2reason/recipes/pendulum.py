@@ -1,0 +1,29 @@
+"""Pendulums on rods and strings."""
+
+import numpy as np
+
+from sim2reason.dsl.measures import Range
+from sim2reason.dsl.scene import Scene
+from sim2reason.recipes import Difficulty, recipe
+from sim2reason.recipes.parts.ideas import Idea, one_of
+
+KIND = "Pendulum"
+RELEASED = {"bob.mass": Range(0.1, 10.0), "angle": Range(10.0, 90.0)}
+SENT = {**RELEASED, "angle": Range(5.0, 60.0), "speed?": 1.0}
+IDEAS = {
+    "easy": (Idea(KIND, RELEASED),),
+    "medium": (  # sent off from its lowest point or from the side, still less than half a turn to either side
+        Idea(KIND, {**SENT, "angle": 0.0, "speed": Range(0.5, 2.8)}),
+        Idea(KIND, {**SENT, "speed": Range(0.5, 2.5)}),
+    ),
+    "hard": (  # fast enough for a string to go slack, or for a rod to go right round
+        Idea(KIND, {**SENT, "angle": 0.0, "speed": Range(3.5, 9.0), "hanger": ("Cord",)}, 2.0),
+        Idea(KIND, {**SENT, "speed": Range(3.0, 9.0)}),
+    ),
+}
+
+
+@recipe("pendulum", share=2)
+def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
+    """A bob on a string or a light rod: released, sent off, or so fast that it leaves its circle."""
+    return one_of(IDEAS[difficulty], rng, "pendulum")

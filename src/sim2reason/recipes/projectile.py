@@ -1,0 +1,29 @@
+"""Balls that are thrown, and bounce."""
+
+import numpy as np
+
+from sim2reason.dsl.measures import Range
+from sim2reason.dsl.scene import Scene
+from sim2reason.recipes import Difficulty, recipe
+from sim2reason.recipes.parts.ideas import Idea, one_of
+
+KIND = "Projectile"
+THROWN = {"height": Range(1.0, 5.0), "speed": Range(1.0, 10.0)}
+BOUNCING = {**THROWN, "restitution?": 1.0}
+IDEAS = {
+    "easy": (Idea(KIND, {**THROWN, "side": ("above",)}, 2.0), Idea(KIND, {**THROWN, "angle": 0.0})),
+    "medium": (  # one flight after another
+        Idea(KIND, BOUNCING, 3.0),
+        Idea(KIND, {**BOUNCING, "angle": 0.0}),
+    ),
+    "hard": (  # so lively that the flights add up, or thrown at the ground
+        Idea(KIND, {**BOUNCING, "speed": Range(4.0, 10.0), "restitution": Range(0.6, 0.95)}),
+        Idea(KIND, {**BOUNCING, "speed": Range(3.0, 10.0), "side": ("below",), "angle": Range(15.0, 75.0)}),
+    ),
+}
+
+
+@recipe("projectile")
+def draw_projectile(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
+    """A ball thrown from a height: where it lands, and how it goes on from there."""
+    return one_of(IDEAS[difficulty], rng, "throw")
