@@ -1,0 +1,90 @@
+"""Whether two scenes have the same answers: all that can be asked of one, evaluated in both at the same moments."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim2reason.dsl.units import Dimension, parse_unit
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions import Study, Target
+from sim2reason.questions.choices import apart
+from sim2reason.simulation.trace import Event, Trace
+from sim2reason.testing.specimens import Specimen
+
+CLOSE = 1e-6  # relative to the largest value of the quantity
+MOMENTS = (0.0, 0.19, 0.46, 0.73, 0.97)  # parts of the common motion
+SOON, LATE = 1e-6, 1.0 - 1e-4  # parts of the common motion between which events are counted
+UNCOUNTED = frozenset({"turn"})  # what no mode depends on, and rounding may bring about
+
+
+@dataclass(frozen=True)
+class Difference:
+    """An answer that differs, in words."""
+
+    asked: str
+    expected: float
+    found: float
+
+    @property
+    def text(self) -> str:
+        """What is asked and both answers."""
+        return f"{self.asked}: {self.found:.9g} in place of {self.expected:.9g}"
+
+
+def same(dimension: Dimension) -> float:
+    """No factor: all answers are to stay as they are."""
+    del dimension
+    return 1.0
+
+
+def differences(
+    specimen: Specimen, other: Study, factor: Callable[[Dimension], float] = same, close: float = CLOSE
+) -> Iterator[Difference]:
+    """What is answered otherwise in another motion of the same scene; answers there should be `factor` times as large.
+
+    Only what both motions describe is compared: the shorter one's end is no difference.
+    """
+    stretch = factor(Dimension(time=1))
+    end = min(specimen.end, min(other.trace.stable_until, float(other.trace.state.times[-1])) / stretch)
+    times = [t for t in (part * end for part in MOMENTS) if t == 0.0 or apart(t, specimen.study.trace)]
+    yield from _parted(_events(specimen.study.trace, end, 1.0), _events(other.trace, end, stretch), end, close)
+    here = _values(list(specimen.targets), specimen.study.trace, times, 1.0)
+    there = _values(list(specimen.targets), other.trace, times, stretch)
+    scales: dict[str, float] = {}
+    for target, values in here.items():
+        scale = max((abs(value) for value in values if np.isfinite(value)), default=0.0)
+        scales[target.quantity] = max(scales.get(target.quantity, QUANTITIES[target.quantity].least), scale)
+    for target, values in here.items():
+        times_as_large = factor(parse_unit(target.unit).dimension)
+        for time, mine, its in zip(times, values, there[target], strict=True):
+            its /= times_as_large  # noqa: PLW2901 - the same answer, in the units of the other motion
+            if abs(mine - its) > close * scales[target.quantity] or np.isnan(mine) != np.isnan(its):
+                yield Difference(f"{specimen.targets[target].phrase} at {time:.4g} s", mine, its)
+
+
+def _values(targets: list[Target], trace: Trace, times: list[float], stretch: float) -> dict[Target, list[float]]:
+    found: dict[Target, list[float]] = {target: [] for target in targets}
+    for time in times:
+        state = trace.sample(np.array([time * stretch]))
+        for target in targets:
+            found[target].append(target.value(state))
+    return found
+
+
+def _events(trace: Trace, end: float, stretch: float) -> list[Event]:
+    """What happens between start and end, at times by the clock of the first motion; at both rounding may decide."""
+    events = [Event(event.time / stretch, event.kind, event.subjects) for event in trace.events]
+    return [e for e in events if e.kind not in UNCOUNTED and SOON * end < e.time < LATE * end]
+
+
+def _parted(mine: list[Event], its: list[Event], end: float, close: float) -> Iterator[Difference]:
+    """Events at other times, or of which one motion has more."""
+    order = sorted(mine, key=lambda event: (event.kind, event.subjects, event.time))
+    other = sorted(its, key=lambda event: (event.kind, event.subjects, event.time))
+    if [(e.kind, e.subjects) for e in order] != [(e.kind, e.subjects) for e in other]:
+        yield Difference("the number of events (their kinds and subjects differ)", len(order), len(other))
+        return
+    for one, two in zip(order, other, strict=True):
+        if abs(one.time - two.time) > close * end:
+            yield Difference(f"the time of {one.kind} of {', '.join(one.subjects)}", one.time, two.time)

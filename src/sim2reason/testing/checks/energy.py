@@ -1,0 +1,116 @@
+"""The balance of energy."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Force, Inextensible, Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.simulation.trace import Trace
+from sim2reason.testing.checks import Check, check
+from sim2reason.testing.powers import acting, edges, integrals, intervals, kinetic, powers
+from sim2reason.testing.report import Finding
+from sim2reason.testing.specimens import Specimen, Specimens
+
+CLOSE = 1e-8  # of the largest energy that is there or exchanged
+
+
+@check
+class EnergyCheck(Check):
+    """Kinetic energy grows by the work of all that acts, an impact makes none, and a potential is that of its force."""
+
+    name = "energy"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """From event to event; engines that burn are left out, as the mass of a body is not constant there."""
+        for found in specimens.moving:
+            mechanism = found.study.mechanism
+            if not mechanism.burns:
+                yield from self._works(found)
+                yield from self._impacts(found)
+            for force in mechanism.forces:
+                yield from self._potential(found, force)
+
+    def _works(self, found: Specimen) -> Iterator[Finding]:
+        trace = found.study.trace
+        for start, stop in intervals(trace, found.end):
+            works, sizes = integrals(trace, start, stop, _powers, _least(trace.mechanism))
+            parts = dict(zip(powers(trace.sample(edges(start, stop))), map(float, works), strict=True))
+            before, after = kinetic(trace.sample(edges(start, stop)))
+            work = sum(parts.values())
+            scale = max(before, after, float(sizes.max(initial=0.0)), _least(trace.mechanism))
+            if np.isfinite(work) and abs(after - before - work) > CLOSE * scale:
+                gained = f"from {start:.4g} to {stop:.4g} s it grows by {after - before:.9g} J"
+                told = ", ".join(f"{part:.6g} J by {name}" for name, part in parts.items() if part)
+                yield found.finding(
+                    self.name,
+                    "the kinetic energy grows by the work of all that acts",
+                    f"{gained}, the work is {work:.9g} J ({told})",
+                    "see that each law tells truly whether it is constant, and depends on nothing but its arguments",
+                )
+                return
+
+    def _impacts(self, found: Specimen) -> Iterator[Finding]:
+        """At events: no energy is made, and none is lost where all that meets is elastic."""
+        trace = found.study.trace
+        stretches = intervals(trace, found.end)
+        laws = [line.law for line in trace.mechanism.lines]
+        driven = any(isinstance(law, Inextensible) and law.reel != 0.0 for law in laws)  # a winch works as it jerks
+        for (_, time), (after, _) in pairwise(stretches):
+            old, new = kinetic(_around(trace, time, after))
+            kinds = {event.kind for event in trace.events if time <= event.time <= after}
+            kept = kinds == {"collision"} and all(hit.restitution == 1.0 for hit in trace.mechanism.meetings)
+            scale = CLOSE * max(old, new, _least(trace.mechanism))
+            if (new - old > scale and not driven) or (kept and old - new > scale):
+                what = ", ".join(sorted(kinds))
+                yield found.finding(
+                    self.name,
+                    "an impact makes no energy, and an elastic one loses none",
+                    f"the kinetic energy goes from {old:.9g} to {new:.9g} J at {time:.6g} s ({what})",
+                    "see what meets or jerks there",
+                )
+                return
+
+    def _potential(self, found: Specimen, force: Force) -> Iterator[Finding]:
+        """What a law calls its potential falls by the work of its force."""
+        trace = found.study.trace
+        for start, stop in intervals(trace, found.end) if force.region is None else ():
+            ends = trace.sample(edges(start, stop))
+            potential = force.law.potential(ends.frames.center(force.body).place, np)
+            if potential is None:
+                return
+            first, last = ends.vector((potential, 0.0, 0.0))[:, 0]
+            work, size = _work(trace, force, start, stop)
+            if abs(first - last - work) > CLOSE * max(abs(first), abs(last), size, _least(trace.mechanism)):
+                yield found.finding(
+                    self.name,
+                    f"the potential of {force.name} falls by the work of the force",
+                    f"it falls by {first - last:.9g} J, the work is {work:.9g} J",
+                    "let the law's potential be −∫F·dr, or None if there is none",
+                )
+                return
+
+
+def _powers(state: State) -> Array:
+    return np.array(list(powers(state).values()))
+
+
+def _around(trace: Trace, before: float, after: float) -> State:
+    return trace.sample(np.array([edges(0.0, before)[1], after]))
+
+
+def _work(trace: Trace, force: Force, start: float, stop: float) -> tuple[float, float]:
+    """The work of a given force, and what it did to and fro, J."""
+
+    def power(state: State) -> Array:
+        velocity = state.vector(state.frames.center(force.body).velocity)
+        return np.einsum("ij,ij->i", acting(state, force), velocity)[None, :]
+
+    found = integrals(trace, start, stop, power, _least(trace.mechanism))
+    return float(found.values[0]), float(found.sizes[0])
+
+
+def _least(mechanism: Mechanism) -> float:
+    """An energy that is small for a mechanism: of its heaviest body at a decimetre a second, J."""
+    return 5e-3 * max((body.mass for body in mechanism.bodies if body.coordinates), default=1.0)

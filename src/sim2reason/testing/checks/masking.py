@@ -1,0 +1,80 @@
+"""Nothing can be left out of a text."""
+
+from collections.abc import Iterator
+
+from sim2reason.errors import TextError
+from sim2reason.parsing import parse_scene
+from sim2reason.parsing.tokens import pieces
+from sim2reason.prose.voices import hiding
+from sim2reason.prose.writer import describe
+from sim2reason.testing.checks import Check, check
+from sim2reason.testing.checks.round_trip import meaning, meant
+from sim2reason.testing.report import Finding
+from sim2reason.testing.specimens import Specimen, Specimens
+from sim2reason.testing.variants import changed, spoken, told_by_word
+
+SCENES = 3
+SHIFT = 1.5
+
+
+@check
+class MaskingCheck(Check):
+    """A number that is hidden can't be found elsewhere in the text, and a text less a sentence is another scene's."""
+
+    name = "masking"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """Hide each number, cut each sentence and each row of a table."""
+        for found in specimens.some(SCENES):
+            yield from self._numbers(found)
+            yield from self._sentences(found)
+
+    def _numbers(self, found: Specimen) -> Iterator[Finding]:
+        """With a number hidden, scenes that differ in it alone have the same text; and the text is refused."""
+        for path, parameter in spoken(found.scene, found.seed).items():
+            other = changed(found.scene, {path: (parameter.value or 1.0) * SHIFT})
+            text = describe(found.scene, found.seed, hiding(path)).text
+            expected = f"with {path} hidden, nothing in the text depends on it"
+            if other is not None and not told_by_word(other, path):
+                its = describe(other, found.seed, hiding(path)).text
+                if its != text:
+                    remedy = "say each number through its own slot, so that it can be hidden"
+                    yield found.finding(self.name, expected, f"it reads: {text}\n  or: {its}", remedy)
+                    continue
+            if _understood(text) == meaning(found.description):
+                remedy = "name the number in the line, and let no other line tell it"
+                yield found.finding(self.name, expected, f"the text is read back all the same: {text}", remedy)
+
+    def _sentences(self, found: Specimen) -> Iterator[Finding]:
+        """Each sentence and each row matters."""
+        for cut, text in without_one(list(pieces(found.description.text))):
+            if _understood(text) == meaning(found.description):
+                yield found.finding(
+                    self.name,
+                    "every sentence is needed",
+                    f"without {cut!r} the text is read as the same scene: {text}",
+                    "leave out the line, or tell in it what nothing else tells",
+                )
+
+
+def _understood(text: str) -> object:
+    """What a text is read as; None if it is refused."""
+    try:
+        return meant(parse_scene(text))
+    except TextError:
+        return None
+
+
+def without_one(parts: list[str]) -> Iterator[tuple[str, str]]:
+    """What is cut, a sentence or a row of a table, and the text without it."""
+    for index, part in enumerate(parts):
+        yield part, together([*parts[:index], *parts[index + 1 :]]) or " "
+        rows = part.split("\n")
+        for number, row in enumerate(rows) if len(rows) > 1 else ():
+            shorter = "\n".join(rows[:number] + rows[number + 1 :])
+            yield row, together([*parts[:index], shorter, *parts[index + 1 :]])
+
+
+def together(parts: list[str]) -> str:
+    """Pieces as one text again."""
+    return "".join(f"\n\n{part}\n\n" if part.startswith("|") else f" {part}" for part in parts).strip()

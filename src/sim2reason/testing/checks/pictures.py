@@ -1,0 +1,113 @@
+"""Pictures."""
+
+from collections.abc import Iterator
+from math import hypot
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from warnings import catch_warnings, simplefilter
+
+import numpy as np
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import ZERO, Mechanism, RigidBody
+from sim2reason.errors import FigureWarning, MissingExtraError, UnsupportedError
+from sim2reason.figures import canvas
+from sim2reason.figures.curves import motion_curves
+from sim2reason.figures.drawing import drawing
+from sim2reason.figures.plot import plot
+from sim2reason.quantities import QUANTITIES
+from sim2reason.testing.checks import Check, check
+from sim2reason.testing.report import Finding
+from sim2reason.testing.specimens import STILL, Specimen, Specimens
+
+FILES = 1  # scenes that are written as files: most of the cost is matplotlib's
+
+
+@check
+class DrawnCheck(Check):
+    """The initial state is drawn, with the name of every body that the text calls by a letter."""
+
+    name = "drawing"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """All scenes as shapes, the first one also as a file."""
+        for found in specimens.members:
+            yield from self._drawn(found)
+        for found in specimens.some(FILES):
+            self._written(found)
+
+    def _drawn(self, found: Specimen) -> Iterator[Finding]:
+        expected = "every body has its place in the line drawing"
+        with catch_warnings(record=True) as told:
+            simplefilter("always", FigureWarning)
+            try:
+                shown = drawing(found.scene, found.description)
+            except UnsupportedError as error:
+                yield found.finding(self.name, expected, str(error), "build it so that what is tied stands apart")
+                return
+        for message in dict.fromkeys(str(warning.message) for warning in told):
+            yield found.finding(self.name, expected, message, "give the body's class a look in sim2reason.figures")
+        named = {label.subject for label in shown.labels if label.name}
+        missing = [address for address in found.description.names.letters if address not in named]
+        if missing or not shown.shapes:
+            what = f"without a name in it: {', '.join(missing)}" if missing else "it is empty"
+            yield found.finding(self.name, expected, what, "let its piece want a label")
+
+    def _written(self, found: Specimen) -> None:
+        try:
+            with catch_warnings(), TemporaryDirectory() as folder:
+                simplefilter("ignore", FigureWarning)  # told above
+                canvas.draw(drawing(found.scene, found.description), Path(folder) / "scene.svg")
+        except (MissingExtraError, UnsupportedError):
+            return  # without matplotlib shapes are all that can be had; what can't be drawn is told above
+
+
+@check
+class PlottedCheck(Check):
+    """Everything that the text speaks of and that moves has a curve in the plots."""
+
+    name = "plots"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """All motions as curves, the first one also as a file."""
+        expected, remedy = "a plot shows all that moves", "name bodies in build as their fields are"
+        panels = 0
+        for found in specimens.moving:
+            panels += len(motion_curves(found.study.trace, found.description).panels)
+            missing = [name for name in moving(found) if name not in plotted(found)]
+            if missing:
+                yield found.finding(self.name, expected, f"no curve is of {', '.join(missing)}", remedy)
+        if not panels:
+            yield Finding(self.name, expected, f"{len(specimens.moving)} scenes that move have no panel", remedy)
+        for found in specimens.moving[:FILES]:
+            self._written(found)
+
+    def _written(self, found: Specimen) -> None:
+        try:
+            with TemporaryDirectory() as folder:
+                plot(found.study.trace, found.description, Path(folder) / "motion.svg")
+        except MissingExtraError:
+            return
+
+
+def moving(found: Specimen) -> list[str]:
+    """The bodies of the text whose centre of mass moves as they themselves do, not only what carries them."""
+    state, said = found.study.trace.state, found.words.mentions
+    shift = QUANTITIES["displacement"].evaluate
+    within = state.times <= found.end
+    names = [body.name for body in state.mechanism.bodies if body.name in said and _moves_itself(state.mechanism, body)]
+    return [name for name in names if np.abs(shift(state, name)[within]).max(initial=0.0) > STILL]
+
+
+def _moves_itself(mechanism: Mechanism, body: RigidBody) -> bool:
+    """Whether a coordinate of its own moves its centre of mass; a wheel's does not."""
+    gradient = start(mechanism).center(body.name).gradient
+    ways = (gradient.get(mechanism.number[own.name], ZERO) for own in body.coordinates)
+    return any(hypot(*way) > STILL for way in ways)
+
+
+def plotted(found: Specimen) -> set[str]:
+    """What has a curve in some panel."""
+    mechanism, said = found.study.mechanism, found.words.mentions
+    shown = [quantity for quantity in QUANTITIES.values() if quantity.panel]
+    return {name for quantity in shown for name in quantity.of.phrases(mechanism, said)}

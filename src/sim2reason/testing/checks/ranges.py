@@ -1,0 +1,127 @@
+"""No declared range is dead."""
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from pydantic import ValidationError
+
+from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.model import Model, draw, field_types
+from sim2reason.errors import SceneError
+from sim2reason.testing.answers import differences
+from sim2reason.testing.checks import Check, check
+from sim2reason.testing.choices import chances
+from sim2reason.testing.report import Finding
+from sim2reason.testing.specimens import IT, Specimen, Specimens, specimen
+from sim2reason.testing.variants import changed, spoken, studied
+
+DRAWS, MANY = 60, 300  # seeds of draws, and how many where something seems to be constant
+OFTEN = 12  # times that something must have been drawn to be called constant
+FRESH, MORE = 1000, 12  # the first seed of scenes that are drawn besides where a number seems not to matter; how many
+SHIFTS = (1.01, 0.99)
+
+
+@check
+class RangesCheck(Check):
+    """Every number and every choice that the class declares varies over draws, and in some scene an answer with it."""
+
+    name = "ranges"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """Draw many entities; then change one number after another of those that were looked at."""
+        for name in _constant(specimens.cls):
+            yield Finding(
+                self.name, f"{name} varies", f"it is the same in {MANY} draws", "widen its Range, or leave it out"
+            )
+        looked = _Looked()
+        for found in specimens.moving:
+            looked.at(found)
+        for seed in range(FRESH, FRESH + MORE):
+            if looked.dead:
+                looked.again(specimen(specimens.cls, seed))
+        for name in looked.dead:
+            yield looked.seen[name].finding(
+                self.name,
+                f"in some scene an answer changes with {name}",
+                f"none of {len(specimens.moving)} scenes has one, nor of {MORE} others",
+                "leave out what does not matter, or mark it Hidden and do not say it",
+            )
+
+
+@dataclass
+class _Looked:
+    """What was seen of the entity's numbers: a scene with each, and those with which an answer changes."""
+
+    seen: dict[str, Specimen] = field(default_factory=dict[str, Specimen])
+    alive: set[str] = field(default_factory=set[str])
+
+    @property
+    def dead(self) -> list[str]:
+        """The numbers with which no answer has changed so far."""
+        return sorted(self.seen.keys() - self.alive)
+
+    def at(self, found: Specimen, only: Collection[str] | None = None) -> None:
+        """Change one number of a scene after another, those that are not known to matter."""
+        for path in spoken(found.scene, found.seed):
+            name = _field(path)
+            if path.startswith(f"{IT}.") and name not in self.alive and (only is None or name in only):
+                self.seen.setdefault(name, found)
+                if _matters(found, path):
+                    self.alive.add(name)
+
+    def again(self, found: Specimen) -> None:
+        """Look at another scene for what seems not to matter."""
+        if found.moves:
+            self.at(found, self.dead)
+
+
+def _field(path: str) -> str:
+    """The address of a number with ``*`` for the places of members."""
+    return ".".join("*" if step.isdigit() else step for step in path.split("."))
+
+
+def _matters(found: Specimen, path: str) -> bool:
+    """Whether an answer changes with a number."""
+    value = next(p.value for p in found.scene.parameters if p.path == path)
+    for shift in SHIFTS:
+        scene = changed(found.scene, {path: (value or 0.0) * shift if value else shift - 1.0})
+        if scene is not None:
+            other = studied(scene, found.scene.horizon)
+            return other is None or next(differences(found, other), None) is not None
+    return False
+
+
+def _constant(cls: type[Entity]) -> list[str]:
+    """What is declared to vary and does not."""
+    values: dict[str, list[object]] = {}
+    for seed in range(MANY):
+        if seed >= DRAWS and not _alike(values):
+            break
+        try:
+            entity = draw(cls, np.random.default_rng([seed, 3]), chances(cls))
+        except (SceneError, ValidationError):
+            continue
+        for name, value in _varying(entity):
+            values.setdefault(name, []).append(value)
+    return _alike(values)
+
+
+def _alike(values: Mapping[str, list[object]]) -> list[str]:
+    """What was drawn often and was always the same."""
+    return sorted(name for name, held in values.items() if len(held) >= OFTEN and len(set(held)) == 1)
+
+
+def _varying(value: Model) -> Iterator[tuple[str, object]]:
+    """Everything about a value and its parts that a draw decides."""
+    for name, kind in field_types(type(value)).items():
+        held, called = getattr(value, name), f"{type(value).__name__}.{name}"
+        if kind.optional:
+            yield f"whether there is {called}", held is not None
+        if held is not None and (kind.drawn is not None or kind.words):
+            yield called, held
+        if isinstance(held, tuple) and kind.count is not None and kind.count.low < kind.count.high:
+            yield f"the number of {called}", len(held)  # type: ignore[reportUnknownArgumentType]
+        for member in held if isinstance(held, tuple) else (held,):  # type: ignore[reportUnknownVariableType]
+            if isinstance(member, Model):
+                yield from _varying(member)

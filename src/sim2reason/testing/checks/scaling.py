@@ -1,0 +1,73 @@
+"""The same scene in other units."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from sim2reason.dsl.units import Dimension, parse_unit
+from sim2reason.questions import Study
+from sim2reason.testing.answers import differences
+from sim2reason.testing.checks import Check, check
+from sim2reason.testing.report import Finding
+from sim2reason.testing.specimens import Specimen, Specimens
+from sim2reason.testing.variants import changed, spoken, studied
+
+
+@dataclass(frozen=True)
+class Units:
+    """Units so many times smaller, powers of two, so that no rounding differs; the numbers grow by as much."""
+
+    length: float = 1.0
+    mass: float = 1.0
+    time: float = 1.0
+
+    def factor(self, dimension: Dimension) -> float:
+        """By how much numbers of a dimension grow; angles and cycles do not."""
+        return self.length**dimension.length * self.mass**dimension.mass * self.time**dimension.time
+
+    @property
+    def text(self) -> str:
+        """In words."""
+        grown = {"lengths": self.length, "masses": self.mass, "times": self.time}
+        return ", ".join(f"all {name} × {factor:g}" for name, factor in grown.items() if factor != 1.0)
+
+
+APART = (Units(length=2.0), Units(mass=2.0), Units(time=2.0))
+KEPLER = (Units(length=4.0, time=8.0), Units(mass=4.0, time=0.5))  # the constant of gravitation, λ³/(µτ²), stays
+
+
+@check
+class ScalingCheck(Check):
+    """The numbers of the text in other units give the answers in those units: no number with a unit is left unsaid."""
+
+    name = "scaling"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """Double all lengths that the text says, then all masses, then all times."""
+        for found in specimens.moving:
+            for units in KEPLER if found.study.mechanism.attractions else APART:
+                yield from self._scaled(found, units)
+
+    def _scaled(self, found: Specimen, units: Units) -> Iterator[Finding]:
+        other = scaled(found, units)
+        difference = next(differences(found, other, _factor(units)), None) if other is not None else None
+        if difference is not None:
+            yield found.finding(
+                self.name,
+                f"with {units.text} in the text, answers grow as their units do",
+                f"in the old units, {difference.text}",
+                "an answer depends on a number with a unit that is not in the text: declare it and say it",
+            )
+
+
+def scaled(found: Specimen, units: Units) -> Study | None:
+    """The scene with every number that its text says in other units, and its motion; None if that is not valid."""
+    numbers = {
+        path: parameter.value * units.factor(parse_unit(parameter.measure.unit).dimension)
+        for path, parameter in spoken(found.scene, found.seed).items()
+        if parameter.value
+    }
+    return studied(changed(found.scene, numbers), found.scene.horizon * units.time)
+
+
+def _factor(units: Units) -> Callable[[Dimension], float]:
+    return units.factor

@@ -1,0 +1,189 @@
+"""What does work on a mechanism and what pushes its parts, read off a motion by laws of its own.
+
+Nothing here comes from an engine's equations: lengths and places are those of the motion's frames, forces those that
+it records, and laws of force are asked again.
+"""
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Coordinate, Force, Line, Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.triples import minus
+from sim2reason.quantities import QUANTITIES
+from sim2reason.simulation.trace import Trace
+
+NODES = 10  # of each piece of an interval between events, for Gauss and Legendre
+HALVINGS = 12  # at most
+SETTLED = 1e-10  # of the whole: a change of less is none
+SUDDEN = frozenset({"turn"})  # events at which nothing jumps
+NOTHING = 1e-9  # m/s: a line whose length changes no faster does no work, whatever its tension
+POINTS, WEIGHTS = np.polynomial.legendre.leggauss(NODES)
+
+
+def intervals(trace: Trace, end: float) -> list[tuple[float, float]]:
+    """The stretches between events, s, up to the end of what is described."""
+    times = [event.time for event in trace.events if event.kind not in SUDDEN and 0.0 < event.time < end]
+    return [(a, b) for a, b in pairwise([0.0, *sorted(times), end]) if b - a > 1e-9 * end]
+
+
+class Integrals(NamedTuple):
+    """Integrals over time, and those of the absolute values: what was exchanged to and fro."""
+
+    values: Array
+    sizes: Array
+
+
+def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[State], Array], least: float) -> Integrals:
+    """Of k functions, whose values (k, n) `integrand` gives, both (k,); NaN where a value is not known.
+
+    By Gauss and Legendre on pieces, of which those are halved, again and again, whose halves give something else.
+    What is much less than `least` is nothing.
+    """
+    pieces = np.array([[start, stop]])
+    values, sizes = _pieces(trace, pieces, integrand)
+    total, size = np.zeros(values.shape[0]), np.zeros(values.shape[0])
+    for _ in range(HALVINGS):
+        middle = pieces.mean(axis=1)
+        halves = np.stack([pieces[:, 0], middle, middle, pieces[:, 1]], axis=1).reshape(-1, 2)
+        finer, larger = _pieces(trace, halves, integrand)
+        whole = max(float(np.max(size + larger.sum(axis=1), initial=0.0)), least)
+        apart = np.abs(finer.reshape(len(finer), -1, 2).sum(axis=2) - values)
+        rough = (apart > SETTLED * whole).any(axis=0)
+        kept = np.repeat(~rough, 2)
+        total, size = total + finer[:, kept].sum(axis=1), size + larger[:, kept].sum(axis=1)
+        pieces, values, sizes = halves[~kept], finer[:, ~kept], larger[:, ~kept]
+        if not len(pieces):
+            break
+    return Integrals(total + values.sum(axis=1), size + sizes.sum(axis=1))
+
+
+def _pieces(trace: Trace, pieces: Array, integrand: Callable[[State], Array]) -> tuple[Array, Array]:
+    """The integrals of k functions and of their absolute values over m pieces, both (k, m)."""
+    half, middle = 0.5 * (pieces[:, 1] - pieces[:, 0]), pieces.mean(axis=1)
+    times = middle[:, None] + half[:, None] * POINTS
+    values = integrand(trace.sample(times.ravel())).reshape(-1, *times.shape)
+    return np.einsum("kmn,n,m->km", values, WEIGHTS, half), np.einsum("kmn,n,m->km", np.abs(values), WEIGHTS, half)
+
+
+def edges(start: float, stop: float) -> Array:
+    """The instants just after the start and just before the stop of an interval, s."""
+    return np.array([start, stop - 1e-12 * max(stop, stop - start)])
+
+
+def kinetic(state: State) -> Array:
+    """The kinetic energy of all bodies, J, (n,)."""
+    return np.sum([QUANTITIES["kinetic energy"].evaluate(state, name) for name in state.mechanism.body], axis=0)
+
+
+def powers(state: State) -> dict[str, Array]:
+    """The power of everything that does work, W, by what it is; NaN where the motion leaves a force open."""
+    mechanism, found = state.mechanism, dict[str, Array]()
+    g = np.array(mechanism.gravity)
+    for body in mechanism.bodies:
+        found[f"weight of {body.name}"] = body.mass * _velocity(state, body.name) @ g
+    for line in mechanism.lines:
+        found[f"tension of {line.name}"] = _working(state.tension[line.name], -_rate(state, line))
+    for face in mechanism.faces:
+        slip = sum(factor * state.v[:, mechanism.number[name]] for name, factor in face.slip)
+        found[f"friction under {face.subject}"] = _working(
+            state.friction[face.subject], slip + np.zeros(state.times.shape)
+        )
+    for force in mechanism.forces:
+        found[f"the force {force.name}"] = np.einsum("ij,ij->i", acting(state, force), _velocity(state, force.body))
+    for pair, pull in attractions(state):
+        parting = _velocity(state, pair[0]) - _velocity(state, pair[1])
+        found[f"attraction of {' and '.join(pair)}"] = np.einsum("ij,ij->i", pull, parting)
+    return found
+
+
+def _velocity(state: State, body: str) -> Array:
+    return QUANTITIES["velocity"].evaluate(state, body)
+
+
+def _working(force: Array, rate: Array) -> Array:
+    """A force times a rate; nothing where there is no rate, even if the force is not determined."""
+    idle = np.abs(rate) <= NOTHING
+    return np.where(idle, 0.0, np.where(idle, 0.0, force) * rate)
+
+
+def _rate(state: State, line: Line) -> Array:
+    """How fast a line's free length grows, with what wheels give out, m/s."""
+    rate = state.length(line)[1]
+    for wheel in line.wheels:
+        rate = rate + wheel.radius * state.v[:, state.mechanism.number[wheel.coordinate]]
+    return rate
+
+
+def acting(state: State, force: Force) -> Array:
+    """A given force at all instants, N, (n, 3): by its law, inside its region."""
+    center = state.frames.center(force.body)
+    found = state.vector(force.law.force(center.place, center.velocity, state.times, np))
+    if force.region is None:
+        return found
+    margins = [state.vector((margin, 0.0, 0.0))[:, 0] for margin in force.region.margins(center.place, np)]
+    return found * (np.min(margins, axis=0) > 0.0)[:, None]
+
+
+def attractions(state: State) -> Iterator[tuple[tuple[str, str], Array]]:
+    """Every two bodies that attract each other, with the force on the first of them, N, (n, 3)."""
+    mechanism = state.mechanism
+    for pair in mechanism.attractions:
+        apart = state.vector(minus(state.frames.center(pair.b).place, state.frames.center(pair.a).place))
+        distance = np.linalg.norm(apart, axis=1)[:, None]
+        strength = pair.constant * mechanism.body[pair.a].mass * mechanism.body[pair.b].mass
+        yield (pair.a, pair.b), strength * apart / distance ** (pair.power + 1.0)
+
+
+def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
+    """The ways in which a body in the room slides before it turns: along each, momentum changes by the forces alone."""
+    for body in mechanism.bodies:
+        if body.parent is None:
+            for coordinate in body.coordinates:
+                if coordinate.kind == "hinge":
+                    break
+                yield coordinate
+
+
+def carried(mechanism: Mechanism, root: str) -> set[str | None]:
+    """A body and all that it carries, directly or not."""
+    found: set[str | None] = {root}
+    for body in mechanism.bodies:
+        if body.parent in found:
+            found.add(body.name)
+    return found
+
+
+def momentum(state: State, coordinate: Coordinate) -> Array:
+    """The momentum of a body and all that it carries along a way of its own, kg m/s, (n,)."""
+    names = carried(state.mechanism, coordinate.body)
+    parts = [QUANTITIES["momentum"].evaluate(state, name) for name in state.mechanism.body if name in names]
+    return np.sum(parts, axis=0) @ np.array(coordinate.axis)
+
+
+def push(state: State, coordinate: Coordinate) -> Array:
+    """All forces from outside on a body and what it carries along a way of its own, N, (n,)."""
+    mechanism, axis = state.mechanism, np.array(coordinate.axis)
+    names = carried(mechanism, coordinate.body)
+    mass = sum(body.mass for body in mechanism.bodies if body.name in names)
+    total = np.full(state.times.shape, mass * float(np.dot(mechanism.gravity, axis)))
+    for line in mechanism.lines:
+        for first, last in pairwise(line.through):
+            inside = [mechanism.site[site].body in names for site in (first, last)]
+            if inside[0] != inside[1]:
+                way = minus(state.frames.site(last).place, state.frames.site(first).place)
+                along = state.vector(way) @ axis / np.linalg.norm(state.vector(way), axis=1)
+                total = total + _working(state.tension[line.name], along * (1.0 if inside[0] else -1.0))
+    for face in mechanism.faces:
+        factor = dict(face.slip).get(coordinate.name, 0.0)
+        if factor:
+            total = total + factor * state.friction[face.subject]
+    for force in mechanism.forces:
+        if force.body in names:
+            total = total + acting(state, force) @ axis
+    for pair, pull in attractions(state):
+        total = total + (pull @ axis) * ((pair[0] in names) - (pair[1] in names))
+    return total

@@ -1,0 +1,69 @@
+"""What the kit finds, in words."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sim2reason.errors import ConformanceError
+
+FULL = 3  # findings of one check that are told in full
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing that does not hold: what was expected and found in which scene, and what to do."""
+
+    check: str
+    expected: str
+    found: str
+    remedy: str
+    seed: int | None = None  # of the scene; None where it is a matter of the class
+    scene: str = ""  # its file
+
+    @property
+    def text(self) -> str:
+        """In words, the scene's file below."""
+        where = "" if self.seed is None else f" (seed {self.seed})"
+        lines = f"{self.check}{where}: {self.found}\n  expected: {self.expected}\n  remedy: {self.remedy}"
+        return lines + ("\n  scene:\n" + _indented(self.scene) if self.scene else "")
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was found of one entity class, check by check; nothing found means that it conforms."""
+
+    entity: str
+    checks: tuple[str, ...]  # those that were made
+    seeds: tuple[int, ...]
+    findings: tuple[Finding, ...] = ()
+
+    def __iter__(self) -> Iterator[Finding]:
+        """The findings."""
+        return iter(self.findings)
+
+    def __len__(self) -> int:
+        """How many findings there are."""
+        return len(self.findings)
+
+    @property
+    def text(self) -> str:
+        """The findings in words, check by check."""
+        made = f"{len(self.checks)} checks on {len(self.seeds)} scenes"
+        if not self.findings:
+            return f"{self.entity}: {made}, nothing found"
+        told = "\n\n".join(self._told(check) for check in dict.fromkeys(found.check for found in self.findings))
+        return f"{self.entity}: {len(self.findings)} findings, by {made}\n\n{told}"
+
+    def _told(self, check: str) -> str:
+        """The first findings of a check in full, and how many more there are."""
+        found = [finding for finding in self.findings if finding.check == check]
+        more = [f"{check}: and {len(found) - FULL} more"] if len(found) > FULL else []
+        return "\n\n".join([*(finding.text for finding in found[:FULL]), *more])
+
+    def raise_for_findings(self) -> None:
+        """Raise ConformanceError with all findings, if there are any."""
+        if self.findings:
+            raise ConformanceError(self.text)
+
+
+def _indented(text: str) -> str:
+    return "\n".join(f"    {line}" for line in text.rstrip().splitlines())

@@ -1,0 +1,134 @@
+"""Random scenes of one entity class, to be looked at by checks: drawn from its declarations, its ports closed."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from pydantic import ValidationError
+
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.model import draw
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import DrawError, SceneError, SimulationError, UnsupportedError
+from sim2reason.prose.writer import Description, describe
+from sim2reason.questions import Study, Words
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.targets import Targets, targets
+from sim2reason.scene_files import dump
+from sim2reason.simulation.certify import Certificate, witnessed
+from sim2reason.simulation.trace import Trace
+from sim2reason.testing.choices import choices
+from sim2reason.testing.closing import closed
+from sim2reason.testing.report import Finding
+
+IT = "it"  # what the entity is called in its scenes
+SAMPLES = 41
+TRIES = 40  # draws for one scene
+NARROW = 8  # of these, the first, in which ports are closed by what has no bodies of its own
+PATIENT = 24  # of these, draws that are given up for one in which something moves and can be asked about
+SHORT = 0.05  # of the horizon: what ends before has not moved
+STILL = 1e-6  # m, m/s or rad of anything: less is no motion
+
+
+@dataclass(frozen=True)
+class Specimen:
+    """A scene with one entity of the class, called *it*; what checks share of it is worked out once."""
+
+    seed: int
+    scene: Scene
+
+    @cached_property
+    def file(self) -> str:
+        """Its scene file."""
+        return dump(self.scene)
+
+    @cached_property
+    def description(self) -> Description:
+        """Its text."""
+        return describe(self.scene, self.seed)
+
+    @cached_property
+    def words(self) -> Words:
+        """What questions need to know of its text."""
+        return words_of(self.description)
+
+    @cached_property
+    def study(self) -> Study:
+        """Its motion by the recorded engine; raises what that raises."""
+        return Study.of(self.scene, np.linspace(0.0, self.scene.horizon, SAMPLES))
+
+    @cached_property
+    def targets(self) -> Targets:
+        """All that can be asked of its motion, with its words."""
+        return targets(self.words)
+
+    @cached_property
+    def certified(self) -> tuple[Trace, Certificate]:
+        """Its motion as far as both engines vouch for it."""
+        return witnessed(self.study.trace)
+
+    @cached_property
+    def end(self) -> float:
+        """Until when its motion is described, s; 0 if the recorded engine refuses it."""
+        try:
+            return min(self.study.trace.stable_until, self.scene.horizon)
+        except (SimulationError, UnsupportedError):
+            return 0.0
+
+    @property
+    def moves(self) -> bool:
+        """Whether it has a motion that is worth looking at."""
+        if self.end <= SHORT * self.scene.horizon:
+            return False
+        state = self.study.trace.state
+        return bool(max(np.abs(state.q).max(initial=0.0), np.abs(state.v).max(initial=0.0)) > STILL)
+
+    def finding(self, check: str, expected: str, found: str, remedy: str) -> Finding:
+        """Something that does not hold in this scene."""
+        return Finding(check, expected, found, remedy, self.seed, self.file)
+
+
+@dataclass(frozen=True)
+class Specimens:
+    """Scenes of one entity class; `deep` asks checks for more than what a test at every change can afford."""
+
+    cls: type[Entity]
+    members: tuple[Specimen, ...]
+    deep: bool = False
+
+    @property
+    def moving(self) -> tuple[Specimen, ...]:
+        """Those in which something moves."""
+        return tuple(member for member in self.members if member.moves)
+
+    def some(self, number: int) -> tuple[Specimen, ...]:
+        """The first so many of them, or all if the look is deep."""
+        return self.members if self.deep else self.members[:number]
+
+
+def specimen(cls: type[Entity], seed: int) -> Specimen:
+    """A random scene of an entity class, if possible one that can be asked about: the same for the same seed.
+
+    Raises:
+        DrawError: nothing that fits together was drawn within the budget; the message tells the last refusal.
+    """
+    refused, still = "", None
+    for attempt in range(TRIES):
+        rng = np.random.default_rng([seed, attempt])
+        try:
+            entity = draw(cls, rng, choices(cls, rng))
+            found = Specimen(seed, closed(Named(name=IT, entity=entity), rng, widely=attempt >= NARROW))
+            found.scene.check()
+            _ = found.description  # also what can't be told is drawn again
+            moves = found.moves  # and what an engine says can not be
+        except (SceneError, ValidationError) as error:
+            refused = str(error)
+            continue
+        if moves and found.targets:
+            return found
+        still = still or found
+        if attempt >= PATIENT:
+            break
+    if still is None:
+        raise DrawError(f"{cls.__name__}: none of {TRIES} draws is a scene; the last: {refused}")
+    return still
