@@ -8,7 +8,10 @@
     ├── DrawError           a recipe that found no valid draw within its budget
     ├── DatasetError        a dataset folder that is damaged or belongs to another configuration
     ├── UnknownNameError    a name that a registry does not hold
-    └── MissingExtraError   an optional package that a command needs
+    ├── MissingExtraError   an optional package that a command needs
+    └── ConformanceError    an entity class that does not keep what the library promises of entities
+
+A `FigureWarning`, which is no error, says that a figure can only hint at something.
 
 A message names the place and the remedy in one line; the command line prints it and exits with 2.
 """
@@ -47,6 +50,10 @@ class DrawError(Sim2ReasonError):
     """A recipe whose draws were all refused within the budget, or that was asked for at impossible coordinates."""
 
 
+class FigureWarning(UserWarning):
+    """Something in a scene that a figure can only hint at, since its class does not say how it looks."""
+
+
 class DatasetError(Sim2ReasonError):
     """A dataset folder that is damaged, incomplete or made with another configuration."""
 
@@ -65,3 +72,7 @@ class MissingExtraError(Sim2ReasonError):
     def __init__(self, package: str, extra: str) -> None:
         """Name the missing `package` and the `extra` that brings it."""
         super().__init__(f"{package} is not installed; install it with: pip install 'sim2reason[{extra}]'")
+
+
+class ConformanceError(Sim2ReasonError, AssertionError):
+    """What the conformance kit found; the message tells every finding, in words. A test shows it as a failure."""

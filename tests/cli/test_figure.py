@@ -3,8 +3,13 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.hanger import LightRod
 from sim2reason.cli import main
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.pendulum import Pendulum
 from sim2reason.prose.writer import describe
 from sim2reason.scene_files import dump
 
@@ -66,3 +71,14 @@ def test_a_missing_extra_is_said_with_the_remedy(scene: Path, tmp_path: Path, mo
             2,
             "sim2reason: matplotlib is not installed; install it with: pip install 'sim2reason[figures]'\n",
         )
+
+
+def test_a_body_without_a_look_is_warned_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Ball, "look", None)
+    path, out = tmp_path / "scene.yaml", tmp_path / "scene.svg"
+    pendulum = Pendulum(bob=Ball(mass=1.0), hanger=LightRod(length=1.0), angle=30.0)
+    path.write_text(dump(Scene(entities=(Named(name="it", entity=pendulum),))), encoding="utf-8")
+    code, said = run("figure", path, "-o", out)
+    assert (code, said.count("\n")) == (0, 1)
+    assert "warning: no figure shows a body of the type Ball, here it.bob; give its class a look" in said
+    assert ">ball</text>" in out.read_text(encoding="utf-8")

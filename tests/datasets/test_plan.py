@@ -27,6 +27,12 @@ def test_indices_run_from_zero_in_every_cell() -> None:
     assert config.request(4) == Request("a", "easy", "numeric", 0, 1)
 
 
+def test_a_recipe_named_twice_is_dealt_twice_a_round() -> None:
+    config = Config(items=6, recipes=("a", "b", "a"), difficulties=("easy",))
+    dealt = [(request.recipe, request.index) for request in map(config.request, range(6))]
+    assert dealt == [("a", 0), ("b", 0), ("a", 1), ("a", 2), ("b", 1), ("a", 3)]
+
+
 def test_shards_are_named_by_their_range() -> None:
     shards = Config(items=1001, recipes=("a",)).shards()
     assert [file_name(s) for s in shards] == [

@@ -65,6 +65,6 @@ def joined(name: str, seed: int) -> Scene:
 
 @pytest.fixture(scope="session")
 def scenes() -> list[Scene]:
-    """Sixty random scenes of every recipe and difficulty, and every entity joined in ways that no recipe draws."""
-    random = [sample_scene(r, d, seed=5, index=n) for r, d, n in product(RECIPES, DIFFICULTIES, range(5))]
+    """Random scenes of every recipe and difficulty, and every entity joined in ways that no recipe draws."""
+    random = [sample_scene(r, d, seed=5, index=n) for r, d, n in product(RECIPES, DIFFICULTIES, range(3))]
     return [*random, *(joined(name, seed) for name in JOINED for seed in range(2))]

@@ -1,4 +1,5 @@
 import xml.etree.ElementTree as ET
+from collections import Counter
 from itertools import combinations
 from pathlib import Path
 from typing import NamedTuple
@@ -14,13 +15,13 @@ from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.mechanism import Drawn as ConstantPull
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.scene import Scene
-from sim2reason.errors import MissingExtraError, UnsupportedError
+from sim2reason.errors import FigureWarning, MissingExtraError, UnsupportedError
 from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.canvas import draw
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.hanging import PulleyPiece
 from sim2reason.figures.layout_cost import Layout
-from sim2reason.figures.shapes import Drawing
+from sim2reason.figures.shapes import Area, Drawing
 from sim2reason.figures.vectors import common, depth, dot, unit
 from sim2reason.prose.writer import describe
 
@@ -79,10 +80,12 @@ def test_angles_and_forces_stand_in_the_drawing(drawings: list[Drawn]) -> None:
                 case _:
                     pass
         shown = [label.text for label in drawn.labels if label.text.endswith("°")]
-        assert sorted(shown) == sorted(wanted)
+        assert not Counter(wanted) - Counter(shown)
+        assert set(shown) <= {p.measure.say(p.value) for p in scene.parameters if p.value and p.measure.unit == "deg"}
         for pull in scene.mechanism.pulls:
             assert any(
-                label.text.endswith(" N") and ConstantPull(float(label.text[:-2])) == pull.law for label in drawn.labels
+                label.text.endswith(" N") and ConstantPull(float(label.text.removeprefix("F = ")[:-2])) == pull.law
+                for label in drawn.labels
             )
 
 
@@ -138,12 +141,15 @@ def test_labels_are_text_inside_the_canvas(drawings: list[Drawn], tmp_path: Path
         root = ET.parse(path).getroot()
         width, height = (float(size) for size in root.attrib["viewBox"].split()[2:])
         texts = list(root.iter(f"{SVG}text"))
-        assert sorted(t.text or "" for t in texts) == sorted(label.text for label in drawn.labels)
+        words = " ".join(t.text or "" for t in texts).split()
+        assert sorted(words) == sorted(" ".join(label.text for label in drawn.labels).split())
         assert set(named(scene).values()) <= {t.text for t in texts}
         scale = width / (drawn.box()[2] - drawn.box()[0] + 0.7)
         for text in texts:
             x, y = float(text.attrib["x"]), float(text.attrib["y"])
-            label = next(label for label in drawn.labels if label.text == text.text)
+            label = next((label for label in drawn.labels if label.text == text.text), None)
+            if label is None:  # a part of one, a letter or a number
+                continue
             half = 0.5 * scale * (label.box[2] - label.box[0])
             assert 0.0 <= x - half <= x + half <= width
             assert 0.0 <= y <= height
@@ -207,9 +213,11 @@ class Sky(Entity):
         room.body("balloon", 1.0).slide(Z)
 
 
-def test_a_body_without_a_look_is_said_so() -> None:
-    with pytest.raises(UnsupportedError, match="Balloon"):
-        drawing(Scene(entities=(Named(name="sky", entity=Sky(balloon=Balloon())),)))
+def test_a_body_without_a_look_is_drawn_as_a_box_with_its_name_and_said_so() -> None:
+    with pytest.warns(FigureWarning, match=r"Balloon, here sky\.balloon; give its class a look"):
+        drawn = drawing(Scene(entities=(Named(name="sky", entity=Sky(balloon=Balloon())),)))
+    assert [label.text for label in drawn.labels if label.subject == "sky.balloon"] == ["balloon"]
+    assert any(isinstance(shape, Area) and shape.dashed for shape in drawn.shapes)
 
 
 def test_another_format_is_refused_by_name(scenes: list[Scene], tmp_path: Path) -> None:

@@ -4,16 +4,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.figures.curves import VERBS, motion_curves, told
-from sim2reason.figures.plot import REASONS, plot
+from sim2reason.figures.plot import REASONS, Colors, plot
 from sim2reason.prose.writer import describe
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Event, Trace
@@ -42,7 +44,7 @@ def test_curves_are_named_as_in_the_text(scenes: list[Scene]) -> None:
     for scene in scenes[::4]:
         description = describe(scene)
         shown = motion_curves(exact(scene), description)
-        for panel in shown.panels[:3]:
+        for panel in (p for p in shown.panels if p.title.startswith(("displacement", "velocity", "speed"))):
             for curve in panel.curves:
                 name = curve.name.partition(",")[0]
                 assert any(name in description.mention(address) for address in scene.bodies)
@@ -58,6 +60,48 @@ def test_a_sliding_block_is_shown_as_it_slides() -> None:
     assert shown.panels[1].curves[0].name.endswith("up the slope")
     assert speed[-1] - speed[0] == pytest.approx(np.trapezoid(acceleration, shown.times), abs=1e-2)
     assert [mark.text for mark in shown.marks][:1] == ["the block begins to slide, or slides back"]
+
+
+def test_paths_are_drawn_in_the_plane_in_place_of_displacements() -> None:
+    shown = motion_curves(exact(MEETING), describe(MEETING))
+    (group,) = shown.trajectories
+    assert (group.across, group.up) == ("x (m)", "y (m)")
+    one, other = group.members
+    assert (one.x[0], other.x[0]) == pytest.approx((0.0, 1.2))
+    assert one.y == pytest.approx(np.zeros(len(shown.times)))
+    titles = [panel.title for panel in shown.panels]
+    assert titles == ["speed (m/s)", "energy (J)", "distance (m)"]  # nothing that is zero throughout
+    loss = shown.panels[1].curves[0].values
+    before, after = (0.5 * 1.0 + 0.5 * 2.0, 0.5 * 3.0 * (-1.0 / 3.0) ** 2 + 0.5 * (2.0 / 3.0) * 4.0 * 0.25)
+    assert (loss[0], loss[-1]) == pytest.approx((before, after))  # König: ½ M V² + ½ µ (e v)²
+
+
+def test_a_body_that_hits_the_ground_is_told_so() -> None:
+    scene = alone(Projectile(ball=Ball(mass=1.0), height=2.0, speed=3.0, angle=30.0, restitution=0.5))
+    shown = motion_curves(exact(scene), describe(scene))
+    assert "hits the ground" in " ".join(mark.text for mark in shown.marks)
+    potential, kinetic = (next(c for c in shown.panels[-1].curves if c.name == n) for n in ("potential", "kinetic"))
+    before = shown.times < shown.marks[-1].time - 1.0
+    total = (potential.values + kinetic.values)[: max(2, int(np.argmin(before)))]
+    assert total[:2] == pytest.approx([4.5, 4.5])
+
+
+def test_names_are_explained_once_and_colours_stay() -> None:
+    colors = Colors()
+    assert colors.unexplained(["A", "B"])
+    assert not colors.unexplained(["B"])
+    assert colors.of("A, up") == colors.of("A")
+    assert colors.of("A") != colors.of("B")
+
+
+def test_planets_have_the_units_of_their_text(tmp_path: Path) -> None:
+    scene = sample("orbital", "easy", seed=1)
+    shown = motion_curves(simulate(scene, scene.horizon), describe(scene))
+    assert shown.trajectories[0].across == "x (au)"
+    assert "speed (au/yr)" in [panel.title for panel in shown.panels]
+    path = tmp_path / "orbits.svg"
+    plot(simulate(scene, scene.horizon), describe(scene), path)
+    assert "time (yr)" in path.read_text(encoding="utf-8")
 
 
 def test_both_sides_of_an_event_are_drawn() -> None:

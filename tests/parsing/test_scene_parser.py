@@ -16,10 +16,10 @@ from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import ENTITIES, Named, Part
 from sim2reason.dsl.model import field_types
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import Each, slots, wordings
+from sim2reason.dsl.template import Each, PartLines, slots, wordings
 from sim2reason.entities.two_d_collision_plane import PairRestitution
 from sim2reason.errors import DrawError, SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.parsing import ParsedScene, parse_scene
+from sim2reason.parsing import parse_scene
 from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.tokens import MAX_CHARACTERS, MAX_PIECES, pieces
 from sim2reason.prose.writer import Description, describe
@@ -28,6 +28,8 @@ from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 from sim2reason.scene_files import load
 from sim2reason.scene_files.yaml_text import write
 from sim2reason.simulation.engines.exact import simulate
+from sim2reason.testing.checks.masking import together, without_one
+from sim2reason.testing.checks.round_trip import meaning, meant, numbers
 
 TIERS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
 SCENES = 45  # of each tier: more than 500 in all
@@ -46,25 +48,6 @@ def drawn(recipe: str, difficulty: Difficulty, count: int, first: int = 0) -> It
         index += 1
 
 
-def meaning(description: Description) -> Signature:
-    return signature(description.scene, {address: description.mention(address) for address in description.scene.bodies})
-
-
-def understood(reading: ParsedScene) -> Signature:
-    return signature(reading.scene, {address: name for name, address in reading.names.items()})
-
-
-def numbers(scene: Scene) -> list[tuple[str, float]]:
-    """All that a text tells; a pulley without mass may belong to an entity or to a string."""
-    said = [(p.measure.name, p.value) for p in scene.parameters if not p.hidden and p.value is not None]
-    return sorted(number for number in said if number != ("pulley mass", 0.0))
-
-
-def together(parts: list[str]) -> str:
-    """Pieces as one text again."""
-    return "".join(f"\n\n{part}\n\n" if part.startswith("|") else f" {part}" for part in parts).strip()
-
-
 def accelerations(scene: Scene, names: dict[str, str]) -> dict[str, np.ndarray]:
     """Of every body by what it is called, (3,), in m/s², just after the start."""
     state = simulate(scene.mechanism, np.array([0.0, 1e-6])).state
@@ -76,7 +59,7 @@ def accelerations(scene: Scene, names: dict[str, str]) -> dict[str, np.ndarray]:
 def test_every_scene_is_read_back(recipe: str, difficulty: Difficulty) -> None:
     for number, description in enumerate(drawn(recipe, difficulty, SCENES)):
         reading = parse_scene(description.text, np.random.default_rng(number))
-        assert understood(reading) == meaning(description), description.text
+        assert meant(reading) == meaning(description), description.text
         assert numbers(reading.scene) == numbers(description.scene), description.text
         for address in description.names.letters:
             assert description.mention(address) in reading.names
@@ -91,7 +74,7 @@ def test_scenes_that_no_recipe_draws_are_read_back(chunk: int) -> None:
             description = describe(load(write(composed(np.random.default_rng([chunk, index])))), index)
         except SceneError:
             continue
-        assert understood(parse_scene(description.text)) == meaning(description), description.text
+        assert meant(parse_scene(description.text)) == meaning(description), description.text
         read_back += 1
     assert read_back > 20
 
@@ -121,28 +104,19 @@ def test_all_wordings_of_a_scene_are_the_same_scene(recipe: str, difficulty: Dif
     scene = next(drawn(recipe, difficulty, 1, first=900)).scene
     for seed in range(12):
         description = describe(scene, seed)
-        assert understood(parse_scene(description.text)) == meaning(description), description.text
+        assert meant(parse_scene(description.text)) == meaning(description), description.text
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), TIERS)
 def test_nothing_can_be_left_out(recipe: str, difficulty: Difficulty) -> None:
     """Each sentence and each row of a table cut: no scene, or another one."""
     for description in drawn(recipe, difficulty, 5, first=1000):
-        for text in without_one(list(pieces(description.text))):
+        for _, text in without_one(list(pieces(description.text))):
             try:
                 reading = parse_scene(text)
             except TextError:
                 continue
-            assert understood(reading) != meaning(description), text
-
-
-def without_one(parts: list[str]) -> Iterator[str]:
-    for index, part in enumerate(parts):
-        yield together(parts[:index] + parts[index + 1 :]) or " "
-        rows = part.split("\n")
-        for number in range(len(rows)) if len(rows) > 1 else ():
-            shorter = "\n".join(rows[:number] + rows[number + 1 :])
-            yield together([*parts[:index], shorter, *parts[index + 1 :]])
+            assert meant(reading) != meaning(description), text
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), TIERS)
@@ -155,7 +129,7 @@ def test_another_number_is_another_scene(recipe: str, difficulty: Difficulty) ->
                 reading = parse_scene(description.text[: match.start()] + other + description.text[match.end() :])
             except TextError:
                 continue
-            assert understood(reading) != meaning(description), (digits, other, description.text)
+            assert meant(reading) != meaning(description), (digits, other, description.text)
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), TIERS)
@@ -168,7 +142,11 @@ def test_two_swapped_numbers_are_another_scene(recipe: str, difficulty: Difficul
             between = description.text[one.end() : other.start()]
             before, after = description.text[: one.start()], description.text[other.end() :]
             text = f"{before}{other.group()}{between}{one.group()}{after}"
-            assert understood(parse_scene(text)) != meaning(description), text
+            try:
+                read = parse_scene(text)
+            except TextError:  # such a scene can't be: a rocket is not lighter with its fuel
+                continue
+            assert meant(read) != meaning(description), text
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 3])
@@ -179,7 +157,7 @@ def test_pairs_with_a_restitution_of_their_own(count: int) -> None:
     scene = told.scene.having("table.pairs", own).having("table.restitution", 0.7)
     for seed in range(6):
         description = describe(scene, seed)
-        assert understood(parse_scene(description.text)) == meaning(description), description.text
+        assert meant(parse_scene(description.text)) == meaning(description), description.text
 
 
 def test_columns_that_agree_are_read_from_their_sentence() -> None:
@@ -189,7 +167,7 @@ def test_columns_that_agree_are_read_from_their_sentence() -> None:
         scene = scene.having(f"table.pucks.{index}.mass", 2.0).having(f"table.pucks.{index}.vy", 0.0)
     description = describe(scene, 1)
     assert description.text.count("All have") == 2
-    assert understood(parse_scene(description.text)) == meaning(description)
+    assert meant(parse_scene(description.text)) == meaning(description)
 
 
 def test_a_string_whose_entities_are_told_the_other_way_round() -> None:
@@ -204,7 +182,7 @@ def test_a_string_whose_entities_are_told_the_other_way_round() -> None:
     links = tuple(Link(entity=name, port=port) for name, port in (("c", "end"), ("b", "under"), ("a", "right")))
     description = describe(Scene(entities=entities, connections=(string(links=links),)))
     reading = parse_scene(description.text)
-    assert understood(reading) == meaning(description)
+    assert meant(reading) == meaning(description)
     assert [link.port for link in reading.scene.connections[0].links][:2] == ["end", "under"]
 
 
@@ -213,12 +191,12 @@ def test_hidden_numbers_are_drawn_anew_and_change_nothing() -> None:
     readings = [parse_scene(description.text, np.random.default_rng(seed)) for seed in (1, 2, 1)]
     assert readings[0].scene == readings[2].scene == parse_scene(description.text, np.random.default_rng(1)).scene
     assert readings[0].scene != readings[1].scene
-    assert understood(readings[0]) == understood(readings[1])
+    assert meant(readings[0]) == meant(readings[1])
 
 
 def test_line_breaks_and_spaces_do_not_matter() -> None:
     description = next(drawn("pulley", "medium", 1))
-    assert understood(parse_scene(description.text.replace(" ", "\n  "))) == meaning(description)
+    assert meant(parse_scene(description.text.replace(" ", "\n  "))) == meaning(description)
 
 
 @pytest.mark.parametrize("kind", [*ENTITIES.values()], ids=[*ENTITIES])
@@ -227,7 +205,7 @@ def test_whether_a_line_is_said_does_not_depend_on_its_wording(kind: type[Part])
     for part in [kind, *(model for held in field_types(kind).values() for model in held.models)]:
         for saying in getattr(part, "says", ()):
             reasons = {frozenset(reasons_to_be_silent(part, text)) for text in wordings(saying)}
-            assert isinstance(saying, Each) or len(reasons) == 1
+            assert isinstance(saying, Each | PartLines) or len(reasons) == 1
 
 
 def reasons_to_be_silent(part: type[Part], text: str) -> Iterator[str]:
@@ -283,7 +261,9 @@ def test_hostile_texts_are_refused_at_once(text: str) -> None:
 
 
 def test_the_story_of_the_hostile_texts_is_a_good_one_when_whole() -> None:
-    closed = "The motion starts from rest. Pulleys turn without friction. {room} Take g = 9.8 m/s²."
+    closed = (
+        "The motion starts from rest with the string taut. Pulleys turn without friction. {room} Take g = 9.8 m/s²."
+    )
     with pytest.raises(TextError, match="fits nowhere"):
         parse_scene(f"{STORY} {closed.format(room='And so on.')}")
     description = describe(parse_scene(f"{STORY} {closed.format(room='No body reaches a pulley.')}").scene)
@@ -325,7 +305,7 @@ def test_errors_name_the_place() -> None:
 def test_a_text_of_two_scenes_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """No text of ours is, since readings that move alike are one; here nothing is like anything else."""
     description = next(t for t in drawn("incline", "hard", 60) if len(readings(t.text, monkeypatch)) > 1)
-    assert understood(parse_scene(description.text)) == meaning(description)
+    assert meant(parse_scene(description.text)) == meaning(description)
     monkeypatch.setattr("sim2reason.parsing.scene_parser.signature", lambda scene, names: (id(scene), id(names)))
     with pytest.raises(TextError, match="it tells two scenes"):
         parse_scene(description.text)

@@ -247,7 +247,7 @@ def test_two_hands_on_one_string_are_refused() -> None:
         f"{HANDS}], connections: [{{tendon: [{{entity: a, direction: end}}, {{entity: q, direction: left}}]}}, "
         "{tendon: [{entity: q, direction: right}, {entity: b, direction: end}]}]}"
     )
-    assert "two hands pull at the two ends of one string" in str(refused(text))
+    assert "both ends of one string are drawn in" in str(refused(text))
 
 
 def test_errors_of_files_do_not_name_the_reader(tmp_path: Path) -> None:

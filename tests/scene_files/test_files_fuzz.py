@@ -60,7 +60,7 @@ def outcome(text: str) -> str:
 def test_spoiled_files_are_scenes_or_one_error(chunk: int, scenes: list[Scene]) -> None:
     found = Counter(outcome(spoiled(seed, scenes)) for seed in range(chunk * SIZE, (chunk + 1) * SIZE))
     assert found["refused"] > SIZE // 3
-    assert found["simulated"] > 3
+    assert found["simulated"] > 1
 
 
 @pytest.mark.parametrize("chunk", range(5))

@@ -52,7 +52,8 @@ def _tell(text: str, found: list[CertifiedQuestion]) -> None:
         click.echo(line if line.startswith("|") else fill(line, WIDTH, break_on_hyphens=False))
     for number, certified in enumerate(found, start=1):
         question = certified.question
-        click.echo(f"\n{number}. {question.text}\n   Answer: {question.answer:.4g} {question.unit}".rstrip())
+        sign = f"  (positive: {question.sign})" if question.sign else ""
+        click.echo(f"\n{number}. {question.text}\n   Answer: {question.answer:.4g} {question.unit}".rstrip() + sign)
 
 
 def _document(certified: CertifiedQuestion) -> dict[str, object]:

@@ -28,7 +28,7 @@ class Seconds(click.FloatRange):
         return number
 
 
-class Advance(Protocol):
+class Progress(Protocol):
     """What a long task calls as it goes on."""
 
     def __call__(self, steps: int = 1) -> None:
@@ -91,7 +91,7 @@ def words(option: str) -> tuple[str, ...]:
 
 
 @contextmanager
-def progress(what: str, total: int) -> Generator[Advance, None, None]:
+def progress(what: str, total: int) -> Generator[Progress, None, None]:
     """Show a bar on stderr while the block runs, if a person looks at it; give the function that moves it."""
     if not sys.stderr.isatty():
         yield _ignore

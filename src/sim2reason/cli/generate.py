@@ -9,7 +9,7 @@ from sim2reason.cli.registries import chosen
 from sim2reason.datasets.build import PATIENCE, build
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.plan import LARGEST, MAKER, SHARD, Config
-from sim2reason.recipes import DIFFICULTIES, known
+from sim2reason.recipes import DIFFICULTIES, all_recipes, known
 
 EXAMPLE = """\b
 Example:
@@ -51,7 +51,7 @@ def command(
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
     config = Config(
         items=items,
-        recipes=_names("recipes", recipe, maker),
+        recipes=all_recipes() if recipe == "all" else _names("recipes", recipe, maker),
         difficulties=_difficulties(difficulty),
         modes=_names("modes", modes, maker),
         seed=seed,

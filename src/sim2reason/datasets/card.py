@@ -45,7 +45,7 @@ def _body(manifest: Manifest) -> Iterator[str]:
 def _example(item: Item | None) -> Iterator[str]:
     if item is None:
         return
-    sign = f" ({item.answer.sign})" if item.answer.sign else ""
+    sign = f" (positive: {item.answer.sign})" if item.answer.sign else ""
     yield from ("", "## An example", "", *(f"> {line}".rstrip() for line in item.prompt.splitlines()), "")
     yield from (f"Answer: {item.answer.value:.6g} {item.answer.unit}{sign}", "", "Its scene:", "", "```yaml")
     yield from (item.scene.rstrip("\n"), "```")

@@ -6,7 +6,7 @@ from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config, Request
 from sim2reason.errors import DrawError
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.recipes import DIFFICULTIES, all_recipes
 
 
 def item(
@@ -41,7 +41,7 @@ def stream(
         raise DrawError(f"seed {seed}, start {start}: one is negative; count from 0")
     config = Config(
         items=0,
-        recipes=tuple(RECIPES) if recipe == "all" else (recipe,),
+        recipes=all_recipes() if recipe == "all" else (recipe,),
         difficulties=DIFFICULTIES if difficulty == "all" else (difficulty,),
         modes=(mode,),
         seed=seed,

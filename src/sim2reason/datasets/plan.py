@@ -80,10 +80,11 @@ class Config(Record):
         return tuple(product(self.recipes, self.difficulties, self.modes))
 
     def request(self, position: int) -> Request:
-        """Deal positions round robin to every recipe, difficulty and mode."""
-        index, cell = divmod(position, len(self._cells))
-        recipe, difficulty, mode = self._cells[cell]
-        return Request(recipe, difficulty, mode, self.seed, index)
+        """Deal positions round robin to every recipe, difficulty and mode; a recipe named twice counts twice."""
+        turn, place = divmod(position, len(self._cells))
+        cell = self._cells[place]
+        index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
+        return Request(*cell, self.seed, index)
 
     def shards(self) -> list[range]:
         """The ranges of positions that stand in one file each."""

@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate, sift
 from sim2reason.prose.writer import Description, describe
-from sim2reason.questions import Mode, Question, Study
+from sim2reason.questions import Mode, Question, Study, Words
 from sim2reason.questions.prompt import prompt, words_of
 from sim2reason.simulation.certify import Certificate, witnessed
 
@@ -46,6 +46,11 @@ class QuestionSearch:
         return describe(self.study.scene, self._wording)
 
     @cached_property
+    def words(self) -> Words:
+        """What questions need to know of its text."""
+        return words_of(self.description)
+
+    @cached_property
     def _told(self) -> tuple[Study, Certificate]:
         """What the second engine says; heard only if a question gets as far as that."""
         trace, certificate = witnessed(self.study.trace)
@@ -58,8 +63,7 @@ class QuestionSearch:
         if self.study.trace.stable_until < SHORTEST * self.study.scene.horizon:
             refused[f"unstable: {self.study.trace.cut}"] += 1
             return None
-        description = self.description
-        words = words_of(description)
+        description, words = self.description, self.words
         for _ in range(QUESTIONS):
             question = mode(self.study, words, kind, rng)
             if question is None:

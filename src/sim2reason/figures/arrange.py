@@ -9,7 +9,7 @@ from dataclasses import replace
 from random import Random
 
 from sim2reason.figures.layout_cost import Layout, Pose, cost
-from sim2reason.figures.paths import FACES, Strand
+from sim2reason.figures.paths import Strand, has_faces
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece
 from sim2reason.figures.vectors import RIGHT, UP, mirrored
 
@@ -71,7 +71,7 @@ class Arranger:
         return [frozenset(g) for g in shaped if all(bare[n].mirrors or not self._directed(n) for n in g)]
 
     def _directed(self, name: str) -> bool:
-        return isinstance(self.plan.scene.bodies.get(name), FACES)
+        return name in self.plan.paths.home.values() or has_faces(self.plan.scene.bodies.get(name))
 
     def _swaps(self) -> list[str]:
         """Pulleys, and strands that may run anywhere: by name what can be swapped left for right."""
@@ -154,9 +154,7 @@ class Arranger:
         ends = [bodies.get(knot.piece) for knot in (strand.a, strand.b)]
         if all(not knot.rim and body is not None for knot, body in zip((strand.a, strand.b), ends, strict=True)):
             return LINK
-        sloped = any(
-            isinstance(body, FACES) and not knot.rim for knot, body in zip((strand.a, strand.b), ends, strict=True)
-        )
+        sloped = any(has_faces(body) and not knot.rim for knot, body in zip((strand.a, strand.b), ends, strict=True))
         return NEAR if sloped else FREE
 
     def place(self, choice: Choice) -> Layout:

@@ -3,11 +3,12 @@
 # pyright: reportUnknownMemberType=false
 # matplotlib leaves its keyword arguments untyped.
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sim2reason.errors import MissingExtraError, UnsupportedError
-from sim2reason.figures.shapes import LETTER, Arc, Area, Drawing, Label, Line, Shape, Weight
+from sim2reason.figures.shapes import LETTER, Arc, Area, Drawing, Label, LineShape, Shape, Weight, width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 INCH = 0.42  # of a unit
 MARGIN = 0.35  # units around everything
 ON_TOP = 10_000  # labels lie over all shapes
-WIDTHS = {"hair": 0.6, "thin": 0.8, "edge": 1.1, "string": 1.4}  # points
+WIDTHS = {"hair": 0.6, "thin": 0.8, "edge": 1.1, "string": 1.4, "rod": 2.6, "dots": 1.7}  # points
 FILLS = {
     "": "white",
     "block": "#dbe7f3",
@@ -26,8 +27,14 @@ FILLS = {
     "disc": "#d9d9d9",
     "ink": "black",
     "table": "#fbfaf6",
+    "ball": "#7f9fc0",
+    "star": "#f6d98b",
+    "field": "#eef4e6",
 }
 STRING = "#8a3324"
+DOTS = (0, (0.01, 2.6))  # of a rough face, in widths of the line
+ITALIC: dict[str, Any] = {"style": "italic", "family": "DejaVu Serif"}
+SYMBOL = re.compile(r"([^\W\d_]{1,2})( [(=].*)")  # a letter and a number: *P (2 kg)*, *F = 3 N*
 FORMATS = ("svg", "png", "pdf")
 # Bytes must not change from run to run, and labels must stay text.
 SETTINGS = {"svg.hashsalt": "sim2reason", "svg.fonttype": "none", "font.family": "DejaVu Sans", "pdf.fonttype": 42}
@@ -87,10 +94,13 @@ def save(figure: "Figure", path: Path, dpi: int) -> None:
 
 
 def _shape(axes: "Axes", shape: Shape, order: int) -> None:
-    if isinstance(shape, Line) and not shape.arrow:
+    if isinstance(shape, LineShape) and not shape.arrow:
         across, up = [p.real for p in shape.points], [p.imag for p in shape.points]
         style: dict[str, Any] = {"linewidth": WIDTHS[shape.weight], "solid_capstyle": "round", "zorder": order}
-        axes.plot(across, up, "--" if shape.dashed else "-", color=_ink(shape.weight), **style)
+        strokes: Any = DOTS if shape.weight == "dots" else "--" if shape.dashed else "-"
+        if shape.weight == "dots":
+            style["dash_capstyle"] = "round"
+        axes.plot(across, up, linestyle=strokes, color=_ink(shape.weight), **style)
     else:
         axes.add_patch(_patch(shape, order))
 
@@ -98,15 +108,21 @@ def _shape(axes: "Axes", shape: Shape, order: int) -> None:
 def _patch(shape: Shape, order: int) -> "Patch":
     """Everything but plain lines."""
     from matplotlib import patches  # noqa: PLC0415 - the same
+    from matplotlib.path import Path as Path2D  # noqa: PLC0415 - the same
 
     match shape:
-        case Line(points, weight):
-            tail, head = (points[0].real, points[0].imag), (points[-1].real, points[-1].imag)
-            look: dict[str, Any] = {"arrowstyle": "-|>", "mutation_scale": 9.0, "shrinkA": 0.0, "shrinkB": 0.0}
-            return patches.FancyArrowPatch(tail, head, linewidth=WIDTHS[weight], color="black", zorder=order, **look)
-        case Area(points, fill):
+        case LineShape(points, weight):
+            way = [(p.real, p.imag) for p in points]
+            look: dict[str, Any] = {"arrowstyle": "-|>", "mutation_scale": 9.0, "color": "black", "zorder": order}
+            if len(points) > 2:  # a curved one: filled, its shaft would be too
+                bent = Path2D(way)
+                return patches.FancyArrowPatch(path=bent, linewidth=WIDTHS[weight], fill=False, **look)
+            look |= {"shrinkA": 0.0, "shrinkB": 0.0}
+            return patches.FancyArrowPatch(way[0], way[-1], linewidth=WIDTHS[weight], **look)
+        case Area(points, fill, weight):
             corners = [(p.real, p.imag) for p in points]
-            look = {"facecolor": FILLS[fill], "edgecolor": "black", "linewidth": WIDTHS["edge"]}
+            look = {"facecolor": FILLS[fill], "edgecolor": "black", "linewidth": WIDTHS[weight]}
+            look["linestyle"] = "--" if shape.dashed else "-"
             return patches.Polygon(corners, closed=True, zorder=order, **look)
         case Arc(center, radius, start, stop, weight, fill):
             at, width = (center.real, center.imag), WIDTHS[weight]
@@ -123,8 +139,16 @@ def _ink(weight: Weight) -> str:
 
 def _label(axes: "Axes", label: Label) -> None:
     style: dict[str, Any] = {"ha": "center", "va": "center", "zorder": ON_TOP, "fontsize": label.size * INCH * 72.0}
-    if label.name and len(label.text) <= LETTER:
-        style["style"] = "italic"
     if label.crossed:
         style["bbox"] = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
-    axes.text(label.at.real, label.at.imag, label.text, **style)
+    both, middle = SYMBOL.fullmatch(label.text), label.at
+    if both is not None:  # the letter as in print, the number upright
+        letter, rest = both[1], both[2].removeprefix(" ")
+        left, right = label.box[0], label.box[2]
+        split = left + width(f"{letter} ", label.size)
+        axes.text(0.5 * (left + split) - 0.17 * label.size, middle.imag, letter, **style, **ITALIC)
+        axes.text(0.5 * (split + right), middle.imag, rest, **style)
+        return
+    if len(label.text) <= LETTER and label.text.isalpha():
+        style |= ITALIC
+    axes.text(middle.real, middle.imag, label.text, **style)

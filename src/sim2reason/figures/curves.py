@@ -1,22 +1,26 @@
 """What a plot of a motion shows: curves by quantity, and events in the words of the text."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.units import UnitSystem
+from sim2reason.figures.trajectories import Trajectories, trajectories
 from sim2reason.prose.writer import Description
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
-from sim2reason.quantities.subjects import Subject
+from sim2reason.quantities.subjects.bodies import AXES
 from sim2reason.quantities.subjects.strings import strings
 from sim2reason.simulation.trace import Event, Trace
 
 SAMPLES = 400
-STILL = 1e-9
+MOST = 8  # curves of a panel
+STILL, STRAIGHT = 1e-9, 1e-9
 FIXED = "a fixed point"
+SIZES = {"velocity": "speed", "displacement": "distance from the start"}  # of vectors that turn
 
 
 @dataclass(frozen=True)
@@ -37,10 +41,11 @@ class Panel:
 
 @dataclass(frozen=True)
 class Mark:
-    """An event with its words."""
+    """An event with its words, and the bodies that have part in it."""
 
     time: float  # s
     text: str
+    bodies: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -49,7 +54,9 @@ class MotionCurves:
 
     times: Array  # s
     panels: tuple[Panel, ...]
+    trajectories: tuple[Trajectories, ...]
     marks: tuple[Mark, ...]
+    units: UnitSystem
     stable_until: float  # s
     cut: str
     duration: float  # s, as it was asked for
@@ -60,10 +67,16 @@ def motion_curves(trace: Trace, description: Description) -> MotionCurves:
     mentions = {address: description.mention(address) for address in description.scene.bodies}
     duration = float(trace.state.times[-1])
     times = instants(trace, duration)
-    shown = panels(trace.sample(times), mentions)
-    marks = [Mark(event.time, told(event, trace.mechanism, mentions)) for event in _worth(trace, duration)]
+    state, said = trace.sample(times), frozenset(p.path for p in description.scene.parameters if not p.hidden)
+    paths = trajectories(state, mentions, description.scene.builder.origins)
+    traced = {member.name for group in paths for member in group.members}
+    shown = tuple(panel for panel in panels(state, mentions, said) if not _superfluous(panel, traced))
+    marks = [
+        Mark(event.time, told(event, trace.mechanism, mentions), event.subjects) for event in _worth(trace, duration)
+    ]
     marks = [m for n, m in enumerate(marks) if not any(m.text == b.text and m.time - b.time < STILL for b in marks[:n])]
-    return MotionCurves(times, shown, tuple(marks), min(trace.stable_until, duration), trace.cut, duration)
+    end = min(trace.stable_until, duration)
+    return MotionCurves(times, shown, paths, tuple(marks), trace.mechanism.units, end, trace.cut, duration)
 
 
 def instants(trace: Trace, duration: float) -> Array:
@@ -74,38 +87,92 @@ def instants(trace: Trace, duration: float) -> Array:
     return np.unique(np.concatenate([grid, events, np.nextafter(events, 0.0)]))
 
 
-def panels(state: State, mentions: dict[str, str]) -> tuple[Panel, ...]:
-    """A panel for every quantity that is plotted and that something of the text has; some share one."""
-    found: dict[str, list[Curve]] = {}
+def panels(state: State, mentions: dict[str, str], said: frozenset[str] | None = None) -> tuple[Panel, ...]:
+    """A panel for every quantity that is plotted and that something of the text has; some share one.
+
+    What is zero throughout is left out. `said` has the paths of the numbers of the text: of what needs another one
+    there is no curve; None stands for all.
+    """
+    found: dict[str, list[tuple[str, Curve]]] = {}
     for quantity in ordered():
         if quantity.panel:
-            title = f"{quantity.panel} ({show_unit(state.mechanism.units.spell(quantity.unit))})".removesuffix(" ()")
-            found.setdefault(title, []).extend(_curves(quantity, state, mentions))
-    return tuple(Panel(title, tuple(curves)) for title, curves in found.items() if curves)
+            unit = show_unit(state.mechanism.units.spell(quantity.unit))
+            for title, curve in _curves(quantity, state, mentions, said):
+                found.setdefault(f"{title} ({unit})".removesuffix(" ()"), []).append((quantity.name, curve))
+    panels = (Panel(title, _told_apart(curves)) for title, curves in found.items())
+    return tuple(panel for panel in panels if _shows(panel.curves))
 
 
-def _curves(quantity: Quantity, state: State, mentions: dict[str, str]) -> Iterator[Curve]:
-    """The curves of a quantity, by subjects; where several share a panel, each says its own name."""
-    own = "" if quantity.panel == quantity.name else f", {quantity.name}"
-    for name, phrase in quantity.of.phrases(state.mechanism, mentions).items():
-        if not quantity.present(state.mechanism, name):
-            continue
+def _told_apart(curves: list[tuple[str, Curve]]) -> tuple[Curve, ...]:
+    """With the names of the quantities, where two of them share the panel and a subject."""
+    names = [curve.name for _, curve in curves]
+    return tuple(
+        replace(curve, name=f"{curve.name}, {quantity}") if names.count(curve.name) > 1 else curve
+        for quantity, curve in curves
+    )
+
+
+def _superfluous(panel: Panel, traced: set[str]) -> bool:
+    """Whether paths show it better, or there are so many pairs that no one can tell the curves from each other."""
+    names = {curve.name for curve in panel.curves}
+    return len(names) > MOST or (panel.title.startswith(SIZES["displacement"]) and names <= traced)
+
+
+def _shows(curves: tuple[Curve, ...]) -> bool:
+    """Whether anything is not zero, or not determined, which is told."""
+    return any(not np.isfinite(curve.values).any() or np.nanmax(np.abs(curve.values)) > STILL for curve in curves)
+
+
+def _curves(
+    quantity: Quantity, state: State, mentions: dict[str, str], said: frozenset[str] | None
+) -> Iterator[tuple[str, Curve]]:
+    """The curves of a quantity with the titles of their panels, by subjects, or their sum."""
+    mechanism, of = state.mechanism, quantity.of
+    names = {
+        name: phrase
+        for name, phrase in of.phrases(mechanism, mentions).items()
+        if quantity.present(mechanism, name)
+        and (said is None or all(of.gives(need, mechanism, name, said) for need in quantity.needs))
+    }
+    if quantity.pooled and names:
+        total = np.sum([quantity.evaluate(state, name) for name in names], axis=0)
+        yield quantity.panel, Curve(quantity.name.removesuffix(" energy"), total)
+        return
+    for name, phrase in names.items():
         values = quantity.evaluate(state, name)
         unknown = "" if np.isfinite(values).any() else ": not determined"
-        for how, part in _parts(values, state, quantity.of, name) if quantity.vector else [("", values)]:
-            yield Curve(quantity.of.label(phrase) + own + how + unknown, part)
+        label = of.label(phrase)
+        if not quantity.vector:
+            yield quantity.panel, Curve(label + unknown, values)
+            continue
+        title, how, part = _part(values, quantity, state, name)
+        yield title, Curve(label + how + unknown, part)
 
 
-def _parts(values: Array, state: State, subject: Subject, name: str) -> list[tuple[str, Array]]:
-    """A vector as signed components, where the text has words for their signs, else as its size."""
-    ways, directions = subject.senses(state.mechanism, name), subject.directions(state.mechanism, name)
-    if len(ways) == 2 or (len(ways) == 1 and not ways[0].axis):
-        said = [f", {way.axis}" if way.axis else f", {way.positive}" for way in ways]
-        return [(how, values @ np.array(way.vector)) for how, way in zip(said, ways, strict=True)]
+def _part(values: Array, quantity: Quantity, state: State, name: str) -> tuple[str, str, Array]:
+    """A vector along the one line that it stays on, with its sense, else its size: the panel, the sense, the values."""
+    ways, directions = quantity.of.senses(state.mechanism, name), quantity.of.directions(state.mechanism, name)
+    if len(ways) == 1 and not ways[0].axis:
+        return quantity.panel, f", {ways[0].positive}", values @ np.array(ways[0].vector)
     if len(directions) == 1:
         along = values @ np.array(directions[0])
-        return [(", forward", along * _forward(state, name, np.array(directions[0])))]
-    return [(", size", np.linalg.norm(values, axis=1))]
+        return quantity.panel, "", along * _forward(state, name, np.array(directions[0]))
+    axle = None if ways or directions else _axle(values)
+    if axle is not None:
+        return quantity.panel, "", values @ axle
+    return SIZES.get(quantity.panel, f"size of the {quantity.panel}"), "", np.linalg.norm(values, axis=1)
+
+
+def _axle(values: Array) -> Array | None:
+    """The one line on which all of a vector's values lie, if it turns round as it changes: first they are positive."""
+    sizes = np.linalg.norm(values, axis=1)
+    if not np.isfinite(sizes).all() or sizes.max() <= STILL:
+        return None
+    way: Array = values[int(np.argmax(sizes > 1e-3 * sizes.max()))]
+    way = way / np.linalg.norm(way)
+    along = values @ way
+    straight = np.abs(values - np.outer(along, way)).max() <= STRAIGHT * sizes.max()
+    return way if straight else None
 
 
 def _forward(state: State, body: str, direction: Array) -> float:
@@ -116,7 +183,16 @@ def _forward(state: State, body: str, direction: Array) -> float:
 
 
 def _worth(trace: Trace, duration: float) -> list[Event]:
-    return [event for event in trace.events if event.time <= min(trace.stable_until, duration) + STILL]
+    end = min(trace.stable_until, duration) + STILL
+    return [event for event in trace.events if event.time <= end and not _untold(event, trace.mechanism)]
+
+
+def _untold(event: Event, mechanism: Mechanism) -> bool:
+    """Whether no text speaks of what turns back: one of two directions of a body that are no axes."""
+    if event.kind != "turn" or not event.subjects or event.subjects[0] not in mechanism.number:
+        return False
+    own = mechanism.coordinates[mechanism.number[event.subjects[0]]]
+    return len(mechanism.body[own.body].coordinates) > 1 and own.label not in AXES
 
 
 VERBS = {
@@ -130,15 +206,29 @@ VERBS = {
     "limit": "{0} reaches the end of its way",
     "lift": "{0} leaves its face",
     "crowd": "impacts too close together",
+    "burn-out": "{0} has burnt all its fuel",
+    "land": "{0} lands",
+    "enter": "{0} enters the region",
+    "exit": "{0} leaves the region",
     "indeterminate": "nothing holds {0} any more",
 }
 
 
 def told(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
     """An event in the words of the text."""
-    said = [_subject(subject, mechanism, mentions) for subject in event.subjects] or [""]
+    said = [_subject(subject, mechanism, mentions) for subject in event.subjects if subject] or [""]
     said.sort(key=lambda phrase: 2 if phrase == FIXED else int("pulley" in phrase))  # a block meets a pulley
+    if "component of" in said[0]:
+        return f"{said[0]} changes its sign"
+    if event.kind == "collision" and len(said) == 1:
+        return f"{said[0]} hits {_obstacle(event, mechanism)}"
     return VERBS.get(event.kind, event.kind).format(*said, *([""] * 2))
+
+
+def _obstacle(event: Event, mechanism: Mechanism) -> str:
+    """What of the room a body hits."""
+    normals = [m.normal for m in mechanism.meetings if m.a is None and m.b in event.subjects and m.normal is not None]
+    return "the ground" if any(normal[2] > abs(normal[0]) + abs(normal[1]) for normal in normals) else "a wall"
 
 
 def _subject(name: str, mechanism: Mechanism, mentions: dict[str, str]) -> str:
@@ -151,7 +241,7 @@ def _subject(name: str, mechanism: Mechanism, mentions: dict[str, str]) -> str:
     if owner in mentions:
         body = mechanism.body.get(owner)
         table = site is None and body is not None and len(body.coordinates) > 1
-        return f"{mentions[owner]}, along {name[-1]}," if table else mentions[owner]
+        return f"the {name[-1]} component of the velocity of {mentions[owner]}" if table else mentions[owner]
     if site is not None and site.body in mentions:
         return mentions[site.body]
     pulley = next(

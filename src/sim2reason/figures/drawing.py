@@ -1,66 +1,80 @@
-"""From a scene to a drawing of its initial state, labelled as its text names things."""
+"""From a scene to a drawing of its initial state, labelled as its text names things.
 
-from collections.abc import Iterable, Sequence
+Machines of strings and planes are arranged, since their lengths do not matter; everything else is drawn to scale.
+Which of both an entity wants stands on its class.
+"""
 
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.puck import Puck, Table
-from sim2reason.bodies.pulley import FixedPulley, MovablePulley
+import warnings
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
+
+from sim2reason.dsl.looks import Small as SmallBody
 from sim2reason.dsl.measures import Speed
 from sim2reason.dsl.scene import Scene
-from sim2reason.errors import UnsupportedError
+from sim2reason.errors import FigureWarning
 from sim2reason.figures import faces
 from sim2reason.figures.arrange import Arranger
+from sim2reason.figures.components import Component, components
 from sim2reason.figures.hanging import HandPiece, HookPiece, PulleyPiece, plate, said
 from sim2reason.figures.labels import placed
 from sim2reason.figures.layout_cost import Layout
-from sim2reason.figures.paths import FACES, Paths, Strand, flat, whole
+from sim2reason.figures.paths import Paths, Strand, flat, has_faces, is_pulley, whole
 from sim2reason.figures.pieces import PIECES, DrawingPlan, Piece, Sizes
-from sim2reason.figures.shapes import SMALL, Drawing, Line, Shape, Sketch, Wanted, outline, width
-from sim2reason.figures.table import table
+from sim2reason.figures.scaled.lines import coil
+from sim2reason.figures.scaled.piece import ScaledPiece
+from sim2reason.figures.shapes import SMALL, Drawing, LineShape, Shape, Sketch, Wanted, outline, width
 from sim2reason.figures.vectors import box, mirrored
 from sim2reason.prose.writer import Description, describe
 
-BETWEEN = 1.2  # parts of a scene that no string joins
+BETWEEN = 1.2  # parts of a scene that nothing joins
 MOUNT = 1.9  # the longest bracket from a corner to a pulley
-FLAT_BODIES = (Puck, Table)
 assert faces  # its import enters what it draws
 
 
 def drawing(scene: Scene, description: Description | None = None, *, numbers: bool = False) -> Drawing:
-    """Draw the initial state: angles are right, lengths are not.
+    """Draw the initial state: of machines of strings and planes angles are right and lengths are not, else both.
 
-    `description` gives the names, by default the text with seed 0; `numbers` adds masses.
-
-    Raises:
-        UnsupportedError: a body of the scene has no known look.
+    `description` gives the names, by default the text with seed 0; `numbers` adds masses. A body whose class declares
+    no look is drawn as a dashed box with its name, with a `FigureWarning`.
     """
     description = description or describe(scene)
-    strangers = [
-        type(b).__name__ for b in scene.bodies.values() if type(b) not in PIECES and not isinstance(b, FLAT_BODIES)
-    ]
-    if strangers:
-        raise UnsupportedError(f"no figure shows a body of the type {strangers[0]}; give it a piece in figures")
     sizes = Sizes(width=1.6, height=1.4) if numbers else Sizes()
-    plan = DrawingPlan(whole(scene), Paths(whole(scene)), description, sizes, numbers)
-    parts = [_finished(Arranger(plan, *part, make).best(), plan) for part in _components(plan)]
-    parts += [table(plan, address) for address, body in scene.bodies.items() if isinstance(body, Table)]
+    parts: list[Sketch] = []
+    for component in components(scene):
+        paths = Paths(whole(scene), component.arranged, component.home())
+        plan = DrawingPlan(whole(scene), paths, description, sizes if component.arranged else Sizes(), numbers)
+        pieces = {min(group): ScaledPiece(min(group), plan, group) for group in component.groups}
+        if component.arranged:
+            made = partial(make, pieces)
+            parts += [_finished(Arranger(plan, *part, made).best(), plan) for part in _parts(plan, component, pieces)]
+        else:
+            parts += [piece.sketch() for piece in pieces.values()]
+    for address, body in scene.bodies.items():
+        if body.look is None:
+            problem = f"no figure shows a body of the type {type(body).__name__}, here {address}"
+            warnings.warn(f"{problem}; give its class a look", FigureWarning, stacklevel=2)
     sketch = _beside(parts)
     return Drawing(tuple(sketch.shapes), placed(sketch.labels, sketch.shapes))
 
 
-def make(name: str, plan: DrawingPlan) -> Piece:
-    """The piece at an address, by the class of its body."""
-    if name in plan.scene.bodies:
-        return PIECES[type(plan.scene.bodies[name])](name, plan)
+def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
+    """The piece at an address: one that is drawn to scale, or by the look of its body."""
+    if name in scaled:
+        return scaled[name]
+    look = plan.scene.bodies[name].look if name in plan.scene.bodies else None
+    if look is not None:
+        return PIECES[type(look)](name, plan)
     if name in plan.paths.mechanism.body:
         return PulleyPiece(name, plan)
-    return (HandPiece if name in plan.scene.builder.hands else HookPiece)(name, plan)
+    return (HandPiece if name in plan.scene.builder.drawing else HookPiece)(name, plan)
 
 
-def _components(plan: DrawingPlan) -> Iterable[tuple[list[str], list[Strand]]]:
+def _parts(plan: DrawingPlan, component: Component, scaled: Iterable[str]) -> Iterable[tuple[list[str], list[Strand]]]:
     """Pieces that strings hold together, with their strands."""
     strands = plan.paths.strands
-    names = list(dict.fromkeys([*_standing(plan), *(k.piece for s in strands for k in (s.a, s.b))]))
+    names = list(
+        dict.fromkeys([*scaled, *_standing(plan, component.arranged), *(k.piece for s in strands for k in (s.a, s.b))])
+    )
     leader = {name: name for name in names}
     for strand in strands:
         old, new = leader[strand.b.piece], leader[strand.a.piece]
@@ -70,32 +84,37 @@ def _components(plan: DrawingPlan) -> Iterable[tuple[list[str], list[Strand]]]:
         yield members, [strand for strand in strands if strand.a.piece in members]
 
 
-def _standing(plan: DrawingPlan) -> list[str]:
+def _standing(plan: DrawingPlan, owners: frozenset[str]) -> Iterator[str]:
     """Pieces that need no string: what has faces, blocks without one, and pulleys that no string passes."""
     carried = plan.paths.carriers
     rims = {knot.item for knots in plan.paths.knots.values() for knot in knots if knot.rim}
-    return [
-        address
-        for address, body in plan.scene.bodies.items()
-        if isinstance(body, FACES)
-        or (isinstance(body, Block) and address not in carried)
-        or (isinstance(body, FixedPulley | MovablePulley) and address not in rims)
-    ]
+    for address, body in plan.scene.bodies.items():
+        own = address.split(".", maxsplit=1)[0] in owners
+        free = isinstance(body.look, SmallBody) and address not in carried
+        if own and (has_faces(body) or free or (is_pulley(body) and address not in rims)):
+            yield address
 
 
 def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
     """Everything at its place: the pieces, the strings, and the brackets that hold pulleys at corners."""
     found = Sketch()
     for name, piece in layout.pieces.items():
+        sketch = piece.sketch().moved(layout.at[name])
         if isinstance(piece, PulleyPiece) and piece.corners:
-            found.shapes += _mounted(layout, name, piece)
-        part = piece.sketch().moved(layout.at[name])
-        found.shapes += part.shapes
-        found.labels += part.labels
-    for _, a, b in layout.strands:
-        found.shapes.append(Line((a, b), "string"))
+            sketch.shapes[1:1] = _mounted(layout, name, piece)  # over the disc, to its axle
+        found.extend(sketch)
+    for strand, a, b in layout.strands:
+        found.shapes.append(_stroke(plan.scene, strand.string, a, b))
     _speeds(layout, plan, found)
     return found
+
+
+def _stroke(scene: Scene, name: str, a: complex, b: complex) -> LineShape:
+    """A strand as its connection looks."""
+    look = scene.joints[name].connection.look if name in scene.joints else "string"
+    if look == "spring":
+        return LineShape(coil(a, b), "thin")
+    return LineShape((a, b), "rod" if look == "rod" else "string")
 
 
 def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
@@ -109,7 +128,7 @@ def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
     ]
     nearest = min(ends, key=lambda end: abs(end - here))
     if abs(nearest - here) <= MOUNT:
-        return [Line((nearest, here), "edge")]
+        return [LineShape((nearest, here), "edge")]
     return plate(piece.support, here)
 
 
@@ -124,7 +143,7 @@ def _speeds(layout: Layout, plan: DrawingPlan, found: Sketch) -> None:
         way = mirrored(way) if carrier in piece.plan.mirrored else way
         out = way * 1j if (way * 1j).imag > 0.0 or abs(way.imag) > 0.999 else way * -1j
         start = layout.at[carrier] + piece.center(block) + out * (0.5 * plan.sizes.height + 0.22) - 0.45 * way
-        found.shapes.append(Line((start, start + 0.9 * way), "thin", arrow=True))
+        found.shapes.append(LineShape((start, start + 0.9 * way), "thin", arrow=True))
         text = said(Speed, abs(moving[0].speed))
         wide = 0.5 * width(text, SMALL)
         spots = [
@@ -139,7 +158,6 @@ def _beside(parts: Sequence[Sketch]) -> Sketch:
     for part in parts:
         left, low, end, _ = box(point for shape in part.shapes for point in outline(shape))
         part = part.moved(complex(right - left, -low))  # noqa: PLW2901 - the same part, in its place
-        found.shapes += part.shapes
-        found.labels += part.labels
+        found.extend(part)
         right += end - left + BETWEEN
     return found

@@ -4,15 +4,15 @@ from cmath import rect
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan2, radians
+from math import atan2, radians, tan
 from math import degrees as to_degrees
 
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.wedge import Prism, Wedge
+from sim2reason.dsl.looks import FixedPlane, MovingSlope
+from sim2reason.figures import shapes
 from sim2reason.figures.hanging import block_labels, wrapped
-from sim2reason.figures.paths import Knot, flat
+from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_of
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece, draws
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Line, Shape, Sketch, Wanted, dot_at, hatched, width
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Shape, Sketch, Wanted, hatched, rough, width
 from sim2reason.figures.vectors import (
     RIGHT,
     Polygon,
@@ -26,15 +26,15 @@ from sim2reason.figures.vectors import (
     unit,
 )
 
-HEAD, TOE, TOE_SITE = 0.85, 0.95, 1.45  # of a face that is free above its highest and below its lowest thing
-SHORTEST, LONGER = 3.3, 1.7  # of a face; and by what factor it may be stretched to reach the floor
+HEAD, TOE, TOE_SITE = 0.95, 1.25, 1.6  # of a face that is free above its highest and below its lowest thing
+SHORTEST, LONGER = 3.8, 1.7  # of a face; and by what factor it may be stretched to reach the floor
 SLAB = 0.35  # thickness of a level plane
 FLOOR = 0.9  # how far a floor goes on beside a wedge
 FLAT = 1e-6
 
 
 @dataclass(frozen=True)
-class Face:
+class Facet:
     """A face of a piece: what rests or is fixed on it, by its distance down from the upper end."""
 
     uphill: complex
@@ -49,7 +49,7 @@ class Face:
         return -down * self.uphill
 
 
-@draws(Plane, Wedge, Prism)
+@draws(FixedPlane, MovingSlope)
 class FacePiece(Piece):
     """A body with one face or two that meet at its top, which is the origin."""
 
@@ -57,7 +57,7 @@ class FacePiece(Piece):
         """Lay everything on its faces in the order in which the mechanism has it."""
         super().__init__(name, plan)
         body = plan.scene.bodies[name]
-        self.fixed = isinstance(body, Plane)
+        self.fixed = is_plane(body)
         self.faces = [self._spread(face) for face in self._found()]
         if name in plan.mirrored:
             self.faces = [_mirrored(face) for face in self.faces]
@@ -66,7 +66,7 @@ class FacePiece(Piece):
 
     # -- reading the mechanism ---------------------------------------------------------------------
 
-    def _found(self) -> Iterator[Face]:
+    def _found(self) -> Iterator[Facet]:
         """The faces with their blocks, in the order from the lowest up; distances are still those of the mechanism."""
         mechanism = self.plan.paths.mechanism
         groups: dict[tuple[float, float], list[tuple[float, str]]] = {}
@@ -89,7 +89,7 @@ class FacePiece(Piece):
             foot = next((site for s, site in sites if s < min(inside, default=0.0)), "")
             top = next((site for s, site in sites if s > max(inside, default=0.0)), "")
             normal = uphill * 1j if (uphill * 1j).imag > 0.0 else uphill * -1j
-            yield Face(uphill, normal, {block: s for s, block in sorted(members)}, foot, top)
+            yield Facet(uphill, normal, {block: s for s, block in sorted(members)}, foot, top)
 
     def _sites(self, uphill: complex) -> list[tuple[float, str]]:
         """What is fixed on the face and passed by strings, with its place along it."""
@@ -97,7 +97,7 @@ class FacePiece(Piece):
         sites = [s for s in self.plan.paths.mechanism.sites if s.body == self.name and s.name in rims]
         return [(dot(flat(s.at), uphill), s.name) for s in sites if abs(cross(flat(s.at), uphill)) < 1e-6]
 
-    def _spread(self, face: Face) -> Face:
+    def _spread(self, face: Facet) -> Facet:
         """Distances that look well in place of those of the mechanism."""
         sizes = self.plan.sizes
         down, places = HEAD + (0.35 if face.top else 0.0), dict[str, float]()
@@ -105,22 +105,22 @@ class FacePiece(Piece):
             places[block] = down + 0.5 * sizes.width
             down += sizes.width + sizes.link
         length = max(SHORTEST, down - sizes.link + (TOE_SITE if face.foot else TOE))
-        return Face(face.uphill, face.normal, places, face.foot, face.top, length)
+        return Facet(face.uphill, face.normal, places, face.foot, face.top, length)
 
     def _stand(self) -> None:
         """Let faces end on one level where the longer one is not stretched too much."""
         deep = max(face.length * face.uphill.imag for face in self.faces)
-        stretched: list[Face] = []
+        stretched: list[Facet] = []
         for face in self.faces:
             wish = deep / face.uphill.imag if face.uphill.imag > FLAT else face.length
             length = wish if wish <= LONGER * face.length else face.length
-            stretched.append(Face(face.uphill, face.normal, face.blocks, face.foot, face.top, length))
+            stretched.append(Facet(face.uphill, face.normal, face.blocks, face.foot, face.top, length))
         self.faces = stretched
         self.base = -deep if deep > FLAT else -SLAB
 
     # -- what others ask ---------------------------------------------------------------------------
 
-    def _face(self, item: str) -> Face:
+    def _face(self, item: str) -> Facet:
         return next(f for f in self.faces if item in f.blocks or item in (f.foot, f.top))
 
     def center(self, block: str) -> complex:
@@ -138,11 +138,11 @@ class FacePiece(Piece):
             return middle * heights[0] / dot(middle, one.normal)
         return (face.at(face.length - 0.3) if site == face.foot else 0j) + heights[0] * face.normal
 
-    def _lift(self, face: Face, bend: Bend) -> float:
+    def _lift(self, face: Facet, bend: Bend) -> float:
         along = max(bend.ways, key=lambda way: abs(dot(way, face.uphill)))
         return 0.5 * self.plan.sizes.height - self.plan.sizes.small * dot(bend.touches(along), face.normal)
 
-    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+    def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
         """On a small pulley's rim, or at the side of a block that the strand leaves."""
         if knot.rim:
             return self.wheel(knot.item) + self.plan.sizes.small * self.plan.bends[knot.item].rim(second=second)
@@ -152,7 +152,7 @@ class FacePiece(Piece):
         side = 1.0 if dot(way, face.uphill) > 0.0 else -1.0
         return self.center(knot.item) + 0.5 * side * self.plan.sizes.width * face.uphill
 
-    def lead(self, knot: Knot, way: complex) -> float:
+    def lead(self, knot: PathKnot, way: complex) -> float:
         """From the side of a block to the end of its face, or from a small pulley to the end of the floor."""
         start = self.anchor(knot, way, second=False)
         if knot.rim:
@@ -220,6 +220,7 @@ class FacePiece(Piece):
                 sizes = self.plan.sizes
                 found.shapes.append(Area(rectangle(center, sizes.width, sizes.height, face.uphill), "block"))
                 found.labels += block_labels(self.plan, block, center)
+        self._rough(found)
         if not self.fixed:
             found.labels.append(self._name())
         return found
@@ -229,29 +230,48 @@ class FacePiece(Piece):
         center, bend, radius = self.wheel(site), self.plan.bends[site], self.plan.sizes.small
         face = self._face(site)
         foot = face.at(face.length - 0.3) if site == face.foot else 0j
-        yield Line((foot, center), "edge")
         yield Arc(center, radius, fill="disc")
-        yield dot_at(center, 0.03)
+        yield LineShape((foot, center), "edge")
+        yield shapes.dot_at(center, 0.03)
         yield wrapped(bend.rim(), bend.rim(second=True), -sum(bend.ways), center, radius)
 
-    def _angle(self, face: Face, found: Sketch) -> None:
+    def _angle(self, face: Facet, found: Sketch) -> None:
         """The angle at the foot of a face, with its value."""
         foot, side = face.at(face.length), 1.0 if face.uphill.real > 0.0 else -1.0
         value = to_degrees(atan2(face.uphill.imag, abs(face.uphill.real)))
-        radius = min(0.75, max(0.3, 0.9 * face.length * abs(face.uphill.real)))
+        text = f"{round(value, 9):g}°"
+        wide, half = width(text, SMALL), radians(0.5 * value)
+        room = (0.5 * SMALL + 0.09) / tan(half) - 0.1  # where a text of this height fits in
+        radius = min(max(0.75, room), max(0.3, 0.9 * face.length * abs(face.uphill.real) - wide))
         start, stop = (0.0, value) if side > 0.0 else (180.0 - value, 180.0)
         found.shapes.append(Arc(foot, radius, start, stop, weight="thin"))
         if foot.imag > self.base + 0.05:
-            found.shapes.append(Line((foot, foot + side * RIGHT * 1.3), "hair", dashed=True))
-        text = f"{round(value, 9):g}°"
+            found.shapes.append(LineShape((foot, foot + side * RIGHT * 1.3), "hair", dashed=True))
         middle = unit(face.uphill + side * RIGHT)
-        wide = width(text, SMALL)
-        reach = radius + 0.3 * wide + 0.16
-        inside = tuple(foot + middle * (reach + 0.2 * step) for step in range(8)) + tuple(
-            foot + complex(side * (radius + 0.12 + 0.5 * wide + 0.25 * step), 0.3) for step in range(8)
-        )
+        reach = radius + 0.5 * wide * abs(middle.real) + 0.5 * SMALL * abs(middle.imag) + 0.1
+        inside = tuple(foot + middle * (reach + 0.1 * step) for step in range(8))
         outside = tuple(foot + complex(-side * (0.5 * wide + 0.1 + 0.2 * n), 0.25 + 0.1 * n) for n in range(4))
         found.labels.append(Wanted(text, inside + outside, self.name, SMALL, name=False))
+
+    def _rough(self, found: Sketch) -> None:
+        """Dots under faces with friction, and its coefficient as the text has it."""
+        friction = {self.plan.paths.mechanism.contacts[b].friction for face in self.faces for b in face.blocks}
+        if not friction or max(friction) == 0.0:
+            return
+        for face in self.faces:
+            found.shapes.append(rough(face.at(face.length), 0j, face.normal))
+        said = [p for p in self.plan.scene.parameters if p.path.startswith(f"{owner_of(self.name)}.") and not p.hidden]
+        text = next((p.measure.say(p.value) for p in said if p.measure.unit == "" and p.value in friction), "")
+        if text:
+            solid = self.outline()
+            left, low, right, _ = box(solid)
+            middle, wide = sum(solid) / len(solid), 0.5 * width(f"µ = {text}", SMALL)
+            inside = tuple(
+                middle + complex(dx, dy) for dy in (-0.15, 0.2, -0.45) for dx in (0.0, 0.35, -0.35, 0.7, -0.7)
+            )
+            outside = tuple(complex(x, low + dy) for dy in (0.3, 0.6) for x in (right + 0.3 + wide, left - 0.3 - wide))
+            below = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
+            found.labels.append(Wanted(f"µ = {text}", (*inside, *below, *outside), self.name, SMALL, name=False))
 
     def _name(self) -> Wanted:
         """Its name near the middle of the solid."""
@@ -267,5 +287,5 @@ class FacePiece(Piece):
         return Wanted(text, (*spots[:7], *beside, *spots[7:]), self.name, size)
 
 
-def _mirrored(face: Face) -> Face:
-    return Face(mirrored(face.uphill), mirrored(face.normal), face.blocks, face.foot, face.top, face.length)
+def _mirrored(face: Facet) -> Facet:
+    return Facet(mirrored(face.uphill), mirrored(face.normal), face.blocks, face.foot, face.top, face.length)

@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 from typing import get_args
 
-from sim2reason.bodies.block import Block
-from sim2reason.bodies.pulley import FixedPulley, MovablePulley
-from sim2reason.dsl.measures import Force, Measure
-from sim2reason.figures.paths import FACES, Knot
+from sim2reason.dsl.looks import PulleyWheel
+from sim2reason.dsl.looks import Small as SmallBody
+from sim2reason.dsl.measures import Force, Measure, Speed
+from sim2reason.dsl.mechanism import Drawn, Inextensible
+from sim2reason.figures.paths import PathKnot, has_faces, is_pulley
 from sim2reason.figures.pieces import DrawingPlan, Piece, around, draws
 from sim2reason.figures.shapes import (
     LETTER,
@@ -15,7 +16,7 @@ from sim2reason.figures.shapes import (
     TINY,
     Arc,
     Area,
-    Line,
+    LineShape,
     Shape,
     Sketch,
     Wanted,
@@ -29,11 +30,11 @@ BRACKET, PLATE = 0.95, 1.1  # from an axle to what holds it, and how wide that i
 ARROW = 1.3
 
 
-@draws(Block)
+@draws(SmallBody)
 class BlockPiece(Piece):
     """A block that hangs."""
 
-    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+    def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
         """The middle of the side that the strand leaves."""
         del knot, second
         sizes = self.plan.sizes
@@ -53,9 +54,11 @@ def block_labels(plan: DrawingPlan, address: str, center: complex) -> list[Wante
     """A block's name, inside if it is a letter, and its mass."""
     name, mass, sizes = plan.name(address), plan.mass(address), plan.sizes
     inside = len(name) <= LETTER
-    found = [Wanted(mass, (center - 0.22j if inside else center,), address, TINY, name=False)] if mass else []
+    spots = (center - 0.22j if inside else center, center + (0.5 * sizes.height + 0.3) * 1j)
+    found = [Wanted(mass, spots, address, TINY, name=False)] if mass else []
     if inside:
-        return [Wanted(name, (center + 0.22j if mass else center,), address), *found]
+        out = (0.5 * sizes.height + 0.3) * 1j
+        return [Wanted(name, (center + 0.22j if mass else center, center - out, center + out), address), *found]
     wide = width(name, SIZE)
     across, up = 0.5 * (sizes.width + wide) + 0.15, 0.5 * sizes.height + 0.35
     beside = [center + spot for spot in (across, -across, -1j * up, 1j * up)]
@@ -63,7 +66,7 @@ def block_labels(plan: DrawingPlan, address: str, center: complex) -> list[Wante
     return [Wanted(name, (*beside, *around(center, far, wide)), address), *found]
 
 
-@draws(FixedPulley, MovablePulley)
+@draws(PulleyWheel)
 class PulleyPiece(Piece):
     """A pulley; `address` is the body's, which for a movable one is not that of the piece."""
 
@@ -74,7 +77,7 @@ class PulleyPiece(Piece):
         self.address = own[0] if own else name
         self.bend = plan.bends.get(self.address)
         self.radius = plan.sizes.radius * plan.wider.get(name, 1.0)
-        self.fixed = isinstance(plan.scene.bodies.get(self.address), FixedPulley)
+        self.fixed = is_pulley(plan.scene.bodies.get(self.address), fixed=True)
         self.corners = list(self._corners()) if self.fixed else []
         self.mounted = self.fixed and not self.corners
 
@@ -82,11 +85,11 @@ class PulleyPiece(Piece):
         """The pieces on whose faces a string comes to it: it can be fixed to their corners."""
         for strand in self.plan.paths.strands:
             for here, there in ((strand.a, strand.b), (strand.b, strand.a)):
-                on_face = not there.rim and isinstance(self.plan.scene.bodies.get(there.piece), FACES)
+                on_face = not there.rim and has_faces(self.plan.scene.bodies.get(there.piece))
                 if here.piece == self.name and on_face and self._clear(there):
                     yield there.piece
 
-    def _clear(self, block: Knot) -> bool:
+    def _clear(self, block: PathKnot) -> bool:
         """Whether the string lies beyond the pulley as seen from the face, so that no bracket crosses it."""
         ways = self.plan.ends.get(block.item, ())
         if self.bend is None or not ways:
@@ -95,7 +98,7 @@ class PulleyPiece(Piece):
         out = way * 1j if (way * 1j).imag > 0.0 else way * -1j
         return dot(self.bend.touches(way), out) > 0.0
 
-    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+    def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
         """On the rim, or at the axle."""
         del way
         if not knot.rim or self.bend is None:
@@ -131,7 +134,8 @@ class PulleyPiece(Piece):
     def sketch(self) -> Sketch:
         """A circle with its axle, the string round it, and a bracket."""
         radius = self.radius
-        massive = bool(getattr(self.plan.scene.bodies.get(self.address), "mass", 0.0))
+        body = self.plan.scene.bodies.get(self.address)
+        massive = body is not None and isinstance(body.look, PulleyWheel) and body.look.solid
         shapes: list[Shape] = [Arc(0j, radius, fill="disc" if massive else "")]
         if self.mounted:
             shapes += plate(self.support, far=self.bracket)
@@ -160,7 +164,7 @@ def wrapped(first: complex, last: complex, middle: complex, center: complex, rad
 def plate(way: complex, start: complex = 0j, far: float = BRACKET, wide: float = PLATE) -> list[Shape]:
     """A bracket from `start` along `way` to something fixed, which is solid beyond."""
     end, half = start + way * far, 0.5 * wide * way * 1j
-    return [Line((start, end), "edge"), *hatched(end - half, end + half)]
+    return [LineShape((start, end), "edge"), *hatched(end - half, end + half)]
 
 
 class EndPiece(Piece):
@@ -172,7 +176,7 @@ class EndPiece(Piece):
         ends = self.plan.ends.get(self.name, ())
         return -ends[0] if ends else UP
 
-    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+    def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
         """The point where the string ends."""
         del knot, way, second
         return 0j
@@ -196,15 +200,15 @@ class HookPiece(EndPiece):
 
 
 class HandPiece(EndPiece):
-    """A hand that pulls: an arrow with its force."""
+    """A hand or a winch: an arrow with its force or speed."""
 
     def hulls(self) -> list[Polygon]:
         """The arrow and room for its label."""
         return [rectangle(self.way * 0.5 * ARROW, ARROW, 0.5, self.way)]
 
     def sketch(self) -> Sketch:
-        """A grip, an arrow, and the force as the text has it."""
-        text = said(Force, self.plan.scene.builder.hands[self.name])
+        """A grip, an arrow, and the force or the speed as the text has it."""
+        text = pull_text(self.plan, self.name)
         grip = Area(rectangle(0j, 0.14, 0.4, self.way), "ink")
         wide = width(text, SMALL)
         places = tuple(
@@ -213,7 +217,21 @@ class HandPiece(EndPiece):
             for across in (self.way * 1j, self.way * -1j)
         ) + around(self.way * ARROW, 0.15, wide, start=self.way)
         label = Wanted(text, places, self.name, SMALL, name=False)
-        return Sketch([Line((0j, self.way * ARROW), "string", arrow=True), grip], [label])
+        return Sketch([LineShape((0j, self.way * ARROW), "string", arrow=True), grip], [label])
+
+
+def pull_text(plan: DrawingPlan, hand: str) -> str:
+    """The force of a hand or the speed of a winch; with a letter if there is one only."""
+    drawing = plan.scene.builder.drawing
+    law = drawing[hand]
+    alone = sum(type(other) is type(law) for other in drawing.values()) == 1
+    letter = ("F = " if isinstance(law, Drawn) else "v = ") if alone else ""
+    return letter + pulled(law)
+
+
+def pulled(law: Drawn | Inextensible) -> str:
+    """How strongly or how fast a string is drawn in, as prose has it."""
+    return said(Force, law.force) if isinstance(law, Drawn) else said(Speed, law.reel)
 
 
 def said(alias: object, value: float) -> str:

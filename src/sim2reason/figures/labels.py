@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
+from typing import NamedTuple
 
-from sim2reason.figures.shapes import Arc, Area, Label, Line, Shape, Wanted, outline
-from sim2reason.figures.vectors import Box, Polygon, common, depth, length_inside
+from sim2reason.figures.shapes import Arc, Area, Label, LineShape, Shape, Wanted, outline
+from sim2reason.figures.vectors import Box, Polygon, common, depth, inside, length_inside
 
 CLEAR = 0.06  # kept free around a label
 SWEEPS = 4
@@ -17,15 +18,30 @@ ON_LABEL, ON_LINE, IN_BLOCK, LATER = (
     0.12,
 )  # what it costs; the last for each place further down the list
 
+LIGHT = {"hair": 0.5, "dots": 0.15}  # how much less of a nuisance under a label
+
+
+class Stroke(NamedTuple):
+    """A straight part of an outline; `order` counts the shapes from back to front."""
+
+    a: complex
+    b: complex
+    weight: float
+    order: int
+
 
 def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[Label, ...]:
     """Every label at the best of its places: first those with the least choice, then all again in turn."""
-    strokes, blocks = _strokes(shapes), [outline(s) for s in shapes if not isinstance(s, Line) and s.fill == "block"]
+    strokes, blocks = (
+        _strokes(shapes),
+        [outline(s) for s in shapes if not isinstance(s, LineShape) and s.fill == "block"],
+    )
+    grounds = [(n, outline(s)) for n, s in enumerate(shapes) if not isinstance(s, LineShape) and s.fill]
     order = sorted(range(len(wanted)), key=lambda n: (len(wanted[n].places), n))
     wheels = [s for s in shapes if isinstance(s, Arc) and s.whole and s.radius > WHEEL]
     alone = {
         n: [
-            _alone(label, index, strokes, blocks) + _mistaken(label, wanted[n], wheels)
+            _alone(label, index, _seen(label, strokes, grounds), blocks) + _mistaken(label, wanted[n], wheels)
             for index, label in enumerate(_options(wanted[n]))
         ]
         for n in order
@@ -37,7 +53,14 @@ def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[Label, ..
             options = _options(wanted[n])
             costs = [alone[n][i] + _crowded(label, others) for i, label in enumerate(options)]
             chosen[n] = options[costs.index(min(costs))]
-    return tuple(replace(chosen[n], crossed=_under(chosen[n].box, strokes) > 0.0) for n in range(len(wanted)))
+    final = (chosen[n] for n in range(len(wanted)))
+    return tuple(replace(each, crossed=_under(each.box, _seen(each, strokes, grounds)) > 0.0) for each in final)
+
+
+def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, Polygon]]) -> list[Stroke]:
+    """The strokes that no filled shape hides where the label stands; the outline of that shape is one of them."""
+    above = max((n for n, polygon in grounds if inside(label.at, polygon)), default=-1)
+    return [stroke for stroke in strokes if stroke.order >= above]
 
 
 def _options(wanted: Wanted) -> list[Label]:
@@ -49,9 +72,7 @@ def _crowded(label: Label, others: Sequence[Box]) -> float:
     return sum(ON_LABEL * shared + 5.0 for other in others if (shared := common(mine, other)) > 0.0)
 
 
-def _alone(
-    label: Label, index: int, strokes: Sequence[tuple[complex, complex, float]], blocks: Sequence[Polygon]
-) -> float:
+def _alone(label: Label, index: int, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
     """What a place costs whatever the other labels do."""
     mine = _wider(label.box)
     left, low, right, high = mine
@@ -63,9 +84,9 @@ def _alone(
     )
 
 
-def _under(area: Box, strokes: Sequence[tuple[complex, complex, float]]) -> float:
+def _under(area: Box, strokes: Sequence[Stroke]) -> float:
     """The length of the strokes that run through a box, by their weights."""
-    return sum(weight * length_inside(a, b, area) for a, b, weight in strokes)
+    return sum(stroke.weight * length_inside(stroke.a, stroke.b, area) for stroke in strokes)
 
 
 def _mistaken(label: Label, wanted: Wanted, wheels: Sequence[Arc]) -> float:
@@ -82,14 +103,14 @@ def _wider(held: Box) -> Box:
     return held[0] - CLEAR, held[1] - CLEAR, held[2] + CLEAR, held[3] + CLEAR
 
 
-def _strokes(shapes: Sequence[Shape]) -> list[tuple[complex, complex, float]]:
+def _strokes(shapes: Sequence[Shape]) -> list[Stroke]:
     """Everything as segments, with a weight: hair lines are less of a nuisance."""
-    found: list[tuple[complex, complex, float]] = []
-    for shape in shapes:
-        if isinstance(shape, Line):
-            points, weight = shape.points, 0.5 if shape.weight == "hair" else 1.0
+    found: list[Stroke] = []
+    for order, shape in enumerate(shapes):
+        if isinstance(shape, LineShape):
+            points, weight = shape.points, LIGHT.get(shape.weight, 1.0)
         else:
             points, weight = outline(shape), 1.0
             points = (*points, points[0]) if isinstance(shape, Area) or shape.whole else points
-        found += [(a, b, weight) for a, b in pairwise(points)]
+        found += [Stroke(a, b, weight, order) for a, b in pairwise(points)]
     return found

@@ -14,7 +14,7 @@ ACROSS, UPWARDS, RAGGED, MOST_RAGGED = 0.5, 0.6, 0.8, 2.5  # for each unit of wi
 
 
 @dataclass(frozen=True)
-class Joint:
+class DrawnJoint:
     """A strand with its ends as seen from the pieces that it joins, and what it runs over them."""
 
     strand: Strand
@@ -35,11 +35,11 @@ class Pose:
         self.boxes = {name: box(p for polygon, _ in held for p in polygon) for name, held in self.solids.items()}
         self.levels = {name: level for name, piece in pieces.items() if (level := piece.level) is not None}
 
-    def _joint(self, strand: Strand, way: complex) -> Joint:
+    def _joint(self, strand: Strand, way: complex) -> DrawnJoint:
         a, b = self.pieces[strand.a.piece], self.pieces[strand.b.piece]
         start, stop = a.anchor(strand.a, way, second=True), b.anchor(strand.b, -way, second=False)
         lead = 0.0 if strand.inner else a.lead(strand.a, way) + b.lead(strand.b, -way)
-        return Joint(strand, way, start, stop, lead)
+        return DrawnJoint(strand, way, start, stop, lead)
 
 
 @dataclass

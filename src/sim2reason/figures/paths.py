@@ -4,21 +4,32 @@ A mechanism knows points and distances; a drawing needs to know which pulley a s
 the drawing each knot lies, and in which direction a strand must run.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
-from sim2reason.bodies.plane import Plane
-from sim2reason.bodies.pulley import FixedPulley, MovablePulley
-from sim2reason.bodies.wedge import Prism, Wedge
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.looks import FixedPlane, MovingSlope, PulleyWheel
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vectors import Vector
 from sim2reason.figures.vectors import unit
 
-FACES = (Plane, Wedge, Prism)
-PULLEYS = (FixedPulley, MovablePulley)
+
+def has_faces(body: Body | None) -> bool:
+    """Whether blocks lie on it."""
+    return body is not None and isinstance(body.look, FixedPlane | MovingSlope)
+
+
+def is_plane(body: Body | None) -> bool:
+    """Whether it is a plane fixed in the room."""
+    return body is not None and isinstance(body.look, FixedPlane)
+
+
+def is_pulley(body: Body | None, *, fixed: bool = False) -> bool:
+    """Whether strings go round it; with `fixed`, also whether its axle can't move."""
+    return body is not None and isinstance(body.look, PulleyWheel) and (body.look.fixed or not fixed)
 
 
 def flat(vector: Vector) -> complex:
@@ -27,7 +38,7 @@ def flat(vector: Vector) -> complex:
 
 
 @dataclass(frozen=True, slots=True)
-class Knot:
+class PathKnot:
     """A place where a string is tied, or that it goes round."""
 
     piece: str  # the address of what it lies on: a body, or a site of the room
@@ -48,14 +59,19 @@ class Strand:
 
     string: str
     number: int  # of the strand in its string
-    a: Knot
-    b: Knot
+    a: PathKnot
+    b: PathKnot
     way: complex | None
 
     @property
     def inner(self) -> bool:
         """Whether both of its ends lie on one piece."""
         return self.a.piece == self.b.piece
+
+
+def owner_of(address: str) -> str:
+    """The entity or connection to which something belongs."""
+    return address.split(".", maxsplit=1)[0]
 
 
 def whole(scene: Scene) -> Scene:
@@ -76,12 +92,12 @@ def near(address: str, others: list[str]) -> str:
 def carriers(scene: Scene) -> dict[str, str]:
     """By block that rests on a face the address of the body whose face it is."""
     mechanism = scene.mechanism
-    planes = [address for address, body in scene.bodies.items() if isinstance(body, Plane)]
+    planes = [address for address, body in scene.bodies.items() if is_plane(body)]
     found: dict[str, str] = {}
     for body in mechanism.bodies:
-        if body.name not in mechanism.contacts or isinstance(scene.bodies.get(body.name), FACES):
+        if body.name not in mechanism.contacts or has_faces(scene.bodies.get(body.name)):
             continue
-        if body.parent is not None and isinstance(scene.bodies.get(body.parent), FACES):
+        if body.parent is not None and has_faces(scene.bodies.get(body.parent)):
             found[body.name] = body.parent
         elif planes:
             found[body.name] = near(body.name, planes)
@@ -91,11 +107,15 @@ def carriers(scene: Scene) -> dict[str, str]:
 class Paths:
     """The strings of a scene, knot by knot and strand by strand."""
 
-    def __init__(self, scene: Scene) -> None:
-        """Read them off the mechanism."""
+    def __init__(self, scene: Scene, owners: frozenset[str], home: Mapping[str, str]) -> None:
+        """Read those of some entities and connections off the mechanism.
+
+        `home` has the pieces of entities that are drawn to scale, by name.
+        """
+        self.home = home
         self.scene, self.mechanism = scene, scene.mechanism
-        self.carriers = carriers(scene)
-        self.knots = {name: list(self._knots(sites)) for name, sites in _sites(self.mechanism).items()}
+        self.carriers = {a: b for a, b in carriers(scene).items() if owner_of(a) in owners}
+        self.knots = {name: list(self._knots(sites)) for name, sites in _sites(self.mechanism, owners).items()}
 
     @cached_property
     def strands(self) -> list[Strand]:
@@ -106,16 +126,16 @@ class Paths:
             for number, (a, b) in enumerate(pairwise(knots))
         ]
 
-    def _knots(self, sites: list[str]) -> Iterator[Knot]:
+    def _knots(self, sites: list[str]) -> Iterator[PathKnot]:
         number = 0
         while number < len(sites):
             site, last = sites[number], number in (0, len(sites) - 1)
             owner = site.rpartition(".")[0]
-            if isinstance(self.scene.bodies.get(owner), PULLEYS):
+            if is_pulley(self.scene.bodies.get(owner)):
                 number += 1
-                yield Knot(self.piece(site), owner, site, sites[number], rim=True)
+                yield PathKnot(self.piece(site), owner, site, sites[number], rim=True)
             else:
-                knot = Knot(self.piece(site), self._item(site), site, site)
+                knot = PathKnot(self.piece(site), self._item(site), site, site)
                 yield knot if last else replace(knot, item=site, rim=True)
             number += 1
 
@@ -126,12 +146,14 @@ class Paths:
     def piece(self, site: str) -> str:
         """The piece of the drawing on which a site lies."""
         owner = site.rpartition(".")[0]
-        if isinstance(self.scene.bodies.get(owner), FixedPulley):
+        if owner_of(site) in self.home:
+            return self.home[owner_of(site)]
+        if is_pulley(self.scene.bodies.get(owner), fixed=True):
             return owner
         body = self.mechanism.site[site].body
         return site if body is None else self.carriers.get(body, body)
 
-    def _way(self, a: Knot, b: Knot) -> complex | None:
+    def _way(self, a: PathKnot, b: PathKnot) -> complex | None:
         """Known where one of the sites says which way a string must leave it, and inside entities."""
         builder = self.scene.builder
         near_by = a.leaves.split(".")[0] == b.arrives.split(".")[0]
@@ -141,9 +163,10 @@ class Paths:
         return unit(apart) if abs(apart) > 1e-9 else None
 
 
-def _sites(mechanism: Mechanism) -> dict[str, list[str]]:
+def _sites(mechanism: Mechanism, owners: frozenset[str]) -> dict[str, list[str]]:
     """By string all its sites from end to end: its parts, which massive pulleys cut, put together again."""
     found: dict[str, list[str]] = {}
     for line in mechanism.lines:
-        found.setdefault(line.whole, []).extend(line.through)
+        if owner_of(line.whole) in owners:
+            found.setdefault(line.whole, []).extend(line.through)
     return found

@@ -1,6 +1,6 @@
 """The pieces of a drawing: what keeps its shape while the drawing is laid out, one class for each look.
 
-A piece is made for a body by its class, see `PIECES`; so an entity made of known bodies needs no drawing code.
+A piece is made for a body by its look, see `PIECES`; so an entity made of bodies with a look needs no drawing code.
 """
 
 from abc import ABC, abstractmethod
@@ -8,9 +8,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from sim2reason.dsl.body import Body
+from sim2reason.dsl.looks import BodyLook
 from sim2reason.dsl.scene import Scene
-from sim2reason.figures.paths import Knot, Paths
+from sim2reason.figures.paths import PathKnot, Paths
 from sim2reason.figures.shapes import Sketch
 from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
 from sim2reason.prose.writer import Description
@@ -23,7 +23,7 @@ class Sizes:
     width: float = 1.0  # of a block
     height: float = 0.9
     radius: float = 0.45  # of a pulley
-    small: float = 0.16  # of a small pulley at a wedge's edge
+    small: float = 0.24  # of a small pulley at a wedge's edge
     link: float = 0.55  # of the string between neighbouring blocks
 
 
@@ -102,7 +102,7 @@ class Piece(ABC):
         self.name, self.plan = name, plan
 
     @abstractmethod
-    def anchor(self, knot: Knot, way: complex, *, second: bool) -> complex:
+    def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
         """Where a strand that leaves the knot along `way` begins; `second` if the string leaves it there."""
 
     @abstractmethod
@@ -113,7 +113,7 @@ class Piece(ABC):
     def sketch(self) -> Sketch:
         """Its shapes and the labels that it wants."""
 
-    def lead(self, knot: Knot, way: complex) -> float:
+    def lead(self, knot: PathKnot, way: complex) -> float:
         """How far a strand runs over the piece itself before it is clear of it."""
         del knot, way
         return 0.0
@@ -141,16 +141,16 @@ def around(center: complex, near: float, text_width: float, *, start: complex = 
 
 
 Factory = Callable[[str, DrawingPlan], Piece]
-PIECES: dict[type[Body], Factory] = {}
+PIECES: dict[type[BodyLook], Factory] = {}
 M = TypeVar("M")
 
 
-def draws(*bodies: type[Body]) -> Callable[[M], M]:
-    """Decorate the piece, or a function that makes it, that shows bodies of these classes."""
+def draws(*looks: type[BodyLook]) -> Callable[[M], M]:
+    """Decorate the piece that shows bodies with looks of these classes."""
 
     def enter(factory: M) -> M:
-        for body in bodies:
-            PIECES[body] = factory  # type: ignore[assignment]
+        for look in looks:
+            PIECES[look] = factory  # type: ignore[assignment]
         return factory
 
     return enter

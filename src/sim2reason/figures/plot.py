@@ -3,22 +3,31 @@
 # pyright: reportUnknownMemberType=false
 # matplotlib leaves its keyword arguments untyped.
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from sim2reason.dsl.measures import show_unit
 from sim2reason.figures.canvas import SETTINGS, check, matplotlib, save
 from sim2reason.figures.curves import MotionCurves, Panel, motion_curves
+from sim2reason.figures.trajectories import Trajectories
 from sim2reason.prose.writer import Description
 from sim2reason.simulation.trace import Trace
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-WIDE, TALL, ROW = 8.0, 1.75, 0.19  # inches: the figure, a panel, a line of the list of events
+WIDE, TALL, PLANE, ROW = 8.0, 1.75, 3.4, 0.19  # inches: the figure, a panel, one of paths, a line of events
+TOP, GAP, LEFT, RIGHT = 0.4, 0.2, 0.095, 0.74  # inches above and between panels; their sides as parts of the width
 COLORS = ("#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555", "#c01f4e", "#0f8b8d")
 STYLES = ("-", "--", "-.", ":")
 SHADE = "#dddddd"
-FLAT, MANY = 0.05, 7  # a span that is too small to be looked at; more curves than one column of names holds
+FLAT, MANY = (
+    1e-6,
+    7,
+)  # a span, as a part of the values, that is too small to be looked at; more curves than one column of names holds
 MOST = 12  # events in the list; more are only marked
 REASONS = {
     "certificate": "the two engines part",
@@ -41,39 +50,114 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
     check(path)
     package = matplotlib()
     shown = motion_curves(trace, description)
+    second = show_unit(shown.units.time)
     with package.rc_context({**SETTINGS, "font.size": 8.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 
         listed = shown.marks[:MOST]
         below = 0.55 + ROW * len(listed)
-        height = 0.3 + TALL * len(shown.panels) + below
-        figure = Figure(figsize=(WIDE, height))
-        grid = figure.add_gridspec(
-            len(shown.panels), 1, left=0.085, right=0.74, top=1.0 - 0.3 / height, bottom=below / height, hspace=0.16
-        )
+        height = TOP + PLANE * len(shown.trajectories) + TALL * len(shown.panels) + below
+        figure, colors = Figure(figsize=(WIDE, height)), Colors()
+        low = height - 0.15
+        for group in shown.trajectories:
+            low -= PLANE
+            _paths(figure.add_axes(_area(low + 0.45, PLANE - 0.5, height)), group, shown, colors)
+        low = below + TALL * len(shown.panels)
         for number, panel in enumerate(shown.panels):
-            axes = figure.add_subplot(grid[number, 0])
-            _panel(axes, panel, shown)
+            low -= TALL
+            axes = figure.add_axes(_area(low, TALL - GAP, height))
+            _panel(axes, panel, shown, colors)
             if number == 0:
                 _numbers(axes, shown)
             if number < len(shown.panels) - 1:
                 axes.tick_params(labelbottom=False)
             else:
-                axes.set_xlabel("time (s)")
+                axes.set_xlabel(f"time ({second})")
         for row, mark in enumerate(listed):
-            line = f"{row + 1}   {mark.time:.3f} s   {mark.text}"
-            figure.text(0.085, (0.1 + ROW * (len(listed) - row - 1)) / height, line, fontsize=8)
+            line = f"{row + 1}   {mark.time:.3f} {second}   {mark.text}"
+            figure.text(LEFT, (0.1 + ROW * (len(listed) - row - 1)) / height, line, fontsize=8)
         save(figure, path, dpi)
 
 
-def _panel(axes: "Axes", panel: Panel, shown: MotionCurves) -> None:
+def _area(low: float, tall: float, height: float) -> tuple[float, float, float, float]:
+    """Inches from below as parts of the figure."""
+    return LEFT, low / height, RIGHT - LEFT, tall / height
+
+
+class Colors:
+    """Names with their colours: the same one everywhere, explained where it comes first."""
+
+    def __init__(self) -> None:
+        """None so far."""
+        self._order: list[str] = []
+        self._explained: set[str] = set()
+
+    def of(self, name: str) -> str:
+        """The colour of a body: directions that follow its name do not matter."""
+        own = name.partition(",")[0]
+        if own not in self._order:
+            self._order.append(own)
+        return COLORS[self._order.index(own) % len(COLORS)]
+
+    def unexplained(self, names: Iterable[str]) -> bool:
+        """Whether there are names among these that no legend has shown; from now on it has."""
+        found = set(names)
+        new = bool(found - self._explained)
+        self._explained |= found
+        return new
+
+    def style(self, name: str) -> str:
+        """Its strokes: others than those of what has the same colour."""
+        self.of(name)
+        return STYLES[(self._order.index(name.partition(",")[0]) // len(COLORS)) % len(STYLES)]
+
+
+def _paths(axes: "Axes", group: Trajectories, shown: MotionCurves, colors: Colors) -> None:
+    """Paths in the plane at equal scales, from a dot where each body starts, with the numbers of its events."""
+    for member in group.members:
+        color = colors.of(member.name)
+        axes.plot(member.x, member.y, colors.style(member.name), color=color, linewidth=1.2, label=member.name)
+        axes.plot(member.x[:1], member.y[:1], "o", color=color, markersize=4.0)
+        taken: list[float] = []
+        for number, mark in enumerate(shown.marks[:MOST], start=1):
+            if any(subject == member.body or subject.startswith(f"{member.body}.") for subject in mark.bodies):
+                at = (
+                    float(np.interp(mark.time, shown.times, member.x)),
+                    float(np.interp(mark.time, shown.times, member.y)),
+                )
+                axes.plot(at[0], at[1], "o", markersize=3.0, markerfacecolor="white", markeredgecolor=color)
+                near = sum(abs(mark.time - time) < 0.02 * shown.duration for time in taken)
+                taken.append(mark.time)
+                offset = (4.0 + 8.0 * near, 3.0)
+                axes.annotate(str(number), (at[0], at[1]), offset, textcoords="offset points", fontsize=7, color=color)
+    axes.set_xlabel(group.across)
+    axes.set_ylabel(group.up)
+    axes.margins(0.08)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.grid(color="#dddddd", linewidth=0.4)
+    if colors.unexplained(member.name for member in group.members):
+        _legend(axes, len(group.members))
+
+
+def _legend(axes: "Axes", count: int) -> None:
+    """The names of the curves, to the right of a panel."""
+    axes.legend(
+        loc="upper left",
+        bbox_to_anchor=(1.01, 1.03),
+        frameon=False,
+        handlelength=1.6,
+        fontsize=6.5 if count > MANY else 7.5,
+        ncols=2 if count > MANY else 1,
+        columnspacing=1.0,
+    )
+
+
+def _panel(axes: "Axes", panel: Panel, shown: MotionCurves, colors: Colors) -> None:
     for number, curve in enumerate(panel.curves):
-        style = STYLES[(number // len(COLORS)) % len(STYLES)] if len(panel.curves) > len(COLORS) else "-"
         # Curves that coincide are drawn ever thinner, so that all can be seen.
         width = max(1.0, 3.0 - 0.5 * number)
-        axes.plot(
-            shown.times, curve.values, style, color=COLORS[number % len(COLORS)], linewidth=width, label=curve.name
-        )
+        style, color = colors.style(curve.name), colors.of(curve.name)
+        axes.plot(shown.times, curve.values, style, color=color, linewidth=width, label=curve.name)
     for mark in shown.marks:
         axes.axvline(mark.time, color="black", linewidth=0.6, linestyle=(0, (3, 3)), zorder=0.5)
     if shown.stable_until < shown.duration:
@@ -81,24 +165,22 @@ def _panel(axes: "Axes", panel: Panel, shown: MotionCurves) -> None:
             shown.stable_until, shown.duration, facecolor=SHADE, edgecolor="#999999", hatch="//", linewidth=0.0
         )
     axes.set_xlim(0.0, shown.duration)
-    axes.set_ylabel(panel.title)
+    axes.set_ylabel(panel.title.replace(" (", "\n("))
     axes.axhline(0.0, color="#888888", linewidth=0.5, zorder=0.4)
     axes.margins(y=0.1)
-    low, high = axes.get_ylim()
-    if high - low < FLAT:  # rounding is no motion
-        axes.set_ylim(low - 1.0, high + 1.0)
-    axes.yaxis.set_label_coords(-0.09, 0.5)
-    axes.ticklabel_format(axis="y", useOffset=False)
-    many = len(panel.curves) > MANY
-    axes.legend(
-        loc="upper left",
-        bbox_to_anchor=(1.01, 1.03),
-        frameon=False,
-        handlelength=1.6,
-        fontsize=6.5 if many else 7.5,
-        ncols=2 if many else 1,
-        columnspacing=1.0,
-    )
+    _upright(axes, panel)
+    axes.yaxis.set_label_coords(-0.075, 0.5)
+    axes.ticklabel_format(axis="y", useOffset=False, scilimits=(-3, 4))
+    if colors.unexplained(curve.name for curve in panel.curves):
+        _legend(axes, len(panel.curves))
+
+
+def _upright(axes: "Axes", panel: Panel) -> None:
+    """From zero where nothing changes: rounding is no motion."""
+    values = np.concatenate([[0.0], *(curve.values[np.isfinite(curve.values)] for curve in panel.curves)])
+    size = float(np.abs(values).max()) or 1.0
+    if all(np.ptp(found) < FLAT * size for c in panel.curves if (found := c.values[np.isfinite(c.values)]).size):
+        axes.set_ylim(float(values.min()) - 0.2 * size, float(values.max()) + 0.2 * size)
 
 
 def _numbers(axes: "Axes", shown: MotionCurves) -> None:
@@ -110,7 +192,7 @@ def _numbers(axes: "Axes", shown: MotionCurves) -> None:
         axes.annotate(
             str(number),
             (mark.time, 1.0),
-            (8.0 * raised, 3.0),
+            (0.0, 3.0 + 8.0 * raised),
             xycoords=("data", "axes fraction"),
             textcoords="offset points",
             ha="center",

@@ -6,8 +6,8 @@ from typing import Literal
 
 from sim2reason.figures.vectors import Box, Polygon, box, rectangle, ring
 
-Weight = Literal["hair", "thin", "edge", "string"]
-Fill = Literal["", "block", "wedge", "fixed", "disc", "ink", "table"]
+Weight = Literal["hair", "thin", "edge", "string", "rod", "dots"]
+Fill = Literal["", "block", "wedge", "fixed", "disc", "ink", "table", "ball", "star", "field"]
 HATCH, STEP = 0.2, 0.22  # length and distance of the strokes that mark what is fixed
 SLANT = complex(-0.7071, -0.7071)
 SIZE, SMALL, TINY = 0.42, 0.34, 0.28  # heights of names, of numbers, and of numbers inside blocks
@@ -16,7 +16,7 @@ WIDE = {"m": 0.98, "w": 0.82, "M": 0.87, "W": 0.99, "i": 0.3, "l": 0.3, ".": 0.3
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class LineShape:
     """Straight strokes from point to point."""
 
     points: Polygon
@@ -31,6 +31,8 @@ class Area:
 
     points: Polygon
     fill: Fill = ""
+    weight: Weight = "edge"
+    dashed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +80,7 @@ class Wanted:
     name: bool = True
 
 
-Shape = Line | Area | Arc
+Shape = LineShape | Area | Arc
 
 
 @dataclass(frozen=True)
@@ -101,6 +103,11 @@ class Sketch:
 
     shapes: list[Shape] = field(default_factory=list[Shape])
     labels: list[Wanted] = field(default_factory=list[Wanted])
+
+    def extend(self, other: "Sketch") -> None:
+        """Put another one over it."""
+        self.shapes += other.shapes
+        self.labels += other.labels
 
     def moved(self, by: complex) -> "Sketch":
         """The same elsewhere."""
@@ -134,11 +141,17 @@ def hatched(a: complex, b: complex) -> Iterable[Shape]:
     """The face of something fixed, solid to the right of the way from `a` to `b`: a line with slanting strokes."""
     way = (b - a) / abs(b - a)
     slant = way * SLANT
-    yield Line((a, b), "edge")
+    yield LineShape((a, b), "edge")
     count = max(2, round(abs(b - a) / STEP))
     for number in range(1, count + 1):
         start = a + way * abs(b - a) * (number - 0.35) / count
-        yield Line((start, start + HATCH * slant), "hair")
+        yield LineShape((start, start + HATCH * slant), "hair")
+
+
+def rough(a: complex, b: complex, normal: complex) -> Shape:
+    """Dots under a face from `a` to `b`, on the side from which `normal` points: there is friction on it."""
+    way = (b - a) / abs(b - a)
+    return LineShape((a + 0.1 * way - 0.1 * normal, b - 0.1 * way - 0.1 * normal), "dots")
 
 
 def dot_at(center: complex, radius: float = 0.06) -> Shape:

@@ -86,6 +86,15 @@ def depth(one: Polygon, other: Polygon) -> float:
     return found
 
 
+def inside(point: complex, polygon: Polygon) -> bool:
+    """Whether a point lies in a polygon, convex or not."""
+    found = False
+    for a, b in pairwise((*polygon, polygon[0])):
+        if (a.imag > point.imag) != (b.imag > point.imag):
+            found ^= point.real < a.real + (point.imag - a.imag) * (b.real - a.real) / (b.imag - a.imag)
+    return found
+
+
 def crosses(a: complex, b: complex, c: complex, d: complex) -> bool:
     """Whether two segments, from `a` to `b` and from `c` to `d`, meet."""
     return (cross(b - a, c - a) * cross(b - a, d - a) < 0.0) and (cross(d - c, a - c) * cross(d - c, b - c) < 0.0)

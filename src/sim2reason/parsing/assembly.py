@@ -56,7 +56,8 @@ def _field(state: ParseState, address: str, kind: type[Model], held: FieldType, 
         return _model(state, address, state.kinds.get(address, held.models[0]), rng)
     if held.optional:
         return None
-    if held.words and isinstance(usual := kind.model_fields[address.rpartition(".")[2]].default, str):
+    usual: Any = kind.model_fields[address.rpartition(".")[2]].default
+    if (held.words or held.member) and isinstance(usual, str | int):
         return usual
     what = held.measure.name if held.measure is not None else address.rpartition(".")[2]
     raise TextError("text", f"the {what} of a {kind.__name__} is not told", "say it")
@@ -83,4 +84,6 @@ def _several(state: ParseState, address: str, held: FieldType, rng: np.random.Ge
 def _is_silent(state: ParseState, address: str) -> bool:
     """Whether nothing was told of an optional body or part."""
     kind = state.kinds.get(address)
-    return kind is None or (issubclass(kind, Body) and address not in state.letters)
+    if kind is None:
+        return not any(path.startswith(f"{address}.") for path in state.values)
+    return issubclass(kind, Body) and address not in state.letters

@@ -13,6 +13,7 @@ paths bend, how springs pull and fields push.
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import pairwise
 from math import dist
 
@@ -58,7 +59,7 @@ class _Rows:
     """Rows with labels over all coordinates and all rises."""
 
     def __init__(self, mechanism: Mechanism, names: Mapping[str, str], stage: float) -> None:
-        self._mechanism, self._names, self._time = mechanism, names, stage
+        self._mechanism, self._names, self._stage = mechanism, names, stage
         speeds = [coordinate.speed for coordinate in mechanism.coordinates]
         self._n = len(speeds)
         self._frames = Frames(mechanism, [stage] * self._n, speeds, math)
@@ -121,7 +122,7 @@ class _Rows:
     def push(self, force: Force) -> Label:
         """A force that is given: what it is here, and how far its borders are."""
         point = self._frames.center(force.body)
-        found = force.law.force(point.place, point.velocity, self._time, math)
+        found = force.law.force(point.place, point.velocity, self._stage, math)
         borders = () if force.region is None else force.region.margins(point.place, math)
         return "force", self._called(force.body), *map(_rounded, (*found, *borders))
 
@@ -135,18 +136,25 @@ class _Rows:
         return found
 
     def line(self, line: Line) -> None:
-        """The length of a string, a rod or a spring, or of what is drawn in with a force."""
-        row = np.zeros(self._width)
+        """The length of a string, a rod or a spring, or of what is drawn in with a force.
+
+        Of a spring the extension counts, not how long it is by itself: that may be one of the hidden lengths.
+        """
+        row, wound = np.zeros(self._width), 0.0
         for wheel in line.wheels:
             row[self._mechanism.number[wheel.coordinate]] += wheel.radius
+            wound += wheel.radius * self._stage
         for first, last in pairwise(line.through):
             one, other = self._frames.site(first), self._frames.site(last)
             distance = dist(one.place, other.place)
             if distance > 0.0:
                 apart = np.array(minus(other.place, one.place))
                 row += apart / distance @ (self._spread(other) - self._spread(one))
-        stretch = self._frames.length(line) - line.law.length if isinstance(line.law, Elastic) else 0.0
-        self._add(("line", line.law, _rounded(stretch)), row)
+        law, stretch = line.law, 0.0
+        if isinstance(law, Elastic):
+            stretch = self._frames.length(line) + wound - law.length
+            law = replace(law, length=0.0)
+        self._add(("line", self._called(line.name), law, _rounded(stretch)), row)
 
     def foot(self, foot: Foot) -> None:
         """An edge that may stand on a plane: the two ways that it can't go then."""

@@ -6,8 +6,9 @@ from functools import partial
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part, inside
 from sim2reason.dsl.model import FieldType, field_types
-from sim2reason.dsl.template import Each, Saying, slots, wordings
-from sim2reason.parsing.matcher import Matcher, thing_at
+from sim2reason.dsl.template import Each, PartLines, Saying, slots, wordings
+from sim2reason.parsing.declarations import thing_at
+from sim2reason.parsing.matcher import Matcher
 from sim2reason.parsing.parse_state import MANY, ParseState
 from sim2reason.parsing.string_routes import InnerRoute
 from sim2reason.parsing.tables import parse_table
@@ -26,11 +27,9 @@ def entity_lines(matcher: Matcher, address: str, place: int, state: ParseState) 
 def part_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
     """The lines of the parts inside a part, then its own."""
     kind = state.kind(address, Part)
-    steps: list[Step] = []
-    for name, held in field_types(kind).items():
-        if held.count is None and any(issubclass(model, Part) for model in held.models):
-            steps.append(partial(_inner, matcher, f"{address}.{name}", held))
-    steps.extend(partial(_saying, matcher, saying, address) for saying in kind.says)
+    placed = {saying.field for saying in kind.says if isinstance(saying, PartLines)}
+    first = [PartLines(name) for name in field_types(kind) if name not in placed]
+    steps: list[Step] = [partial(_saying, matcher, saying, address) for saying in (*first, *kind.says)]
     yield from _in_turn(steps, place, state)
 
 
@@ -42,6 +41,20 @@ def _in_turn(steps: list[Step], place: int, state: ParseState) -> Iterator[tuple
         yield from _in_turn(steps[1:], after, then)
 
 
+def _parts(
+    matcher: Matcher, field: str, address: str, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """The lines of the parts at a field; those of a row that have none are told by their entity."""
+    held, where = field_types(state.kind(address, Part))[field], f"{address}.{field}"
+    parts = [model for model in held.models if issubclass(model, Part)]
+    if parts and held.count is None:
+        yield from _inner(matcher, where, held, place, state)
+    elif any(model.says for model in parts):
+        yield from _several(matcher, where, held, place, state)
+    else:
+        yield place, state
+
+
 def _inner(
     matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
@@ -51,6 +64,20 @@ def _inner(
     absent = state.with_value(address, None) if held.optional else None
     if absent is not None:
         yield place, absent
+
+
+def _several(
+    matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState, index: int = 0
+) -> Iterator[tuple[int, ParseState]]:
+    """Parts in a row, each with its own lines and of any of its classes."""
+    done = state.with_count(address, index, index)
+    if done is not None:
+        yield place, done
+    here = f"{address}.{index}"
+    for kind in held.models if index < MANY else ():
+        for after, then in part_lines(matcher, here, place, state.with_kind(here, kind)):
+            if after > place:
+                yield from _several(matcher, address, held, after, then, index + 1)
 
 
 def _inside(
@@ -66,6 +93,9 @@ def _inside(
 def _saying(
     matcher: Matcher, saying: Saying, address: str, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
+    if isinstance(saying, PartLines):
+        yield from _parts(matcher, saying.field, address, place, state)
+        return
     if isinstance(saying, Each):
         yield from _each(matcher, saying, address, place, state)
         return
@@ -88,7 +118,8 @@ def _each(
         yield from _members(matcher, template, field, place, state.with_choice(number), 0)
     for kind in thing_at(state, field).models:
         if issubclass(kind, Body):
-            yield from parse_table(matcher, field, kind, place, state.with_choice(0))  # its wording does not show
+            here = state.with_choice(0)  # the wording of the sentences does not show
+            yield from parse_table(matcher, saying.table, field, kind, place, here)
 
 
 def _members(
@@ -110,13 +141,14 @@ def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseSta
     kind = state.kind(address, Part)
     for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
         path = kind.words[path].parameter if path in kind.words else path  # noqa: PLW2901 - what the word depends on
-        where = f"{address}.{path}"
-        held = field_types(kind).get(path)
-        if held is not None and held.optional:
-            absent = state.with_value(where, None) if where not in state.letters else None
-            if absent is not None:
-                yield absent
-        elif kind.told_by_word(path, state.values.get(where)) or _by_word(state, where):
+        where, (head, _, inner) = f"{address}.{path}", path.partition(".")
+        held, holder = field_types(kind).get(head), f"{address}.{head}"
+        may_be_absent = held is not None and held.optional and holder not in state.letters
+        absent = state.with_value(holder, None) if may_be_absent else None
+        if absent is not None:
+            yield absent
+        told = kind.told_by_word(path, state.values.get(where)) or _by_word(state, where)
+        if told and (inner or held is None or not held.optional):
             yield state
 
 

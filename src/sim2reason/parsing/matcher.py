@@ -2,33 +2,22 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure, join_unit
-from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
 from sim2reason.errors import TextError
+from sim2reason.parsing.declarations import Thing, canonical, joined, part_word, thing_at
 from sim2reason.parsing.parse_state import MANY, ParseState
-from sim2reason.prose.phrases import another, join
+from sim2reason.prose.naming import listed
+from sim2reason.prose.phrases import another
 
 MAX_STEPS = 200_000
 NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
 
 Found = tuple[int, ParseState]
 """Where a match ends, and what was state until there."""
-
-
-@dataclass(frozen=True, slots=True)
-class Thing:
-    """What stands at an address, as far as declarations tell: a number, a word, a list, or one of some models."""
-
-    measure: Measure | None = None
-    word: Word | None = None
-    choices: tuple[str, ...] = ()
-    several: bool = False
-    models: tuple[type[Model], ...] = ()
 
 
 class Matcher:
@@ -58,9 +47,11 @@ class Matcher:
             wanted = wanted[:1].upper() + wanted[1:]
         return at + len(wanted) if text.startswith(wanted, at) else None
 
-    def template(self, text: str, at: int, template: str, owner: str, state: ParseState) -> Iterator[Found]:
-        """All ways in which a template of the part at `owner` can stand at `at`."""
-        yield from self._slots(text, at, slots(template), owner, state, at)
+    def template(
+        self, text: str, at: int, template: str, owner: str, state: ParseState, *, start: bool = True
+    ) -> Iterator[Found]:
+        """All ways in which a template of the part at `owner` can stand at `at`; no `start`: inside another one."""
+        yield from self._slots(text, at, slots(template), owner, state, at if start else -1)
 
     def _slots(
         self, text: str, at: int, rest: tuple[Slot, ...], owner: str, state: ParseState, begin: int
@@ -75,19 +66,19 @@ class Matcher:
         if slot.kind == "text":
             yield from self._just(text, at, slot.text, state)
         elif slot.kind == "count":
-            yield from self._count(text, at, _join(owner, slot.path), state)
+            yield from self._count(text, at, joined(owner, slot.path), state)
         elif slot.kind == "plural":
-            yield from self._plural(text, at, _join(owner, slot.path), state)
+            yield from self._plural(text, at, joined(owner, slot.path), state)
         elif slot.kind in ("agree", "some"):
-            yield from self._forms(text, at, slot, owner, state)
+            yield from self._forms(text, at, slot, owner, state, start=start)
         elif slot.kind == "member":
             yield from self._member(text, at, slot, owner, state, start=start)
         else:
-            word = _part_word(state, owner, slot.path)
+            word = part_word(state, owner, slot.path)
             if word is not None:
-                yield from self._word(text, at, word, owner, state)
+                yield from self._word(text, at, word, owner, state, start=start)
                 return
-            for address, then in _canonical(_join(owner, slot.path), state):
+            for address, then in canonical(joined(owner, slot.path), state):
                 yield from self.at(text, at, address, then, start=start)
 
     def _just(self, text: str, at: int, wanted: str, state: ParseState) -> Iterator[Found]:
@@ -108,20 +99,20 @@ class Matcher:
                 for noun in _nouns(kind, state):
                     yield from self._just(text, at, f"{noun}s", state.with_noun(kind, noun))
 
-    def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState) -> Iterator[Found]:
+    def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
         """Agreement: one, two or more; none or some."""
-        address, least = _join(owner, slot.path), 1 if slot.kind == "agree" else 0
+        address, least = joined(owner, slot.path), 1 if slot.kind == "agree" else 0
         several = ((slot.two, 2, 2), (slot.many, 3, MANY)) if slot.two != slot.many else ((slot.many, least + 1, MANY),)
         for form, low, high in ((slot.one, least, least), *several):
             then = state.with_count(address, low, high)
             if then is not None:
-                yield from self.template(text, at, form, owner, then)
+                yield from self.template(text, at, form, owner, then, start=start)
 
     def _member(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
-        members = _join(owner, slot.text)
+        members = joined(owner, slot.text)
         for index in range(state.count(members)[1]):
             address = f"{members}.{index}"
-            then = state.with_value(_join(owner, slot.path), index)
+            then = state.with_value(joined(owner, slot.path), index)
             if then is not None and address in state.letters:
                 yield from self._just(text, at, state.mention(address, full=start), then)
 
@@ -152,20 +143,24 @@ class Matcher:
         if end is not None and then is not None:
             yield end, then
 
-    def _word(self, text: str, at: int, word: Word, owner: str, state: ParseState) -> Iterator[Found]:
+    def _word(
+        self, text: str, at: int, word: Word, owner: str, state: ParseState, *, start: bool = False
+    ) -> Iterator[Found]:
         """A special word tells its number; the other one only leaves it open."""
-        address = _join(owner, word.parameter)
-        known = state.values.get(address)
-        if known is None or known not in word.special:
-            yield from self._told(text, at, word.otherwise, owner, state)
+        address = joined(owner, word.parameter)
+        known, choices = state.values.get(address), thing_at(state, address).choices
+        if (known is None or known not in word.special) and not (choices and all(c in word.special for c in choices)):
+            yield from self._told(text, at, word.otherwise, owner, state, start=start)
         for value, special in word.special.items():
             then = state.with_value(address, value)
             if then is not None:
-                yield from self._told(text, at, special, owner, then)
+                yield from self._told(text, at, special, owner, then, start=start)
 
-    def _told(self, text: str, at: int, template: str, owner: str, state: ParseState) -> Iterator[Found]:
+    def _told(
+        self, text: str, at: int, template: str, owner: str, state: ParseState, *, start: bool
+    ) -> Iterator[Found]:
         if owner in state.kinds and issubclass(state.kinds[owner], Part):
-            yield from self.template(text, at, template, owner, state)
+            yield from self.template(text, at, template, owner, state, start=start)
         else:
             yield from self._of_body(text, at, slots(template), owner, state)
 
@@ -228,11 +223,28 @@ class Matcher:
                 for noun in _nouns(kind, state):
                     for end, then in self._just(text, at, f"{noun}s ", state.with_noun(kind, noun)):
                         yield from self._items(text, end, address, kind, then, 0)
+                    if kind.alike:
+                        yield from self._alike(text, at, address, kind, state.with_noun(kind, noun))
+
+    def _alike(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
+        """The members of a new list whose numbers agree: A and B (… each)."""
+        low, high = state.count(address)
+        for count in range(max(low, 2), high + 1):
+            members, letters = [f"{address}.{index}" for index in range(count)], state.next_letters(kind, count)
+            then = state.with_count(address, count, count)
+            if letters is None or then is None:
+                continue
+            for member, letter in zip(members, letters, strict=True):
+                then = then.introduced(member, kind, letter)
+            for end, named in self._just(text, at, listed(state.nouns[kind], letters, full=True) + " ", then):
+                for after, told in self._of_body(text, end, slots(kind.alike), members[0], named):
+                    shared = told.shared(members, kind.says_in(kind.alike))
+                    if shared is not None:
+                        yield after, shared
 
     def _known(self, text: str, at: int, members: list[str], state: ParseState, *, start: bool) -> Iterator[Found]:
         letters = [state.letters[address] for address in members]
-        plural = f"{state.nouns[state.body(members[0])]}s " if start else ""
-        yield from self._just(text, at, plural + join(letters), state)
+        yield from self._just(text, at, listed(state.nouns[state.body(members[0])], letters, full=start), state)
 
     def _items(
         self, text: str, at: int, address: str, kind: type[Body], state: ParseState, index: int, *, last: bool = False
@@ -251,47 +263,6 @@ class Matcher:
             for comma, ends in ((", ", False), (" and ", True)):
                 for after, again in self._just(text, end, comma, then):
                     yield from self._items(text, after, address, kind, again, index + 1, last=ends)
-
-
-def thing_at(state: ParseState, address: str) -> Thing:
-    """What the declarations say about an address; KeyError for one that leads nowhere."""
-    if address in state.kinds:
-        return Thing(models=(state.kinds[address],))
-    owner, _, step = address.rpartition(".")
-    held = thing_at(state, owner) if owner else Thing()
-    if step.isdigit():
-        return replace(held, several=False)
-    for model in held.models:
-        if issubclass(model, Body) and step in model.words:
-            return Thing(word=model.words[step])
-        if step in field_types(model):
-            kind = field_types(model)[step]
-            return Thing(kind.measure, None, kind.words, kind.count is not None, kind.models)
-    raise KeyError(address)
-
-
-def _join(owner: str, path: str) -> str:
-    return f"{owner}.{path}" if owner else path
-
-
-def _part_word(state: ParseState, owner: str, path: str) -> Word | None:
-    kind = state.kinds.get(owner)
-    return kind.words.get(path) if kind is not None and issubclass(kind, Part) else None
-
-
-def _canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:
-    """`first` and `last` as indices; where the last one is not known yet, every possible one."""
-    owner, _, step = address.rpartition(".")
-    if step == "first":
-        yield f"{owner}.0", state
-    elif step == "last":
-        low, high = state.count(owner)
-        for count in range(max(low, 1), high + 1):
-            then = state.with_count(owner, count, count)
-            if then is not None:
-                yield f"{owner}.{count - 1}", then
-    else:
-        yield address, state
 
 
 def _nouns(kind: type[Body], state: ParseState) -> tuple[str, ...]:

@@ -1,13 +1,13 @@
 """What a text has told so far: a frozen value, so that many readings can be followed at once."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection, Link, Told
 from sim2reason.dsl.model import M, Model
-from sim2reason.prose.naming import Names, letter_at
+from sim2reason.prose.naming import Names, called, letter_at
 
 MANY = 8  # members of a variable-length part that a text can count
 
@@ -49,6 +49,15 @@ class ParseState:
         if address in self.values:
             return self if self.values[address] == value else None
         return replace(self, values={**self.values, address: value})
+
+    def shared(self, members: Sequence[str], names: Iterable[str]) -> "ParseState | None":
+        """With the first member's numbers, as far as they are known, as those of all."""
+        found: ParseState | None = self
+        for name in sorted(names):
+            value = self.values.get(f"{members[0]}.{name}")
+            for member in members[1:] if value is not None else ():
+                found = found.with_value(f"{member}.{name}", value) if found is not None else None
+        return found
 
     def with_count(self, address: str, low: int, high: int = MANY) -> "ParseState | None":
         """With a narrower count, or None if it does not agree with what was told before."""
@@ -100,8 +109,7 @@ class ParseState:
 
     def mention(self, address: str, *, full: bool) -> str:
         """How an introduced body is spoken of."""
-        letter, noun = self.letters[address], self.nouns[self.body(address)]
-        return (f"{noun} {letter}" if full else letter) if letter else f"the {noun}"
+        return called(self.nouns[self.body(address)], self.letters[address], full=full)
 
     @property
     def names(self) -> Names:

@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import Each, Saying, wordings
+from sim2reason.dsl.template import Each, PartLines, Saying, wordings
 from sim2reason.errors import TextError
 from sim2reason.parsing.parse_state import ParseState
 from sim2reason.parsing.tokens import pieces, shown
@@ -27,6 +27,8 @@ class ScriptedWriter(Writer):
         return options[min(next(self._script, 0), len(options) - 1)]
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
+        if isinstance(saying, PartLines):
+            return super()._say(saying, part, address)
         if isinstance(saying, Each):
             said = bool(getattr(part, saying.field))
         else:

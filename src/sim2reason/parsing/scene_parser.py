@@ -16,11 +16,12 @@ from sim2reason.parsing.lines import entity_lines
 from sim2reason.parsing.matcher import Matcher
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
 from sim2reason.parsing.proof import prove
-from sim2reason.parsing.string_routes import free_legs
+from sim2reason.parsing.string_routes import free_legs, must_end_at
 from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
+ENDS = 2  # of a connection
 
 
 @dataclass(frozen=True)
@@ -113,7 +114,7 @@ class _Grammar:
             here = state.with_kind(address, kind)
             here = replace(here, entities=(*state.entities, address), waiting=(*state.waiting, address))
             for after, then in entity_lines(self._matcher, address, place, here):
-                if after > place:
+                if after > place and sum(must_end_at(then, waiting) for waiting in then.waiting) <= ENDS:
                     yield from self.scenes(after, then)
 
     def _strings(self, place: int, state: ParseState) -> Iterator[ParseState]:

@@ -39,6 +39,18 @@ def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
     return [Stop(address, port)] if isinstance(port, SitePort) else []
 
 
+def must_end_at(state: ParseState, address: str) -> bool:
+    """Whether an entity needs a connection, and has no port where that could go on to others."""
+    ports = outer_ports(state.kind(address, Part))
+    if not any(port.required for port in ports.values()):
+        return False
+    return not any(_goes_on(port_stops(state, name, address)) for name in ports)
+
+
+def _goes_on(stops: list[Stop]) -> bool:
+    return bool(stops) and all(isinstance(stop.port, Pass) for stop in stops)
+
+
 def free_legs(kind: type[Connection], state: ParseState, address: str, *, first: bool) -> Iterator[Leg[ParseState]]:
     """The ports of an entity that nothing has taken, as a connection's beginning or as its next leg."""
     taken = {(link.entity, link.port) for joined in state.joined for link in joined.links}
@@ -48,10 +60,10 @@ def free_legs(kind: type[Connection], state: ParseState, address: str, *, first:
             continue
         link = Link(entity=address, port=name)
         if not issubclass(StringPort, kind.joins) and not issubclass(kind.joins, StringPort):
-            if kind.admits(stops[0].port, 0 if first else 1, 1):
+            if any(kind.admits(stops[0].port, index, 1) for index in (0, 1)):  # either end may be told first
                 yield Leg(link, tuple(stops), last=not first, state=state)
         elif isinstance(stops[0].port, StringEnd):
             path = stops if first else reversed_stops(stops)
             yield Leg(link, tuple(path), last=not first, state=state)
-        elif not first and all(isinstance(stop.port, Pass) for stop in stops):
+        elif not first and _goes_on(stops):
             yield Leg(link, tuple(stops), last=False, state=state)

@@ -8,7 +8,7 @@ from sim2reason.dsl.measures import Measure, show_unit
 from sim2reason.dsl.model import field_types
 from sim2reason.parsing.matcher import NUMBER, Matcher
 from sim2reason.parsing.parse_state import ParseState
-from sim2reason.prose.tables import LEAD_INS, headings, shared_start
+from sim2reason.prose.tables import LEAD_INS, headings, introduced, shared_start
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,9 +22,9 @@ class _Grid:
 
 
 def parse_table(
-    matcher: Matcher, field: str, kind: type[Body], place: int, state: ParseState
+    matcher: Matcher, leads: tuple[str, ...], field: str, kind: type[Body], place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """The members of `field` from sentences on what agrees, a lead-in, and a table of the rest."""
+    """The members of `field` from a lead-in, one of `leads`, sentences on what agrees, and a table of the rest."""
     at = next((i for i in range(place, len(matcher.pieces)) if matcher.pieces[i].startswith("|")), place)
     grid = _grid(matcher.pieces[at]) if at > place else None
     if grid is None or grid.noun not in kind.nouns or state.nouns.get(kind, grid.noun) != grid.noun:
@@ -33,15 +33,16 @@ def parse_table(
     then = state.with_noun(kind, grid.noun).with_count(field, len(members), len(members))
     then = _listed(then, kind, members, grid) if then is not None else None
     then = _filled(then, kind, members, grid) if then is not None else None
-    for piece in matcher.pieces[place : at - 1]:
+    for piece in matcher.pieces[place + 1 : at]:
         then = _agreed(matcher, piece, kind, members, then) if then is not None else None
     if then is None:
         return
-    text = matcher.pieces[at - 1]
-    for number, lead in enumerate(LEAD_INS):
-        if matcher.literal(text, 0, lead.replace("{plural}", f"{grid.noun}s")) == len(text):
+    shown = [name for name, heading in headings(kind).items() if heading in grid.headings]
+    for number, lead in enumerate(leads or LEAD_INS):
+        template = introduced(lead, grid.noun, kind, shown)
+        for told in matcher.sentence(place, template, field.rpartition(".")[0], then.with_choice(number)):
             matcher.reach = max(matcher.reach, at + 1)
-            yield at + 1, then.with_choice(number)
+            yield at + 1, told
 
 
 def _grid(piece: str) -> _Grid | None:
@@ -84,21 +85,11 @@ def _number(cell: str, measure: Measure | None) -> float | None:
 
 def _agreed(matcher: Matcher, piece: str, kind: type[Body], members: list[str], state: ParseState) -> ParseState | None:
     """What a sentence on a number that all rows share tells."""
-    for name, heading in headings(kind).items():
-        start, measure = matcher.literal(piece, 0, shared_start(heading)), field_types(kind)[name].measure
+    for name in headings(kind):
+        start, measure = matcher.literal(piece, 0, shared_start(kind, name)), field_types(kind)[name].measure
         if start is None or measure is None:
             continue
         for end, then in matcher.number(piece, start, f"{members[0]}.{name}", measure, state):
             if piece[end:] == ".":
-                return _spread(then, members, name)
+                return then.shared(members, [name])
     return None
-
-
-def _spread(state: ParseState, members: list[str], name: str) -> ParseState | None:
-    """The first member's number as that of all."""
-    found: ParseState | None = state
-    for address in members[1:]:
-        found = (
-            found.with_value(f"{address}.{name}", state.values[f"{members[0]}.{name}"]) if found is not None else None
-        )
-    return found

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import hypot
 
-from sim2reason.dsl.frames import Frame, Point, start
-from sim2reason.dsl.mechanism import ZERO
+from sim2reason.dsl.frames import BodyFrame, Point, start
+from sim2reason.dsl.mechanism import ZERO, Inextensible
 from sim2reason.dsl.scene import Scene
 
 EVEN = 1e-9  # what is vertical in a level direction
@@ -21,8 +21,18 @@ class Closing:
 
 
 def _from_rest(scene: Scene) -> bool:
-    coordinates = scene.mechanism.coordinates
-    return bool(coordinates) and all(coordinate.speed == 0.0 for coordinate in coordinates)
+    return bool(scene.mechanism.coordinates) and scene.starts_from_rest
+
+
+def _strings(scene: Scene) -> int:
+    """How many strings there are, 2 standing for more; a massive pulley parts one string into several lines."""
+    lines = [line.name for line in scene.mechanism.lines if isinstance(line.law, Inextensible)]
+    return min(2, len({name.partition("/")[0] for name in lines}))
+
+
+def _is_lone(scene: Scene) -> bool:
+    """Whether nothing but one body moves."""
+    return sum(bool(body.coordinates) for body in scene.mechanism.bodies) == 1
 
 
 def _pulleys(scene: Scene) -> list[float]:
@@ -32,6 +42,14 @@ def _pulleys(scene: Scene) -> list[float]:
 
 def _has_massive_pulley(scene: Scene) -> bool:
     return any(mass > 0.0 for mass in _pulleys(scene))
+
+
+def _is_one_massive_pulley(scene: Scene) -> bool:
+    return _has_massive_pulley(scene) and _turns(scene) == 1
+
+
+def _are_massive_pulleys(scene: Scene) -> bool:
+    return _has_massive_pulley(scene) and _turns(scene) > 1
 
 
 def _turns(scene: Scene) -> int:
@@ -50,16 +68,24 @@ def _has_light_pulleys(scene: Scene) -> bool:
     return _turns(scene) > 1 and not _has_massive_pulley(scene)
 
 
+def _has_edges(scene: Scene) -> bool:
+    """Whether something lies on a face that has an end: on a body that moves. Planes fixed in the room have none."""
+    mechanism = scene.mechanism
+    parents = {body.name: body.parent for body in mechanism.bodies}
+    moving = {body.name for body in mechanism.bodies if body.coordinates}
+    return any(parents[face.subject] in moving for face in mechanism.faces)
+
+
 def _has_room(scene: Scene) -> bool:
-    return _turns(scene) > 0 and not scene.mechanism.contacts
+    return _turns(scene) > 0 and not _has_edges(scene)
 
 
 def _has_faces(scene: Scene) -> bool:
-    return bool(scene.mechanism.contacts) and _turns(scene) == 0
+    return _turns(scene) == 0 and _has_edges(scene)
 
 
 def _has_both(scene: Scene) -> bool:
-    return bool(scene.mechanism.contacts) and _turns(scene) > 0
+    return _turns(scene) > 0 and _has_edges(scene)
 
 
 def _weighs(scene: Scene) -> bool:
@@ -72,7 +98,7 @@ def _weighs(scene: Scene) -> bool:
     )
 
 
-def _rises(frame: Frame, center: Point) -> bool:
+def _rises(frame: BodyFrame, center: Point) -> bool:
     """Whether some coordinate can move a point up or down, now or once others have turned it."""
     for step in frame.steps:
         if step.pivot is None:
@@ -83,18 +109,51 @@ def _rises(frame: Frame, center: Point) -> bool:
     return False
 
 
+RELEASES = (
+    "everything is released from rest{taut}.",
+    "everything starts from rest{taut}.",
+    "everything is let go from rest{taut}.",
+    "at first everything is held at rest{taut}, then released.",
+    "the motion starts from rest{taut}.",
+    "the system is let go from rest{taut}.",
+    "all bodies are at rest at first{taut}.",
+    "until t = 0 everything is held at rest{taut}.",
+)
+LONE_RELEASES = (
+    "the motion starts from rest{taut}.",
+    "the motion begins from rest{taut}.",
+    "the start is from rest{taut}.",
+)
+TAUT = ("", " with the string taut", " with all strings taut")
+STRETCHED = (
+    (),
+    ("the string is taut at the start.", "at first the string is taut.", "the string is taut to begin with."),
+    ("all strings are taut at the start.", "at first all strings are taut.", "every string is taut to begin with."),
+)
+
+
+def _release(strings: int, *, lone: bool) -> Closing:
+    """A start from rest of one body or several, on so many strings."""
+    wordings = LONE_RELEASES if lone else RELEASES
+    return Closing(
+        f"rest{' of one body' * lone}{TAUT[strings]}",
+        lambda scene: _from_rest(scene) and _strings(scene) == strings and _is_lone(scene) is lone,
+        tuple(wording.replace("{taut}", TAUT[strings]) for wording in wordings),
+    )
+
+
+def _stretched(strings: int) -> Closing:
+    """Taut strings where the start itself is told by entities."""
+    return Closing(
+        f"start{TAUT[strings]}",
+        lambda scene: not _from_rest(scene) and _strings(scene) == strings,
+        STRETCHED[strings],
+    )
+
+
 CLOSINGS: tuple[Closing, ...] = (
-    Closing(
-        "rest",
-        _from_rest,
-        (
-            "everything is released from rest.",
-            "everything starts from rest.",
-            "everything is let go from rest.",
-            "at first everything is held at rest, then released.",
-            "the motion starts from rest.",
-        ),
-    ),
+    *(_release(strings, lone=lone) for lone in (False, True) for strings in range(3)),
+    *(_stretched(strings) for strings in (1, 2)),
     Closing(
         "light pulley",
         _has_one_light_pulley,
@@ -114,8 +173,18 @@ CLOSINGS: tuple[Closing, ...] = (
         ),
     ),
     Closing(
+        "massive pulley",
+        _is_one_massive_pulley,
+        (
+            "the pulley turns without friction, and no string slips on it.",
+            "no string slips on the pulley, which turns freely.",
+            "the axle is frictionless, and no string slips on the pulley.",
+            "there is neither friction at the axle nor slipping on the pulley.",
+        ),
+    ),
+    Closing(
         "massive pulleys",
-        _has_massive_pulley,
+        _are_massive_pulleys,
         (
             "pulleys turn without friction, and no string slips on them.",
             "strings do not slip on the pulleys, which turn freely.",

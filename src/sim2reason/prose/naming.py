@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.model import Parameter
+from sim2reason.prose.phrases import join
 
 
 @dataclass(frozen=True)
@@ -20,10 +21,20 @@ class Names:
 
     def mention(self, address: str, body: Body, *, full: bool = True) -> str:
         """How a body that was introduced is spoken of: *the block*, *block A*, or *A* where `full` is off."""
-        letter = self.letters.get(address, "")
-        if not letter:
-            return f"the {self.noun(body)}"
-        return f"{self.noun(body)} {letter}" if full else letter
+        return called(self.noun(body), self.letters.get(address, ""), full=full)
+
+
+def called(noun: str, letter: str, *, full: bool) -> str:
+    """A body by its noun and its letter, if it has one; a digit alone would pass for a number."""
+    if not letter:
+        return f"the {noun}"
+    return f"{noun} {letter}" if full or letter[0].isdigit() else letter
+
+
+def listed(noun: str, letters: list[str], *, full: bool) -> str:
+    """Several bodies of one noun by their letters: *blocks A and B*, or *A and B* where `full` is off."""
+    plural = f"{noun}s " if full or letters[0][0].isdigit() else ""
+    return plural + join(letters)
 
 
 def letters(order: Iterable[str], bodies: Mapping[str, Body]) -> dict[str, str]:

@@ -22,8 +22,8 @@ def another(text: str) -> str:
 
 
 def canonical(part: Model, path: str) -> str:
-    """`first` and `last` as indices."""
-    steps = path.split(".")
+    """`first` and `last` as indices; before a word of a member only `first`."""
+    steps = path.replace(".first.", ".0.").split(".")
     if steps[-1] in ("first", "last"):
         members = lookup(part, ".".join(steps[:-1]))
         steps[-1] = "0" if steps[-1] == "first" else str(len(members) - 1)

@@ -9,13 +9,13 @@ import numpy as np
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.entity import Part
+from sim2reason.dsl.entity import Part, parts_at
 from sim2reason.dsl.model import Parameter, field_types, lookup, parameters
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import COUNT_WORDS, Each, Saying, Slot, Word, slots, wordings
+from sim2reason.dsl.template import COUNT_WORDS, Each, PartLines, Saying, Slot, Word, slots, wordings
 from sim2reason.errors import SceneError
 from sim2reason.prose.closings import closings
-from sim2reason.prose.naming import Names, letters, symbols
+from sim2reason.prose.naming import Names, letters, listed, symbols
 from sim2reason.prose.phrases import another, canonical, join, resolved
 from sim2reason.prose.tables import table
 from sim2reason.prose.voices import Voice, numeric
@@ -136,15 +136,14 @@ class Writer:
         return told
 
     def _part_lines(self, part: Part, address: str) -> list[str]:
-        told: list[str] = []
-        for field in type(part).model_fields:
-            if isinstance(inner := getattr(part, field), Part):
-                told.extend(self._part_lines(inner, f"{address}.{field}"))
-        for saying in part.says:
-            told.extend(self._say(saying, part, address))
-        return told
+        placed = {saying.field for saying in part.says if isinstance(saying, PartLines)}
+        first = [PartLines(field) for field in type(part).model_fields if field not in placed]
+        return [line for saying in (*first, *part.says) for line in self._say(saying, part, address)]
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
+        if isinstance(saying, PartLines):
+            inner = parts_at(part, saying.field).items()
+            return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
         template = self.choose(wordings(saying))
         if not isinstance(saying, Each):
             return [self.finish(self.render(template, address))] if self.is_said(template, part) else []
@@ -152,7 +151,7 @@ class Writer:
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
         if len(members) >= TABLE_FROM and isinstance(members[0], Body):
             self.introduced.update(dict.fromkeys(where))
-            return table(self, saying.field, where, members)
+            return table(self, saying.table, where, members)
         return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]
 
     def is_said(self, template: str, part: Part) -> bool:
@@ -192,11 +191,14 @@ class Writer:
         """Whether some words stand in an earlier sentence."""
         return any(words in sentence for sentence in self._finished)
 
-    def render(self, template: str, address: str) -> str:
-        """A template of the entity or part at `address`, introducing bodies at their first mention."""
+    def render(self, template: str, address: str, *, start: bool = True) -> str:
+        """A template of the entity or part at `address`, introducing bodies at their first mention.
+
+        Inside a sentence it is no `start`: there a body that is known goes by its letter alone.
+        """
         text = ""
         for slot in slots(template):
-            text += self._slot(slot, address, start=not text)
+            text += self._slot(slot, address, start=start and not text)
         return text
 
     def _slot(self, slot: Slot, address: str, *, start: bool) -> str:
@@ -205,7 +207,7 @@ class Writer:
         part = self.scene.value(address) if address else self.scene
         if slot.kind in ("agree", "some", "count"):
             count = len(resolved(part, slot.path))
-            return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.form(count), address)
+            return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.form(count), address, start=start)
         if slot.kind == "plural":
             return f"{self.names.noun(resolved(part, slot.path)[0])}s"
         if slot.kind == "member":
@@ -217,7 +219,9 @@ class Writer:
         words = type(part).words if isinstance(part, Part) else {}
         if slot.path in words:
             word = words[slot.path]
-            return self._word(word, lookup(part, word.parameter), lambda inner: self.render(inner, address))
+            return self._word(
+                word, lookup(part, word.parameter), lambda inner: self.render(inner, address, start=start)
+            )
         if isinstance(choice := resolved(part, slot.path), str):
             return choice
         where = canonical(part, slot.path)
@@ -272,18 +276,20 @@ class Writer:
             elif slot.path == "noun":
                 text += self.names.noun(body)
             else:
-                text += self.at(f"{address}.{slot.path}")
+                choice = getattr(body, slot.path, None)
+                text += choice if isinstance(choice, str) else self.at(f"{address}.{slot.path}")
         return text
 
     def _list(self, members: list[str], *, start: bool) -> str:
         if len(members) == 1:
             return self._mention(members[0], start=start)
         first = self.scene.bodies[members[0]]
-        known = members[0] in self.introduced
+        noun = self.names.noun(first)
+        letters = [self.names.letters.get(address, "") for address in members]
+        if members[0] in self.introduced:
+            return listed(noun, letters, full=start)
         self.introduced.update(dict.fromkeys(members))
-        items = [
-            self.names.letters.get(address, "") if known else self._of_body(first.listed, address)
-            for address in members
-        ]
-        plural = f"{self.names.noun(first)}s " if start or not known else ""
-        return plural + join(items)
+        alike = {self._of_body(first.alike, address) for address in members}
+        if first.alike and len(alike) == 1:
+            return f"{listed(noun, letters, full=True)} {alike.pop()}"
+        return f"{noun}s " + join([self._of_body(first.listed, address) for address in members])

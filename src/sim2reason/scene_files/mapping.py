@@ -23,12 +23,13 @@ from sim2reason.dsl.scene import Scene, World
 from sim2reason.errors import SceneError
 from sim2reason.scene_files.mistakes import explained
 from sim2reason.scene_files.schema import is_many, snake
+from sim2reason.scene_files.spellings import check_position, plain_name, respelled
 from sim2reason.scene_files.tendons import own_values, paths, read_pair, told_pairs
 from sim2reason.scene_files.yaml_text import MAX_BYTES, Lines, Plain, parse, shown, write
 
 M = TypeVar("M", bound=Model)
 SCENE_KEYS = ("name", "entities", "connections", "world", "glued")
-ENTITY_KEYS = ("name", "type", "parameters")
+ENTITY_KEYS = ("name", "type", "position", "parameters")
 
 
 def load(source: str | Path) -> Scene:
@@ -144,7 +145,7 @@ def _scene(data: Plain) -> Scene:
     places = {f"{c.key}_{i + 1}": found[i].first for i, c in enumerate(connections)}
     try:
         scene = Scene(
-            name=body.get("name", "scene"),  # type: ignore[arg-type]  # pydantic says what is wrong with it
+            name=plain_name(body.get("name", "scene")),  # type: ignore[arg-type]  # pydantic says what is wrong with it
             entities=entities,
             connections=connections,
             world=world,
@@ -165,7 +166,13 @@ def _entity(entry: Plain, place: str) -> Named:
             problem = f"it is {shown(held[key])}, not a word" if key in held else "it is missing"
             raise SceneError(f"{place}.{key}", problem, "give each entity a name and a type")
     cls = _class(str(held["type"]), f"{place}.type")
-    entity = _made(cls, held.get("parameters", {}), f"{place}.parameters")
+    if "position" in held:
+        check_position(held["position"], f"{place}.position")
+    spelled = respelled(cls, held.get("parameters", {}), f"{place}.parameters")
+    try:
+        entity = _made(cls, spelled.parameters, f"{place}.parameters")
+    except SceneError as error:
+        raise SceneError(spelled.in_file(error.place), error.problem, error.remedy) from None
     try:
         return Named(name=str(held["name"]), entity=entity)
     except ValidationError as error:
@@ -181,17 +188,18 @@ def _classes(entities: tuple[Named, ...]) -> dict[str, type[Entity]]:
     return found
 
 
-@cache
 def _types() -> dict[str, type[Entity]]:
     """Entity classes by every name that a file may use: ``FixedSupport`` and ``fixed_support``."""
     return {snake(name): cls for name, cls in ENTITIES.items()} | dict(ENTITIES)
 
 
 def _class(name: str, place: str) -> type[Entity]:
-    if name not in _types():
-        near = get_close_matches(name, _types(), n=3) or list(ENTITIES)
-        raise SceneError(place, f"there is no type {shown(name)}", f"did you mean: {', '.join(near)}")
-    return _types()[name]
+    known = _types()
+    if name not in known:
+        near = get_close_matches(name, known, n=3)
+        remedy = f"did you mean: {', '.join(near)}" if near else "run: sim2reason list entities"
+        raise SceneError(place, f"there is no type {shown(name)}", remedy)
+    return known[name]
 
 
 def _made(cls: type[M], data: Plain, place: str, given: dict[str, object] | None = None) -> M:

@@ -8,7 +8,7 @@ from sim2reason.dsl.connection import CONNECTIONS
 from sim2reason.dsl.entity import ENTITIES, Entity, Part, outer_ports
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.model import Model, field_types
-from sim2reason.dsl.ports import Pass
+from sim2reason.dsl.ports import Attachment, Base, End, Mount, Pass, Port
 from sim2reason.dsl.scene import World
 from sim2reason.scene_files.schema import Field, fields, is_many, snake, summary, words
 from sim2reason.scene_files.tendons import directions, own_fields
@@ -58,6 +58,10 @@ scene:
 - Numbers are written plainly, `12`, `0.5` or `1.5e-3`, and words without quotes. Anchors, tags, keys given twice,
   infinities and the other spellings of YAML 1.1 (`yes`, `1_000`, `0x10`, `1:30`, dates) are refused. A file has at most
   {MAX_BYTES} bytes, {MAX_DEPTH} levels and {MAX_NODES} values.
+- Three other spellings are read: a `position: [x, y, z]` of an entity, which is for looks only; `mass_type: Mass` (or a
+  kind) with `mass_values: [10]` for the blocks of a mass system, the pulley then being light unless it is given; and
+  `inner_to_outer` or `outer_to_inner` as the direction of an entity's only open end. A scene may have a title,
+  `Pulley System`, for a name.
 - What `load` reads, `dump` writes back equal, always in the same bytes.
 - Numbers marked *hidden* are never told and matter to no answer: they give the motion room.
 """
@@ -128,8 +132,9 @@ def _unit(field: Field) -> str:
 
 
 def _valid(field: Field) -> str:
-    """The limits, without what the other columns say."""
-    return words(field.schema).partition(", ")[2]
+    """The limits, without what the other columns say; or the words that may stand there."""
+    said = words(field.schema)
+    return said if said.startswith("one of: ") else said.partition(", ")[2]
 
 
 def _default(cls: type[Model], field: Field) -> str:
@@ -140,12 +145,28 @@ def _default(cls: type[Model], field: Field) -> str:
 
 
 def _ports(cls: type[Entity]) -> Iterator[str]:
-    """The directions of an entity and what a string does there."""
+    """The directions of an entity and what a connection does there."""
     ports = outer_ports(cls)
     if not ports:
         return
     yield "\n| direction | port | must be used |\n| --- | --- | --- |"
     for (said, point), (port, _) in directions(cls).items():
         if not point:
-            kind = f"side of `{port}`, which a string passes" if isinstance(ports[port], Pass) else "end of a string"
-            yield f"| `{said}` | {kind} | {'yes' if ports[port].required else 'no'} |"
+            yield f"| `{said}` | {_use(ports[port], port)} | {'yes' if ports[port].required else 'no'} |"
+
+
+def _use(port: Port, name: str) -> str:
+    """What a connection does at a port."""
+    match port:
+        case Pass():
+            return f"side of `{name}`, which a string passes"
+        case Mount():
+            return "carries another entity, by a pivot or a weld"
+        case Base():
+            return "is carried, by a pivot or a weld"
+        case End():
+            return "end of a string, a spring or a rod"
+        case Attachment():
+            return "end of a spring or a rod"
+        case _:
+            return "end of a string"

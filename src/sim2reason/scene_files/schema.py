@@ -14,9 +14,9 @@ from pydantic.fields import FieldInfo
 from sim2reason.dsl.connection import CONNECTIONS, Connection
 from sim2reason.dsl.entity import ENTITIES, NAME, Entity
 from sim2reason.dsl.measures import Hidden, Measure
-from sim2reason.dsl.model import Model
+from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import MAX_ENTITIES, World
-from sim2reason.scene_files.tendons import directions, own_fields
+from sim2reason.scene_files.tendons import WAYS, directions, own_fields
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 Json = dict[str, Any]
@@ -28,12 +28,30 @@ BASIC: dict[object, Json] = {
     str: {"type": "string"},
     types.NoneType: {"type": "null"},
 }
+TITLE = r"^[A-Za-z][A-Za-z0-9_ ]{0,39}$"  # of a scene: its name, or words that make one
+MASSES: Json = {
+    "type": "object",
+    "description": "The masses by their type, and what else the entity has.",
+    "required": ["mass_values"],
+    "properties": {"mass_values": {"type": "array"}},
+}
 
 
 @cache
 def snake(name: str) -> str:
     """The name of a class as the catalogue has it: ``OnPlane`` becomes ``on_plane``."""
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+
+
+@cache
+def holders(cls: type[Entity]) -> dict[str, dict[str, type[Model]]]:
+    """The fields that hold a system of blocks, each with the kinds that it can be."""
+    found = {name: {snake(m.__name__): m for m in kind.models} for name, kind in field_types(cls).items()}
+    return {
+        name: kinds
+        for name, kinds in found.items()
+        if kinds and all("blocks" in field_types(model) for model in kinds.values())
+    }
 
 
 def is_many(annotation: Any) -> bool:
@@ -51,7 +69,7 @@ def schema() -> Json:
     entities = [_entity(cls, parts) for cls in ENTITIES.values()]
     scene = _object(
         {
-            "name": {"type": "string", "pattern": NAME, "description": "What the scene is called."},
+            "name": {"type": "string", "pattern": TITLE, "description": "What the scene is called."},
             "entities": {"type": "array", "minItems": 1, "maxItems": MAX_ENTITIES, "items": {"oneOf": entities}},
             "connections": {"type": "array", "items": {"oneOf": [_connection(c, parts) for c in CONNECTIONS.values()]}},
             "world": parts.model(World),
@@ -154,6 +172,9 @@ def _tuple(arguments: tuple[Any, ...], parts: _Definitions) -> Json:
 
 def _member(annotation: Any, parts: _Definitions, *, kind: bool = False) -> Json:
     if isinstance(annotation, type) and issubclass(annotation, Model):
+        kinds = annotation.variants()
+        if kinds != (annotation,):
+            return {"oneOf": [parts.model(each, kind=len(kinds) > 1) for each in kinds]}
         return parts.model(annotation, kind=kind)
     if annotation in BASIC or get_origin(annotation) is not None:
         return _annotation(annotation, parts)
@@ -187,7 +208,8 @@ def _entity(cls: type[Entity], parts: _Definitions) -> Json:
     said: Json = {
         "name": {"type": "string", "pattern": NAME},
         "type": {"enum": [cls.__name__, snake(cls.__name__)]},
-        "parameters": parameters,
+        "position": {"type": "array", "items": BASIC[float], "minItems": 3, "maxItems": 3},
+        "parameters": {"anyOf": [parameters, MASSES]} if holders(cls) else parameters,
     }
     needed = ["name", "type", *(["parameters"] if "required" in parameters else [])]
     return {"description": summary(cls)} | _object(said, required=needed)
@@ -196,8 +218,9 @@ def _entity(cls: type[Entity], parts: _Definitions) -> Json:
 def _connection(cls: type[Connection], parts: _Definitions) -> Json:
     own = {field.name: field.schema for field in fields(cls, parts) if field.name in own_fields(cls)}
     words = sorted({word for entity in ENTITIES.values() for said in directions(entity) for word in said if word})
+    ways = {"enum": [*words, *WAYS]}
     end = _object(
-        {"entity": {"type": "string"}, "direction": {"enum": words}, "connecting_point": {"enum": words}},
+        {"entity": {"type": "string"}, "direction": ways, "connecting_point": {"enum": words}},
         required=["entity", "direction"],
     )
     pair: Json = {"type": "array", "minItems": 2, "maxItems": 2, "items": end}

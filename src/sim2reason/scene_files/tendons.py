@@ -17,6 +17,7 @@ from sim2reason.errors import SceneError
 from sim2reason.scene_files.yaml_text import Plain, shown
 
 END_KEYS = ("entity", "direction", "connecting_point")
+WAYS = ("inner_to_outer", "outer_to_inner")  # along the string: the end that leads there
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +122,7 @@ def _end(end: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FileEnd
         near = get_close_matches(entity, classes, n=3) or list(classes)
         raise SceneError(f"{place}.entity", f"no entity is called {shown(entity)}", f"there are: {', '.join(near)}")
     known = directions(classes[entity])
+    direction, point = _named(direction, point, known)
     if (direction, point) not in known:
         short = [name for name, side in known if not side]
         names = ", ".join(short or [f"{name} with connecting_point {side}" for name, side in known])
@@ -128,6 +130,14 @@ def _end(end: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FileEnd
         kind = classes[entity].__name__
         raise SceneError(f"{place}.direction", f"{kind} has no direction {said}", f"it has: {names}")
     return FileEnd(entity, *known[direction, point], place)
+
+
+def _named(direction: str, point: str, known: Mapping[tuple[str, str], tuple[str, int | None]]) -> tuple[str, str]:
+    """A way along the string, from an entity or to it, as the end that is meant: the only one, or the point said."""
+    ends = [name for (name, side), (_, passed) in known.items() if not side and passed is None]
+    if direction not in WAYS or (not point and len(ends) != 1):
+        return direction, point
+    return point or ends[0], ""
 
 
 def _text(end: dict[str, Plain], key: str, place: str) -> str:

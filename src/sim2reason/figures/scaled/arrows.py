@@ -1,0 +1,253 @@
+"""Velocities at the start, and the angles and heights that the text states, where the drawing shows them."""
+
+from cmath import phase, rect
+from collections.abc import Mapping
+from math import degrees, pi, radians
+
+from sim2reason.dsl.looks import Slender
+from sim2reason.dsl.looks import Small as SmallBody
+from sim2reason.dsl.measures import show_unit
+from sim2reason.dsl.mechanism import RigidBody
+from sim2reason.dsl.vectors import inner
+from sim2reason.figures.scaled.lines import beside
+from sim2reason.figures.scaled.setting import OBLONG, Setting, vector
+from sim2reason.figures.shapes import SMALL, Arc, LineShape, Shape, Sketch, Wanted, width
+from sim2reason.figures.vectors import RIGHT, UP, cross, dot, unit
+
+LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.5), 0.4  # units, of the longest arrow and of any
+STILL = 1e-9
+FINE = 12  # strokes of a curved arrow
+ARC = 0.85
+STEPS = (1.0, 2.0, 5.0)
+
+
+def speeds(setting: Setting) -> Sketch:
+    """An arrow at every body that moves at the start, with its speed if that is stated, else with a scale for all."""
+    found, unsaid = Sketch(), False
+    moving = {b.name: v for b in setting.members if _shown(setting, b, v := setting.velocity(b.name))}
+    fastest = max((abs(v) for v in moving.values()), default=0.0)
+    longest = next((n for n in LENGTHS if not _runs_over(setting, moving, n / fastest)), LENGTHS[-1]) if moving else 0.0
+    unit_of_speed = setting.mechanism.units.spell("m/s")
+    for name, velocity in moving.items():
+        way, start = unit(velocity), _tail(setting, name, unit(velocity))
+        long = max(SHORTEST, longest * abs(velocity) / fastest)
+        end = start + long * way
+        found.shapes.append(LineShape((start, end), "thin", arrow=True))
+        text = setting.stated(name.split(".", maxsplit=1)[0], unit_of_speed, abs(velocity))
+        unsaid |= not text
+        if text:
+            tip = end + way * (0.15 + 0.5 * width(text, SMALL) * abs(way.real) + 0.2 * abs(way.imag))
+            found.labels.append(Wanted(text, (tip, *beside(start, end, text, SMALL)), name, SMALL, name=False))
+        _heading(setting, name, velocity, found)
+    if unsaid and len(moving) > 0:
+        value = max(m * 10.0**k for k in range(-6, 7) for m in STEPS if m * 10.0**k <= fastest * 1.001)
+        setting.legend = (value * longest / fastest, f"{value:g} {show_unit(unit_of_speed)}")
+    return found
+
+
+def _shown(setting: Setting, body: RigidBody, velocity: complex) -> bool:
+    """Whether a body gets an arrow: what is fixed to something that turns only if its own speed is stated."""
+    if abs(velocity) <= STILL or body.name not in setting.bodies:
+        return False
+    unit_of_speed = setting.mechanism.units.spell("m/s")
+    return bool(body.coordinates or setting.stated(_owner(body.name), unit_of_speed, abs(velocity)))
+
+
+def _tail(setting: Setting, name: str, way: complex) -> complex:
+    """Where an arrow begins: at the rim of what is round, beside a block, clear of what is tied to it."""
+    look, at = setting.look(name), setting.at(name)
+    if not isinstance(look, SmallBody) or look.kind not in OBLONG or setting.view.level:
+        return at + setting.radius(name) * way
+    if name in setting.stacked.values():
+        return at + (0.5 * setting.sizes(name)[0] + 0.15) * way + 0.2 * UP
+    out = way * 1j if (way * 1j).imag > 0.0 or abs(way.imag) > 0.999 else way * -1j
+    back = 0.45 if setting.sizes(name)[0] >= setting.plan.sizes.width else 0.0  # not over a neighbour
+    return at + (setting.radius(name) + 0.25) * out - back * way
+
+
+def _runs_over(setting: Setting, moving: Mapping[str, complex], size: float) -> bool:
+    """Whether an arrow of this scale would run over another body."""
+    spots = {body.name: (setting.at(body.name), setting.radius(body.name)) for body in setting.members}
+    for name, velocity in moving.items():
+        at, radius = spots[name]
+        if abs(_tail(setting, name, unit(velocity)) - at) > radius + STILL:
+            continue  # beside it
+        reach = radius + max(SHORTEST, size * abs(velocity)) + 0.15
+        for other, (place, wide) in spots.items():
+            along = max(0.0, min(reach, dot(place - at, unit(velocity))))
+            if other != name and abs(at + along * unit(velocity) - place) < wide:
+                return True
+    return False
+
+
+def _heading(setting: Setting, name: str, velocity: complex, found: Sketch) -> None:
+    """The angle of a velocity to the horizontal, or to the x axis, where the text states it."""
+    owner = name.split(".", maxsplit=1)[0]
+    turn = degrees(phase(velocity)) % 360.0
+    if setting.view.level:
+        if turn % 90.0 and (text := setting.once(owner, "deg", turn)):
+            _mark(text, name, setting, (0.0, turn), found)
+        return
+    side = 0.0 if velocity.real >= 0.0 else 180.0
+    raised = turn if turn < 180.0 else turn - 360.0
+    value = abs(raised) if side == 0.0 else 180.0 - abs(raised)
+    if value % 90.0 > 1e-6 and (text := setting.once(owner, "deg", value)):
+        _mark(text, name, setting, (side, raised if side == 0.0 or raised > 0.0 else raised + 360.0), found)
+
+
+def _mark(text: str, name: str, setting: Setting, turn: tuple[float, float], found: Sketch) -> None:
+    """An arc from one direction to another, degrees, with its size, and a dashed line where it begins."""
+    (start, stop), at = turn, setting.at(name)
+    size = abs(stop - start)
+    low, high = sorted((start, stop))
+    base = rect(1.0, radians(start))
+    radius = ARC + (0.35 if size < 20.0 else 0.0)
+    found.shapes += [
+        LineShape((at + setting.radius(name) * base, at + 1.7 * base), "hair", dashed=True),
+        Arc(at, radius, low, high, weight="thin"),
+    ]
+    middle = rect(1.0, radians(0.5 * (low + high)))
+    wide = 0.5 * width(text, SMALL)
+    reach = radius + 0.12 + wide * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
+    places = [at + middle * (reach + 0.15 * n) for n in range(4)]
+    outside = rect(1.0, radians(high if stop == high else low) + (0.25 if stop == high else -0.25))
+    places += [at + outside * (reach + 0.3 * n) for n in range(3)]
+    found.labels.append(Wanted(text, tuple(places), name, SMALL, name=False))
+
+
+def spins(setting: Setting) -> Sketch:
+    """A curved arrow for every angular velocity that the text states: about an axle, or about its own axis."""
+    found = Sketch()
+    for body in setting.members:
+        for hinge in body.coordinates:
+            rate = setting.mechanism.units.spell("rad/s")
+            if hinge.kind == "hinge" and abs(hinge.speed) > STILL:
+                text = setting.stated(_owner(body.name), rate, abs(hinge.speed))
+                if text:
+                    sense = 1.0 if inner(hinge.axis, setting.view.towards) * hinge.speed > 0.0 else -1.0
+                    _curved(text, setting, body, sense, found)
+    return found
+
+
+def _curved(text: str, setting: Setting, body: RigidBody, sense: float, found: Sketch) -> None:
+    """Round a body if it turns on the spot or freely; what turns about an axle, ahead of its far end."""
+    pivot = setting.view.at(vector(setting.frames[body.name].origin))
+    arm = _tip(setting, body, pivot) - pivot
+    axle = {c.kind for c in body.coordinates} == {"hinge"} and abs(arm) > setting.radius(body.name)
+    if axle:
+        radius, begin, long = 0.62 * abs(arm), phase(arm) + sense * 0.3 / abs(arm), 1.3
+    else:
+        radius = setting.radius(body.name) + 0.2
+        begin, long = 0.5 * pi - sense * 0.7, 1.4 * radius
+    turns = [begin + sense * long / radius * n / FINE for n in range(FINE + 1)]
+    found.shapes.append(LineShape(tuple(pivot + rect(radius, turn) for turn in turns), "thin", arrow=True))
+    places: list[complex] = []
+    for far in (0.12, 0.3, 0.5):
+        for turn in (turns[-1], turns[FINE // 2], turns[-1] + sense * 0.3 / radius):
+            way = rect(1.0, turn)
+            aside = far + 0.5 * width(text, SMALL) * abs(way.real) + 0.5 * SMALL * abs(way.imag)
+            places += [pivot + (radius + aside) * way, pivot + (radius - aside) * way]
+    ahead = rect(1.0, turns[-1]) * 1j * sense
+    tip = pivot + rect(radius, turns[-1])
+    places += [
+        tip + ahead * (0.15 + n * 0.2 + 0.5 * width(text, SMALL) * abs(ahead.real) + 0.5 * SMALL) for n in range(3)
+    ]
+    found.labels.append(Wanted(text, tuple(places), body.name, SMALL, name=False))
+
+
+def deflections(setting: Setting) -> Sketch:
+    """The angle between the vertical and what hangs from a fixed point, where the text states it."""
+    found = Sketch()
+    if setting.view.level:
+        return found
+    for top, end, owner in _hanging(setting):
+        if abs(end - top) < STILL:
+            continue
+        turn = degrees(phase((end - top) / -UP))
+        if abs(turn) > 1e-6 and (text := setting.once(owner, "deg", abs(turn))):
+            radius = _free(setting, top, end, abs(turn))
+            long = max(min(abs(end - top), 2.4), radius + 0.4)
+            found.shapes.append(LineShape((top, top - long * UP), "hair", dashed=True))
+            _sector(text, owner, top, turn, radius, found)
+    return found
+
+
+def _free(setting: Setting, top: complex, end: complex, turn: float) -> float:
+    """The radius of an arc between the vertical and what hangs, so that it crosses none of the bodies on that."""
+    way, taken = unit(end - top), list[tuple[float, float]]()
+    for body in setting.members:
+        if body.name in setting.bodies and not isinstance(setting.look(body.name), Slender):
+            out, reach = setting.at(body.name) - top, setting.radius(body.name) + 0.08
+            if abs(cross(way, out)) < reach:
+                taken.append((dot(way, out) - reach, dot(way, out) + reach))
+    usual = ARC + (0.45 if turn < 25.0 else 0.0)
+    radii = (usual, 1.5, ARC, 0.6, 2.0, 2.5, 3.0)
+    return next((r for r in radii if not any(low < r < high for low, high in taken)), usual)
+
+
+def _sector(text: str, owner: str, at: complex, turn: float, radius: float, found: Sketch) -> None:
+    low, high = sorted((-90.0, -90.0 + turn))
+    found.shapes.append(Arc(at, radius, low, high, weight="thin"))
+    middle = rect(1.0, radians(0.5 * (low + high)))
+    reach = radius + 0.12 + 0.5 * width(text, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
+    aside = at + (1.0 if turn < 0.0 else -1.0) * (0.14 + 0.5 * width(text, SMALL))
+    places = [at + middle * (reach + 0.15 * n) for n in range(5)] if abs(turn) > 25.0 else []
+    places += [aside - (radius - 0.2 * n) * UP for n in range(4)]
+    found.labels.append(Wanted(text, tuple(places), owner, SMALL, name=False))
+
+
+def _hanging(setting: Setting) -> list[tuple[complex, complex, str]]:
+    """What runs from a point of the room to a body: straight lines, and arms on hinges."""
+    found: list[tuple[complex, complex, str]] = []
+    for line in setting.lines:
+        if len(line.through) == 2:
+            ends = line.through if setting.mechanism.site[line.through[0]].body is None else line.through[::-1]
+            if setting.mechanism.site[ends[0]].body is None:
+                found.append((setting.site(ends[0]), setting.site(ends[1]), _owner(line.whole)))
+    for body in setting.members:
+        if any(c.kind == "hinge" for c in body.coordinates) and body.name not in setting.mechanism.contacts:
+            pivot = setting.view.at(vector(setting.frames[body.name].origin))
+            found.append((pivot, _tip(setting, body, pivot), _owner(body.name)))
+    return found
+
+
+def _tip(setting: Setting, body: RigidBody, pivot: complex) -> complex:
+    """Where an arm leads: to its centre of mass, or to what it carries first."""
+    at = setting.view.at(vector(setting.frames.center(body.name).place))
+    if abs(at - pivot) > STILL:
+        return at
+    carried = (other for other in setting.members if other.parent == body.name)
+    return next((setting.view.at(vector(setting.frames[other.name].origin)) for other in carried), at)
+
+
+def _owner(address: str) -> str:
+    return address.split(".", maxsplit=1)[0]
+
+
+def heights(setting: Setting) -> Sketch:
+    """How high a body is above the ground that it can fall to, where the text states it."""
+    found = Sketch()
+    for body in setting.members:
+        floor = setting.floor(body)
+        if floor is None:
+            continue
+        at, scale = setting.at(body.name), setting.view.scale
+        height = setting.place(body.name)[2] - floor
+        text = setting.stated(_owner(body.name), setting.mechanism.units.length, height)
+        if text:
+            top, low = at - 0.6 * RIGHT, at - 0.6 * RIGHT - height * scale * UP
+            found.shapes += _dimension(low, top, at)
+            aside = top.real - 0.12 - 0.5 * width(text, SMALL)
+            places = tuple(complex(aside, low.imag + t * height * scale) for t in (0.5, 0.65, 0.35))
+            found.labels.append(Wanted(text, places, body.name, SMALL, name=False))
+    return found
+
+
+def _dimension(low: complex, top: complex, at: complex) -> list[Shape]:
+    """A double arrow beside what it measures, with a fine line to the body."""
+    middle = 0.5 * (low + top)
+    return [
+        LineShape((middle, top), "hair", arrow=True),
+        LineShape((middle, low), "hair", arrow=True),
+        LineShape((top - 0.15 * RIGHT, at - 0.25 * RIGHT), "hair"),
+    ]

@@ -1,0 +1,79 @@
+"""The x and y axes that a text defines: with numbers where it states positions, else a small cross."""
+
+from math import ceil
+
+from sim2reason.dsl.looks import Tabletop
+from sim2reason.dsl.measures import show_unit
+from sim2reason.figures.scaled.grounds import sheet, spread
+from sim2reason.figures.scaled.setting import Setting
+from sim2reason.figures.shapes import SMALL, TINY, Area, LineShape, Sketch, Wanted, width
+from sim2reason.figures.vectors import RIGHT, UP, Box, box
+
+TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
+CROSS = 1.0  # length of an axis without numbers
+
+
+def axes(setting: Setting) -> Sketch:
+    """Nothing where no coordinate is called x or y."""
+    found = Sketch()
+    labels = {c.label: setting.view.way(c.axis) for body in setting.members for c in body.coordinates}
+    if not {"x", "y"} & labels.keys():
+        return found
+    origin = setting.view.at(setting.origin(next(o for o in sorted(setting.owners) if "." not in o)))
+    if _placed(setting):
+        area = spread(setting)
+        if any(isinstance(body.look, Tabletop) for body in setting.bodies.values()):
+            found.shapes.append(Area(sheet(setting, area), "table", weight="thin"))
+        _full(setting, found, area, origin)
+        return found
+    left, low, _, _ = box(setting.at(body.name) for body in setting.members)
+    corner = complex(left - 2.9, min(low, origin.imag) + 0.3)
+    for name in ("x", "y"):
+        way = labels.get(name)
+        if way is not None and abs(way) > 0.5:
+            found.shapes.append(LineShape((corner, corner + CROSS * way), "thin", arrow=True))
+            found.labels.append(Wanted(name, (corner + (CROSS + 0.25) * way,), "", SMALL, name=False))
+    return found
+
+
+def _placed(setting: Setting) -> bool:
+    """Whether the text states positions as coordinates."""
+    names = {p.measure.name for p in setting.plan.scene.parameters if setting.owns(p.path)}
+    return "position" in names
+
+
+def _full(setting: Setting, found: Sketch, area: Box, origin: complex) -> None:
+    """Both axes through the origin, with numbers."""
+    left, low, right, high = area
+    unit = show_unit(setting.mechanism.units.length)
+    covered = [(setting.at(body.name), setting.radius(body.name) + 0.15) for body in setting.members]
+    ends = (
+        ("x", RIGHT, left - origin.real, right - origin.real, 0.55 + 0j),
+        ("y", UP, low - origin.imag, high - origin.imag, 0.3j),
+    )
+    for name, way, start, stop, beyond in ends:
+        found.shapes.append(LineShape((origin + (start + 0.15) * way, origin + (stop + 0.5) * way), "thin", arrow=True))
+        place = origin + (stop + 0.5) * way + beyond
+        found.labels.append(Wanted(f"{name} ({unit})", (place,), "", SMALL, name=False))
+        _ticks(setting, found, (origin, way, start + 0.2, stop - 0.2), covered)
+
+
+def _ticks(
+    setting: Setting,
+    found: Sketch,
+    axis: tuple[complex, complex, float, float],
+    covered: list[tuple[complex, float]],
+) -> None:
+    """Ticks with numbers, at round distances, wherever no body covers the axis."""
+    origin, way, start, stop = axis
+    scale = setting.view.scale
+    step = next(m * 10.0**k for k in range(-6, 7) for m in (1.0, 2.0, 5.0) if m * 10.0**k * scale >= PITCH)
+    for number in range(ceil(start / (scale * step)), int(stop / (scale * step)) + 1):
+        at, across = origin + number * step * scale * way, way * 1j
+        if not number or any(abs(at - spot) < reach for spot, reach in covered):
+            continue
+        found.shapes.append(LineShape((at - TICK * across, at + TICK * across), "thin"))
+        text = f"{number * step:g}".replace("-", "\N{MINUS SIGN}")
+        aside = 0.3 if way == RIGHT else 0.17 + 0.5 * width(text, TINY)
+        sides = (-1.0, 1.0) if way == RIGHT else (1.0, -1.0)
+        found.labels.append(Wanted(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False))

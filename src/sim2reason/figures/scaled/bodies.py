@@ -1,0 +1,229 @@
+"""The shapes of bodies by their looks, and their names."""
+
+from cmath import rect
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import product
+from math import acos, asin, pi, sqrt
+
+from sim2reason.dsl.looks import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
+from sim2reason.figures.hanging import block_labels
+from sim2reason.figures.pieces import around
+from sim2reason.figures.scaled.lines import beside
+from sim2reason.figures.scaled.setting import OBLONG, Setting
+from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, Shape, Sketch, Wanted, width
+from sim2reason.figures.vectors import RIGHT, UP, Polygon, hull, rectangle, unit
+
+THIN = 0.13  # units: of what has no thickness, at least
+ROCKET = ((-0.2, -0.5), (0.2, -0.5), (0.2, 0.25), (0.0, 0.65), (-0.2, 0.25))
+FINS = (((-0.2, -0.5), (-0.38, -0.65), (-0.2, -0.15)), ((0.2, -0.5), (0.38, -0.65), (0.2, -0.15)))
+SEEN = 0.5  # an axis this much in the page is drawn from the side
+LEVEL = 0.3  # the sine up to which texts along a slope fit into a slab
+FINE = 24  # points of half a round outline
+
+
+def body(setting: Setting, address: str, along: complex = RIGHT) -> Sketch:
+    """A body at its place; `along` is the way in which a block lies."""
+    look, at = setting.look(address), setting.at(address)
+    if look is None:
+        return stranger(setting, address, at)
+    return Sketch(list(shapes(setting, address, look, at, along)), names(setting, address, look, at))
+
+
+def stranger(setting: Setting, address: str, at: complex) -> Sketch:
+    """A body whose class declares no look: a dashed box with its name."""
+    text = setting.plan.caption(address)
+    wide = max(1.0, width(text, SMALL) + 0.2)
+    box = Area(rectangle(at, wide, 0.7), dashed=True)
+    return Sketch([box], [Wanted(text, (at,), address, SMALL)])
+
+
+def shapes(setting: Setting, address: str, look: BodyLook, at: complex, along: complex) -> Iterable[Shape]:
+    """What is drawn of a body, from back to front."""
+    x, y, z = (setting.view.way(axis) for axis in setting.axes(address))
+    size = setting.view.scale
+    match look:  # each kind of look has its own shapes
+        case Small(kind):
+            return small(kind, at, setting.radius(address), setting.sizes(address), along)
+        case Spherical():
+            return sphere(look, at, size, z)
+        case Axial():
+            return axial(look, at, size, (x, z))
+        case Capped():
+            outline = cap(look, at, size, z)
+        case Rectangular(a, b, c):
+            edges, signs = (a * x, b * y, c * z), product((-0.5, 0.5), repeat=3)
+            outline = hull(at + size * sum(s * edge for s, edge in zip(each, edges, strict=True)) for each in signs)
+        case Silhouette(points):
+            outline = tuple(at + size * (px * x + pz * z) for px, pz in points)
+        case _:
+            return []
+    return [Area(outline, "block")]
+
+
+def small(kind: str, at: complex, radius: float, sizes: tuple[float, float], along: complex) -> list[Shape]:
+    """Something whose size does not matter."""
+    wide, tall = sizes
+    match kind:
+        case "block" | "slab":
+            return [Area(rectangle(at, wide, tall, along), "block")]
+        case "cart":
+            out = along * 1j
+            wheels = [Arc(at - out * (radius - 0.13) + side * 0.3 * along, 0.13) for side in (-1.0, 1.0)]
+            return [Area(rectangle(at + 0.1 * out, wide, tall - 0.2, along), "block"), *wheels]
+        case "rocket":
+            parts = (*FINS, ROCKET)
+            return [Area(tuple(at + complex(*p) for p in part), "block") for part in parts]
+        case "star":
+            return [Arc(at, radius, fill="star")]
+        case _:
+            return [Arc(at, radius, fill="block" if kind == "puck" else "ball")]
+
+
+def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]:
+    """A disc, with what is hollow left white; a hole that goes through the wall opens it."""
+    radius, inner = look.radius * size, (look.radius - look.wall) * size
+    middle, hole = at + look.offset * size * z, look.hole * size
+    if look.wall and hole:
+        return [Area(shell(at, (radius, inner), (abs(middle - at), hole), unit(z)), "block")]
+    found: list[Shape] = [Arc(at, radius, fill="block")]
+    found += [Arc(at, inner, weight="thin")] if look.wall else []
+    return found + ([Arc(middle, hole, weight="thin")] if hole else [])
+
+
+def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], way: complex) -> Polygon:
+    """A ring from which what lies within a hole (how far off, its radius) is cut away."""
+
+    def opening(radius: float) -> float:
+        """Half the angle that the hole cuts out of a circle."""
+        off, reach = hole
+        cosine = (radius**2 + off**2 - reach**2) / (2.0 * radius * off) if off else 1.0
+        return acos(max(-1.0, min(1.0, cosine)))
+
+    outer, inner = ([at + radius * way * rect(1.0, turn) for turn in _turns(opening(radius))] for radius in radii)
+    return (*outer, *reversed(inner))
+
+
+def _turns(gap: float) -> list[float]:
+    return [gap + (2.0 * pi - 2.0 * gap) * n / (2 * FINE) for n in range(2 * FINE + 1)]
+
+
+def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) -> list[Shape]:
+    """A circle or polygon if one looks along its axis, else a rectangle."""
+    x, z = ways
+    if abs(z) > SEEN:
+        wide, tall = max(THIN, 2.0 * look.radius * size), max(THIN, look.height * size)
+        return [Area(rectangle(at, wide, tall, unit(z) * -1j), "block")]
+    radius = look.radius * size
+    if look.sides:
+        start = x if abs(x) > SEEN else RIGHT
+        corners = tuple(at + radius * start * rect(1.0, 2.0 * pi * n / look.sides) for n in range(look.sides))
+        return [Area(corners, "block")]
+    found: list[Shape] = [Arc(at, radius, fill="block")]
+    found += [Arc(at, radius - look.wall * size, weight="thin")] if look.wall else []
+    return found + ([Arc(at + look.offset * size * x, look.hole * size, weight="thin")] if look.hole else [])
+
+
+def cap(look: Capped, at: complex, size: float, z: complex) -> Polygon:
+    """A segment of a circle, or the part of a ring that a bowl's wall shows."""
+    if abs(z) <= SEEN:
+        wide = sqrt(max(0.0, look.height * (2.0 * look.radius - look.height))) if look.height < look.radius else 0.0
+        radius = size * (wide or look.radius)
+        return tuple(at + radius * rect(1.0, pi * n / FINE) for n in range(2 * FINE))
+    up = unit(z)
+    outer = _segment(look.radius, look.height)
+    inner = _segment(look.radius - look.wall, look.height - look.wall) if look.wall else ()
+    return tuple(at + size * (p.real * up * -1j + p.imag * up) for p in (*outer, *reversed(inner)))
+
+
+def _segment(radius: float, height: float) -> Polygon:
+    """The curved outline of a cap about the centre of its flat face, its pole upwards, from right to left."""
+    center = height - radius
+    low = asin(max(-1.0, min(1.0, -center / radius)))
+    turns = (low + (pi - 2.0 * low) * n / FINE for n in range(FINE + 1))
+    return tuple(complex(0.0, center) + radius * rect(1.0, turn) for turn in turns)
+
+
+def names(setting: Setting, address: str, look: BodyLook, at: complex) -> list[Wanted]:
+    """The name of a body, and its mass if numbers are wanted: inside if they fit, else beside it."""
+    plan, named = setting.plan, setting.bodies[address].letters
+    if isinstance(look, Small) and look.kind == "slab":
+        return slab_labels(setting, address, at)
+    if isinstance(look, Small) and look.kind in OBLONG:
+        inside, *rest = block_labels(plan, address, at)
+        if not _covered(setting, address):
+            return [inside, *rest]
+        wide = width(inside.text, SIZE)
+        return [replace(inside, places=(*inside.places, *around(at, 0.55, wide, start=unit(-1 + 1j)))), *rest]
+    name, radius = plan.name(address), setting.radius(address)
+    mark = look.mark if isinstance(look, Small) else ""
+    found = [Wanted(mark, (at,), address, SMALL, name=False)] if mark else []
+    long, half = lengthwise(setting, address, look)
+    fits = not mark and len(name) <= LETTER and width(name, SIZE) < 1.5 * half and _plain(look)
+    mass = plan.mass(address)
+    if fits and mass:
+        found.append(Wanted(mass, around(at, radius + 0.1, width(mass, SMALL), start=UP), address, SMALL, name=False))
+    text = name if fits or not mass else f"{name} ({mass})"
+    size = SIZE if text == name else SMALL
+    start = -unit(velocity) if (velocity := setting.velocity(address)) else UP
+    aside = tuple(beside(at - long, at + long, text, size, half + 0.12)) if long else ()
+    ring = (around(at, radius + far, width(text, size), start=start) for far in (0.1, 0.7))
+    beyond = (*aside, *(place for each in ring for place in each))
+    places = (at, *beyond) if fits else beyond
+    if not named:  # it needs no name, but a number may stand beside it
+        text, size = mass, SMALL
+        places = around(at, radius + 0.1, width(mass, SMALL), start=UP)
+    return [*found, Wanted(text, places, address, size, name=bool(named))] if text else found
+
+
+def slab_labels(setting: Setting, address: str, at: complex) -> list[Wanted]:
+    """Name and mass one after the other, or beside the ends of the slab."""
+    name, mass, along = setting.plan.name(address), setting.plan.mass(address), setting.along(address)
+    half, wide = 0.5 * setting.sizes(address)[0], 0.5 * width(name, SIZE)
+    if not mass:
+        ends = (at + side * (half + 0.2 + wide) * along for side in (1.0, -1.0))
+        return [Wanted(name, (at,) if wide < half else tuple(ends), address)]
+    first, room = -0.6 * width(mass, TINY) * along, 0.5 * width(mass, TINY) + 0.2
+    beyond = [
+        at + side * (half + more) * along + 0.3j for more in (room, room + 0.4, room + 0.9) for side in (1.0, -1.0)
+    ]
+    level = abs(along.imag) < LEVEL
+    found = Wanted(mass, ((at + 0.3 * along,) if level else ()) + tuple(beyond), address, TINY, name=False)
+    return [Wanted(name, (at + first if level else at,), address), found]
+
+
+def lengthwise(setting: Setting, address: str, look: BodyLook) -> tuple[complex, float]:
+    """Half the length of what is long and thin, in its direction, 0 for what is not; and half its width."""
+    match look:
+        case Axial(radius, height):
+            sizes = (2.0 * radius, 2.0 * radius, height)
+        case Rectangular(x, y, z):
+            sizes = (x, y, z)
+        case _:
+            return 0j, setting.radius(address)
+    edges = [0.5 * size * setting.view.at(axis) for size, axis in zip(sizes, setting.axes(address), strict=True)]
+    shorter, longer = sorted(edges, key=abs)[1:]
+    half = max(0.5 * THIN, abs(shorter))
+    return (longer if abs(longer) > 2.0 * half else 0j), half
+
+
+def _covered(setting: Setting, address: str) -> bool:
+    """Whether something is joined to the middle of a body, where its name would stand."""
+    joints = (j for j in setting.plan.scene.joints.values() if setting.owns(j.name) and j.connection.carries)
+    sites = (setting.mechanism.site[joint.stops[0].sites[0]] for joint in joints)
+    return any(site.body == address and abs(setting.site(site.name) - setting.at(address)) < THIN for site in sites)
+
+
+def _plain(look: BodyLook) -> bool:
+    """Whether there is room for a letter inside: neither ink nor a hole."""
+    match look:
+        case Small(kind):
+            return kind in ("puck", "star")
+        case Spherical(_, wall, hole):
+            return not wall and not hole
+        case Axial(_, _, wall, _, hole):
+            return not wall and not hole
+        case Rectangular():
+            return True
+        case _:
+            return False

@@ -1,0 +1,292 @@
+"""What bodies lie on or may meet: slopes, floors, walls, curved tracks, wedges, tables."""
+
+from cmath import phase, rect
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import acos, degrees, radians, tan
+
+from sim2reason.dsl.looks import BigBox, Globe, MovingSlope, Tabletop
+from sim2reason.dsl.measures import Angle
+from sim2reason.dsl.mechanism import Face, Prop
+from sim2reason.figures.hanging import said
+from sim2reason.figures.scaled.rails import rails, walls
+from sim2reason.figures.scaled.setting import Setting, corners, vector
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Sketch, Wanted, hatched, rough, width
+from sim2reason.figures.vectors import UP, Box, Polygon, box, cross, dot, unit
+
+BEYOND, LEAST = 0.8, 3.4  # units by which a surface is longer than what lies on it, and its least length
+FLAT = 1e-6
+GLOBE = 9.0  # units, the radius of a planet of which only the top is seen
+WIDER = 1.25  # than what lies on it, before `BEYOND`
+ANGLE_ARC = 0.75  # units, of an angle
+
+
+@dataclass(frozen=True, slots=True)
+class Surface:
+    """A straight surface: where it is touched, its normal, and the body whose it is; None: the room's."""
+
+    owner: str | None
+    normal: complex
+    touched: tuple[complex, ...]
+    friction: float = 0.0
+
+    @property
+    def along(self) -> complex:
+        """The direction along it, to the right or up."""
+        way = self.normal * -1j
+        return way if way.real > FLAT or (abs(way.real) <= FLAT and way.imag > 0.0) else -way
+
+    @property
+    def ends(self) -> tuple[complex, complex]:
+        """Its ends, with room beyond what touches it."""
+        places = sorted(dot(point, self.along) for point in self.touched)
+        low, high = places[0] - BEYOND, places[-1] + BEYOND
+        more = max(0.0, 0.5 * (LEAST - (high - low)))
+        base = self.touched[0] - dot(self.touched[0], self.along) * self.along
+        return base + (low - more) * self.along, base + (high + more) * self.along
+
+
+def surfaces(setting: Setting) -> list[Surface]:
+    """The straight surfaces on which bodies lie, each once."""
+    found: dict[tuple[str | None, float, float, float], Surface] = {}
+    for face in setting.mechanism.faces:
+        parent = setting.mechanism.body[face.subject].parent
+        held = face.subject in setting.stacked or isinstance(setting.look(parent or ""), BigBox)
+        bears = isinstance(setting.look(face.subject), MovingSlope | BigBox)
+        if not setting.owns(face.subject) or face.turning or held or bears:
+            continue
+        normal = unit(setting.view.way(vector(setting.frames.normal(face.subject))) or UP)
+        below = reach(setting, face)
+        half = max(WIDER * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
+        at = setting.at(face.subject)
+        for end in (at - half, at + half, *walls(setting, at, normal * 1j)):
+            _touch(found, parent, normal, end - below * normal, face.friction)
+    for foot in setting.mechanism.feet:
+        at, normal = setting.site(foot.site), unit(setting.view.way(foot.normal))
+        if setting.owns(foot.name) and abs(dot(at, normal) - setting.view.scale * foot.height) < FLAT:
+            for end in _below(setting, setting.mechanism.site[foot.site].body or "", at, normal):
+                _touch(found, None, normal, end)
+    return list(found.values())
+
+
+def _below(setting: Setting, body: str, foot: complex, normal: complex) -> Iterator[complex]:
+    """Points of the plane through a foot of a body, on both sides of it."""
+    along = normal * 1j
+    middle = dot(foot, normal) * normal + dot(setting.at(body), along) * along
+    for side in (-WIDER, WIDER):
+        yield middle + side * setting.radius(body) * along
+
+
+def reach(setting: Setting, face: Face) -> float:
+    """How far below the place of a body its face is, in units: its radius if it rolls, else half its height."""
+    turning = [abs(factor) for name, factor in face.slip if name.endswith(".hinge")]
+    return setting.view.scale * turning[0] if turning else setting.radius(face.subject)
+
+
+def _touch(
+    found: dict[tuple[str | None, float, float, float], Surface],
+    owner: str | None,
+    normal: complex,
+    point: complex,
+    friction: float = 0.0,
+) -> None:
+    key = (owner, round(normal.real, 6), round(normal.imag, 6), round(dot(point, normal), 2))
+    before = found[key].touched if key in found else ()
+    found[key] = Surface(owner, normal, (*before, point), friction)
+
+
+def grounds(setting: Setting) -> Sketch:
+    """All that bodies lie on, from back to front."""
+    found = Sketch()
+    _straight(setting, found)
+    for face in setting.mechanism.faces:
+        if setting.owns(face.subject) and face.turning:
+            _curved(setting, face, found)
+    found.extend(rails(setting))
+    _walls(setting, found)
+    for address, body in setting.bodies.items():
+        if isinstance(body.look, Tabletop):
+            _note(setting, address, body.look.tilt, found)
+    return found
+
+
+def _straight(setting: Setting, found: Sketch) -> None:
+    """Planes, floors and wedges."""
+    straight = surfaces(setting)
+    wedges = dict.fromkeys(s.owner for s in straight if isinstance(setting.look(s.owner or ""), MovingSlope))
+    for surface in straight:
+        if surface.owner not in wedges:
+            _fixed(setting, surface, found)
+            _rough(setting, surface, found)
+    for owner in wedges:
+        _wedge(setting, owner or "", [s for s in straight if s.owner == owner], found)
+
+
+def _fixed(setting: Setting, surface: Surface, found: Sketch) -> None:
+    """A hatched line; of a slope the triangle below it, with its angle."""
+    a, b = surface.ends
+    slope = surface.along.imag
+    if abs(slope) < FLAT or surface.normal.imag < FLAT:
+        found.shapes += hatched(a, b) if surface.normal.imag > 0.0 or slope > 0.0 else hatched(b, a)
+        return
+    low, high = (a, b) if a.imag < b.imag else (b, a)
+    corner = complex(high.real, low.imag)
+    found.shapes.append(Area((low, corner, high) if corner.real > low.real else (corner, low, high), "fixed"))
+    left, right = sorted((low, corner), key=lambda p: p.real)
+    found.shapes += hatched(left, right)
+    _angle(low, high, found, setting)
+
+
+def _rough(setting: Setting, surface: Surface, found: Sketch) -> None:
+    """Dots under a face with friction, and its coefficient if the text states it."""
+    if surface.friction == 0.0:
+        return
+    a, b = surface.ends
+    found.shapes.append(rough(a, b, surface.normal))
+    values = (text for owner in setting.owners if (text := setting.stated(owner, "", surface.friction)))
+    if (value := next(values, "")) != "":
+        left, low, right, _ = box((a, b))
+        text = f"µ = {value}"
+        wide = 0.5 * width(text, SMALL)
+        spots = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
+        inside = complex(right - wide - 0.2, low + 0.3)
+        found.labels.append(Wanted(text, (inside, *spots) if a.imag != b.imag else spots, "", SMALL, name=False))
+
+
+def _angle(low: complex, high: complex, found: Sketch, setting: Setting) -> None:
+    """The angle at the foot of a slope."""
+    way = unit(high - low)
+    side = 1.0 if way.real > 0.0 else -1.0
+    value = round(degrees(acos(min(1.0, abs(way.real)))), 9)
+    if value % 90.0 == 0.0:
+        return
+    start, stop = (0.0, value) if side > 0.0 else (180.0 - value, 180.0)
+    for owner in setting.owners:
+        setting.once(owner, "deg", value)
+    found.extend(corner_angle(low, (start, stop), said(Angle, value), next(iter(setting.owners))))
+
+
+def corner_angle(at: complex, turn: tuple[float, float], text: str, subject: str) -> Sketch:
+    """An arc between two directions, degrees, with its size close beyond; so far out that there is room for it."""
+    middle, half = rect(1.0, radians(0.5 * sum(turn))), radians(0.5 * abs(turn[1] - turn[0]))
+    wide = 0.5 * width(text, SMALL)
+    room = (0.5 * SMALL + 0.09) / tan(half) - 0.1  # where a text of this height fits in
+    near = max(ANGLE_ARC, room)
+    beyond = wide * abs(middle.real) + 0.5 * SMALL * abs(middle.imag) + 0.1
+    places = tuple(at + middle * (near + beyond + 0.1 * n) for n in range(8))
+    return Sketch([Arc(at, near, *sorted(turn), weight="thin")], [Wanted(text, places, subject, SMALL, name=False)])
+
+
+def _wedge(setting: Setting, owner: str, faces: list[Surface], found: Sketch) -> None:
+    """A body with one face or two, standing on its floor."""
+    ends = [sorted(face.ends, key=lambda p: p.imag) for face in faces]
+    if len(faces) == 2:
+        apex = _meeting(faces[0], faces[1])
+        ends = [[low, apex] for low, _ in ends]
+    base = min(low.imag for low, _ in ends)
+    feet = [low + (high - low) * (base - low.imag) / (high.imag - low.imag or 1.0) for low, high in ends]
+    tops = [high for _, high in ends]
+    corners = [*feet, *tops, *(complex(top.real, base) for top in tops if len(faces) == 1)]
+    left, _, right, _ = box(corners)
+    outline = tuple(sorted(corners, key=lambda p: _round(p, sum(corners) / len(corners))))
+    found.shapes += [Area(outline, "wedge"), *hatched(complex(left - 0.9, base), complex(right + 0.9, base))]
+    for foot, top in zip(feet, tops, strict=True):
+        _angle(foot, top, found, setting)
+    text = setting.plan.caption(owner)
+    middle = sum(corners) / len(corners)
+    size = SIZE if text == setting.plan.name(owner) else SMALL
+    places = tuple(middle + dx - 0.2j for dx in (0.0, 0.35, -0.35, 0.7, -0.7))
+    found.labels.append(Wanted(text, places, owner, size))
+    setting.drawn.add(owner)
+
+
+def _round(point: complex, middle: complex) -> float:
+    return unit(point - middle).real if point.imag < middle.imag - FLAT else 4.0 - unit(point - middle).real
+
+
+def _meeting(one: Surface, other: Surface) -> complex:
+    """Where two surfaces meet."""
+    a, u, b, v = one.touched[0], one.along, other.touched[0], other.along
+    return a + u * cross(b - a, v) / cross(u, v)
+
+
+def _curved(setting: Setting, face: Face, found: Sketch) -> None:
+    """A round track about the origin of a body's frame: inside or outside of what lies on it."""
+    center = setting.view.at(vector(setting.frames[face.subject].origin))
+    at = setting.at(face.subject)
+    outward = dot(setting.view.way(vector(setting.frames.normal(face.subject))), at - center) > 0.0
+    radius = abs(at - center)
+    if not face.guided:
+        radius += setting.radius(face.subject) * (-1.0 if outward else 1.0)
+    if face.guided:
+        found.shapes.append(Arc(center, radius))
+        return
+    start, stop = (0.0, 180.0) if outward else (180.0, 360.0)
+    found.shapes.append(Arc(center, radius, start, stop))
+    if outward:
+        found.shapes += hatched(center - radius - 0.6, center + radius + 0.6)
+
+
+def _walls(setting: Setting, found: Sketch) -> None:
+    """Ground and walls that bodies may meet, and what a body stands on without lying there."""
+    standing = {
+        setting.mechanism.site[site].body
+        for line in setting.lines
+        if isinstance(line.law, Prop)
+        for site in line.through
+    }
+    falling = (body for body in setting.members if body.name not in standing)
+    floors = {f for body in falling if (f := setting.floor(body)) is not None}
+    for height in floors:
+        around = [setting.at(body.name) for body in setting.members]
+        left, _, right, _ = box(around)
+        level = setting.view.at((0.0, 0.0, height)).imag
+        found.shapes += hatched(complex(left - 1.2, level), complex(right + 4.2, level))
+    for meeting in setting.mechanism.meetings:
+        if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b) and meeting.normal[2] == 0.0:
+            normal, at = unit(setting.view.way(meeting.normal)), setting.at(meeting.b)
+            foot = at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
+            half = 0.9 * normal * -1j
+            found.shapes += hatched(foot - half, foot + half)
+    for line in setting.lines:
+        if isinstance(line.law, Prop):
+            _stand(setting, line.through, found)
+
+
+def _stand(setting: Setting, ends: tuple[str, ...], found: Sketch) -> None:
+    """The ground below what may leave it upwards."""
+    for site, other in (ends, ends[::-1]):
+        body = setting.mechanism.site[other].body
+        if setting.mechanism.site[site].body is None and body is not None:
+            up = unit(setting.site(other) - setting.site(site) or UP)
+            foot, half = setting.at(body) - 0.65 * up, 2.2 * up * -1j
+            if any(isinstance(b.look, Globe) for b in setting.bodies.values()):
+                turn = degrees(phase(up))
+                found.shapes.append(Arc(foot - GLOBE * up, GLOBE, turn - 16.0, turn + 16.0))
+            else:
+                found.shapes += hatched(foot - half, foot + half)
+
+
+def _note(setting: Setting, address: str, tilt: float, found: Sketch) -> None:
+    """What a view from above can't show."""
+    setting.drawn.add(address)
+    if tilt:
+        text = f"tilted at {said(Angle, tilt)}; y points up the slope"
+        left, low, right, _ = spread(setting)
+        spot = complex(0.5 * (left + right), low - 0.45)
+        found.labels.append(Wanted(text, (spot,), address, SMALL, name=False))
+
+
+def sheet(setting: Setting, area: Box) -> Polygon:
+    """The outline of a tabletop."""
+    del setting
+    left, low, right, high = area
+    return (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
+
+
+def spread(setting: Setting, margin: float = 2.1) -> Box:
+    """The smallest rectangle around all bodies and the origin, with a margin."""
+    origins = [setting.view.at(setting.origin(owner)) for owner in setting.owners]
+    borders = [setting.view.at(place) for region, _ in setting.regions() for place in corners(region)]
+    left, low, right, high = box([*(setting.at(body.name) for body in setting.members), *origins, *borders])
+    return left - margin, low - margin, right + margin, high + margin

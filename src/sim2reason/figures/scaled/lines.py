@@ -1,0 +1,183 @@
+"""Strings, springs, rods and arms between the points that they join, and what holds their ends."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from sim2reason.dsl.looks import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
+from sim2reason.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
+from sim2reason.figures.hanging import plate, pull_text
+from sim2reason.figures.pieces import around
+from sim2reason.figures.scaled.rails import rides
+from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Shape, Sketch, Wanted, dot_at, width
+from sim2reason.figures.shapes import LineShape as Stroke
+from sim2reason.figures.vectors import RIGHT, UP, Polygon, cross, dot, rectangle, unit
+
+COIL, LOOPS, LEAD = 0.17, 0.26, 0.25  # of a spring: half its width, how long a loop is, the straight part at each end
+NAIL, PIVOT, PLATE = 0.07, 0.09, 0.25  # radius of a nail and of a pivot, and how far behind it a wall is
+ARROW = 1.2
+NEAR = 1e-6
+
+
+def look_of(setting: Setting, line: Line) -> str:
+    """How a line is drawn: as its connection or its body says, else by its law."""
+    joint = setting.plan.scene.joints.get(line.whole)
+    if joint is not None:
+        return joint.connection.look
+    body = setting.look(line.whole)
+    if isinstance(body, Slender):
+        return body.kind
+    match line.law:
+        case Elastic():
+            return "spring"
+        case Rigid():
+            return "rod"
+        case Prop():
+            return "prop"
+        case _:
+            return "string"
+
+
+def lines(setting: Setting, front: Sketch) -> Sketch:
+    """All lines with the supports of their ends and the arms of what turns; axles and joints go to the `front`."""
+    found = Sketch()
+    for line in setting.lines:
+        look = look_of(setting, line)
+        points = [setting.site(name) for name in line.through]
+        if look == "prop":
+            continue
+        found.shapes += strokes(setting, line, look, points)
+        found.labels += _named(setting, line.whole, points)
+        setting.drawn.add(line.whole)
+        for end, inward in ((0, 1), (-1, -2)):
+            _held(setting, line.through[end], unit(points[inward] - points[end] or RIGHT), found)
+    for body in setting.members:
+        _arm(setting, body, found, front)
+    for joint in setting.plan.scene.joints.values():
+        if setting.owns(joint.name) and joint.connection.carries:
+            at = setting.site(joint.stops[0].sites[0])
+            stiff = joint.connection.look == "weld"
+            front.shapes.append(Area(rectangle(at, 0.2, 0.2), "ink") if stiff else Arc(at, PIVOT))
+    return found
+
+
+def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
+    """The line itself, from site to site."""
+    for number, (a, b) in enumerate(pairwise(points)):
+        if abs(b - a) < NEAR:
+            continue
+        way, (first, last) = unit(b - a), line.through[number : number + 2]
+        start, stop = setting.edge(first, way), setting.edge(last, -way)
+        if look == "spring":
+            yield Stroke(coil(start, stop), "thin")
+        else:
+            yield Stroke((start, stop), "rod" if look == "rod" else "string")
+
+
+def coil(a: complex, b: complex) -> Polygon:
+    """A zigzag from `a` to `b`."""
+    way, long = unit(b - a), abs(b - a)
+    lead = min(LEAD, 0.15 * long)
+    count = max(4, min(14, round((long - 2.0 * lead) / LOOPS)))
+    step = (long - 2.0 * lead) / count
+    across = COIL * way * 1j
+    zigzag = (a + way * (lead + (n + 0.5) * step) + across * (1.0 if n % 2 else -1.0) for n in range(count))
+    return (a, a + lead * way, *zigzag, b - lead * way, b)
+
+
+def _named(setting: Setting, address: str, points: list[complex]) -> list[Wanted]:
+    """The name of a line that is a body, and its stated length, beside its middle."""
+    a, b = max(pairwise(points), key=lambda pair: abs(pair[1] - pair[0]))
+    found: list[Wanted] = []
+    body = setting.bodies.get(address)
+    if body is not None and body.letters:
+        text = setting.plan.name(address)
+        found.append(Wanted(text, tuple(beside(a, b, text, SIZE)), address))
+    owners = (address, address.split(".", maxsplit=1)[0])
+    unit_of_length, long = setting.mechanism.units.length, abs(b - a) / setting.view.scale
+    length = next((text for owner in owners if (text := setting.stated(owner, unit_of_length, long))), "")
+    if length:
+        found.append(Wanted(length, tuple(beside(a, b, length, SMALL)), address, SMALL, name=False))
+    return found
+
+
+def beside(a: complex, b: complex, text: str, size: float, far: float = 0.2) -> Iterator[complex]:
+    """Places for a text beside a stroke, from its middle outwards."""
+    way, wide = unit(b - a), 0.5 * width(text, size)
+    for more in (0.0, 0.5):
+        for along in (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2):
+            for out in (way * 1j, way * -1j):
+                away = far + more + abs(out.real) * wide + abs(out.imag) * 0.5 * size
+                yield a + along * (b - a) + out * away
+
+
+def _held(setting: Setting, site: str, inward: complex, found: Sketch) -> None:
+    """What holds an end that is fixed in the room: a wall or ceiling, a nail, or what draws a string in."""
+    if setting.mechanism.site[site].body is not None:
+        return
+    at, builder = setting.site(site), setting.plan.scene.builder
+    if site in builder.drawing:
+        text = pull_text(setting.plan, site)
+        found.shapes += [Stroke((at, at - ARROW * inward), "string", arrow=True)]
+        places = around(at - ARROW * inward, 0.15, width(text, SMALL), start=-inward)
+        found.labels.append(Wanted(text, places, site, SMALL, name=False))
+    elif setting.view.level:
+        found.shapes.append(dot_at(at, NAIL))
+    else:
+        slanting = any(
+            abs(cross(setting.along(body.name), inward)) < NEAR
+            for body in setting.members
+            if rides(setting, body) or body.name in setting.mechanism.contacts
+        )
+        found.shapes += [*plate(-inward if slanting else behind(inward), at, PLATE, 0.9), dot_at(at, NAIL)]
+
+
+def behind(inward: complex) -> complex:
+    """Up, to a side or down: where the wall is to which something is fixed that lies `inward`."""
+    if inward.imag < -0.35:
+        return UP
+    return max((RIGHT, -RIGHT, -UP), key=lambda way: -dot(way, inward))
+
+
+def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> None:
+    """What turns about an axle: a bar from there to all that it carries, and the axle."""
+    sized = isinstance(setting.look(body.name), Spherical | Axial | Capped | Rectangular | Silhouette)
+    if body.name in setting.mechanism.contacts or isinstance(setting.look(body.name), PulleyWheel):
+        return
+    stiff = not body.coordinates and body.parent is not None and isinstance(setting.look(body.name), Small | Slender)
+    if {c.kind for c in body.coordinates} != {"hinge"} and not stiff:
+        return
+    pivot = setting.view.at(vector(setting.frames[body.name].origin))
+    ends = [] if sized else [end for end in _ends(setting, body) if abs(end - pivot) > NEAR]
+    for end in ends:
+        found.shapes.append(Stroke((pivot, end), "rod"))
+    if ends:
+        far = max(ends, key=lambda end: abs(end - pivot))
+        owner = body.name.split(".", maxsplit=1)[0]
+        text = setting.stated(owner, setting.mechanism.units.length, abs(far - pivot) / setting.view.scale)
+        if text:
+            found.labels.append(Wanted(text, tuple(beside(pivot, far, text, SMALL)), owner, SMALL, name=False))
+        _lettered(setting, body.name, pivot, far, found)
+    if body.parent is None and not setting.view.level:
+        mean = sum(ends) / len(ends) - pivot if ends else -UP
+        found.shapes += plate(behind(unit(mean) if abs(mean) > NEAR else -UP), pivot, PLATE + 0.1, 0.9)
+    if not stiff:
+        front.shapes.append(Arc(pivot, PIVOT))
+
+
+def _lettered(setting: Setting, address: str, pivot: complex, far: complex, found: Sketch) -> None:
+    """The name of an arm that is itself a body."""
+    body = setting.bodies.get(address)
+    if body is not None and isinstance(body.look, Slender) and body.letters:
+        text = setting.plan.name(address)
+        found.labels.append(Wanted(text, tuple(beside(pivot, far, text, SIZE)), address))
+        setting.drawn.add(address)
+
+
+def _ends(setting: Setting, body: RigidBody) -> Iterator[complex]:
+    """Where the arm of a body leads: to its own mass, to what it carries, to its sites."""
+    if body.mass > 0.0:
+        yield setting.at(body.name)
+    carried = (other for other in setting.members if other.parent == body.name)
+    yield from (setting.view.at(vector(setting.frames[other.name].origin)) for other in carried)
+    yield from (setting.site(site.name) for site in setting.mechanism.sites if site.body == body.name)

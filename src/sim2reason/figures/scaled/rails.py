@@ -1,0 +1,164 @@
+"""Rails and guides, boxes with others on them and at their sides, and small pulleys that no text names."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from sim2reason.dsl.looks import BigBox, Small
+from sim2reason.dsl.mechanism import RigidBody
+from sim2reason.figures.hanging import plate
+from sim2reason.figures.paths import flat, is_pulley
+from sim2reason.figures.scaled.setting import OBLONG, STEEP, Setting
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Sketch, Wanted, dot_at, hatched
+from sim2reason.figures.vectors import RIGHT, UP, cross, unit
+
+RAIL = 2.0  # units on either side of what it leads
+WHEEL = 0.16  # radius of a small pulley
+GAP, FOOT, ROOM = 0.1, 0.6, 0.5  # units between a box and what slides at it, below that, and beside what lies on top
+FLAT = 1e-6
+
+
+def rides(setting: Setting, body: RigidBody) -> bool:
+    """Whether a small body is led along a straight line that is not upright, though it presses on nothing."""
+    look, slides = setting.look(body.name), [c for c in body.coordinates if c.kind == "slide"]
+    if not isinstance(look, Small) or body.name in setting.mechanism.contacts or setting.view.level:
+        return False
+    led = len(slides) == 1 and body.parent is None and look.kind in OBLONG
+    return led and abs(setting.view.way(slides[0].axis).real) > STEEP
+
+
+def walls(setting: Setting, point: complex, way: complex) -> Iterator[complex]:
+    """Where lines in the direction of a rail through a point end in the room."""
+    for line in setting.lines:
+        for site in (line.through[0], line.through[-1]):
+            at = setting.site(site)
+            if setting.mechanism.site[site].body is None and abs(cross(at - point, way)) < FLAT:
+                yield at
+
+
+def rails(setting: Setting) -> Sketch:
+    """All of these, behind what they lead."""
+    found = Sketch()
+    riding: dict[tuple[float, float], list[RigidBody]] = {}
+    for body in setting.members:
+        if rides(setting, body):
+            way, at = setting.along(body.name), setting.at(body.name)
+            riding.setdefault((round(cross(way, at), 3), round(way.imag, 6)), []).append(body)
+    for group in riding.values():
+        _rail(setting, group, found)
+    for body in setting.members:
+        if isinstance(setting.look(body.name), BigBox):
+            _box(setting, body.name, found)
+    if not setting.view.level:
+        for site, before, after in _bends(setting):
+            _wheel(setting, site, before, after, found)
+    return found
+
+
+def _rail(setting: Setting, group: list[RigidBody], found: Sketch) -> None:
+    """Below what runs on wheels, has lines along it or neighbours; else through the middle."""
+    body = group[0]
+    way, at, look = setting.along(body.name), setting.at(body.name), setting.look(body.name)
+    faces = setting.plan.scene.builder.faces
+    own = (faces.get(site.name) for site in setting.mechanism.sites if site.body == body.name)
+    along = any(to is not None and abs(cross(setting.view.way(to), way)) < FLAT for to in own)
+    cart = isinstance(look, Small) and look.kind == "cart"
+    others = [((setting.at(b.name) - at) / way).real for b in group]
+    ends = [
+        min(others) - RAIL,
+        max(others) + RAIL,
+        *_stops(setting, group, way, at),
+        *(((end - at) / way).real for end in walls(setting, at, way)),
+    ]
+    down = setting.radius(body.name) * way * 1j if cart or along or len(group) > 1 or _carries(setting, body) else 0j
+    found.shapes.append(LineShape((at + min(ends) * way - down, at + max(ends) * way - down), "rod"))
+
+
+def _stops(setting: Setting, group: list[RigidBody], way: complex, at: complex) -> Iterator[float]:
+    """Where walls are that bodies on a rail may hit, along it from `at`."""
+    names = {body.name for body in group}
+    for meeting in setting.mechanism.meetings:
+        if meeting.a is None and meeting.normal is not None and meeting.b in names:
+            normal = setting.view.way(meeting.normal)
+            if abs(cross(normal, way)) < FLAT:
+                yield ((meeting.distance * setting.view.scale * normal - at) / way).real
+
+
+def _carries(setting: Setting, body: RigidBody) -> bool:
+    return any(other.parent == body.name for other in setting.members)
+
+
+def _box(setting: Setting, address: str, found: Sketch) -> None:
+    """Its outline, the guides at its sides, and the floor."""
+    held = [body for body in setting.members if body.parent == address]
+    lying = [body for body in held if body.name in setting.mechanism.contacts]
+    sliding = [body for body in held if body not in lying]
+    sites = [setting.site(site.name) for site in setting.mechanism.sites if site.body == address]
+    tops = [setting.at(body.name) - setting.radius(body.name) * UP for body in lying] or [setting.at(address)]
+    top = min(place.imag for place in tops)
+    low = min([place.imag for place in (*sites, *(setting.at(body.name) for body in sliding))]) - FOOT
+    sides: dict[float, float] = {}
+    for side in (-1.0, 1.0):
+        beside = [body for body in sliding if (setting.at(body.name) - tops[0]).real * side > 0.0]
+        if beside:
+            inner = min(setting.at(b.name).real * side - 0.5 * setting.sizes(b.name)[0] for b in beside) - GAP
+            guide = complex(side * (inner + 0.5 * GAP), low + 0.1), complex(side * (inner + 0.5 * GAP), top - ROOM)
+            found.shapes.append(LineShape(guide, "rod"))
+        else:
+            inner = max(place.real * side for place in (*tops, *sites))
+            inner = max(inner, max(place.real * side for place in tops) + ROOM + 0.5)
+        sides[side] = side * inner
+    left, right = sides[-1.0], sides[1.0]
+    corners = (complex(left, low), complex(right, low), complex(right, top), complex(left, top))
+    found.shapes[:0] = [Area(corners, "wedge"), *hatched(complex(left - 1.4, low), complex(right + 1.4, low))]
+    _eyes(setting, address, sides, found)
+    text = setting.plan.caption(address)
+    size = SIZE if text == setting.plan.name(address) else SMALL
+    found.labels.append(Wanted(text, (0.5 * (corners[0] + corners[2]),), address, size))
+    setting.drawn.add(address)
+
+
+def _eyes(setting: Setting, address: str, sides: dict[float, float], found: Sketch) -> None:
+    """Short arms from a box to where strings are tied to it, and to the pulleys at its edges."""
+    ends = {site for line in setting.mechanism.lines for site in (line.through[0], line.through[-1])}
+    for site in setting.mechanism.sites:
+        at, bends = setting.site(site.name), {name: (a, b) for name, a, b in _bends(setting)}
+        if site.body != address or (site.name not in ends and site.name not in bends):
+            continue
+        wall = sides[1.0 if at.real > 0.5 * sum(sides.values()) else -1.0]
+        if site.name in bends:
+            to = _axle(at, *bends[site.name])
+            found.shapes.append(LineShape((complex(wall, at.imag - 0.5 * setting.plan.sizes.height), to), "edge"))
+        elif abs(wall - at.real) > FLAT:
+            found.shapes.append(LineShape((complex(wall, at.imag), at), "edge"))
+
+
+def _bends(setting: Setting) -> Iterator[tuple[str, complex, complex]]:
+    """The sites at which strings turn though no pulley of the text is there, with both ways away from them."""
+    for line in setting.mechanism.lines:
+        for (before, _), (site, after) in pairwise(pairwise(line.through)):
+            if setting.owns(site) and not is_pulley(setting.plan.scene.bodies.get(site.rpartition(".")[0])):
+                a, b = _way(setting, site, before), _way(setting, site, after)
+                if abs(cross(a, b)) > FLAT:
+                    yield site, a, b
+
+
+def _way(setting: Setting, site: str, other: str) -> complex:
+    """The direction from a site to its neighbour on a string, which may be elsewhere."""
+    if setting.owns(other):
+        return unit(setting.site(other) - setting.site(site))
+    facing = setting.plan.scene.builder.faces.get(site)
+    return RIGHT if facing is None else unit(flat(facing))
+
+
+def _axle(at: complex, before: complex, after: complex) -> complex:
+    """The middle of a small wheel that touches both parts of a string."""
+    middle = unit(before + after)
+    return at + WHEEL / abs(cross(middle, after)) * middle
+
+
+def _wheel(setting: Setting, site: str, before: complex, after: complex, found: Sketch) -> None:
+    """A small wheel inside the bend of a string, held from outside."""
+    at = _axle(setting.site(site), before, after)
+    if setting.mechanism.site[site].body is None:
+        found.shapes += plate(-UP if (before + after).imag > 0.0 else UP, at, 0.45, 0.6)
+    found.shapes += [Arc(at, WHEEL), dot_at(at, 0.05)]
