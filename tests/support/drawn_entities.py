@@ -1,0 +1,36 @@
+"""One entity drawn at random, and what must hold of it: it travels through text and file, and both engines agree."""
+
+import numpy as np
+
+import sim2reason
+from lone_entities import alone
+from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.model import Choices, draw
+from sim2reason.errors import SceneError
+
+TRIES = 50
+
+
+def drawn_entity(cls: type[Entity], seed: int, choices: Choices) -> Entity:
+    """A random one; what is refused is drawn again, as recipes do."""
+    rng = np.random.default_rng(seed)
+    for _ in range(TRIES):
+        try:
+            return draw(cls, rng, choices)
+        except SceneError:
+            continue
+    raise AssertionError(f"nothing valid in {TRIES} draws of {cls.__name__}")
+
+
+def travels(entity: Entity, seed: int) -> None:
+    """Assert that its text and its file lead back to it."""
+    scene = alone(entity)
+    text = sim2reason.describe(scene, seed).text
+    assert sim2reason.parse_scene(text).scene.entities[0].entity == entity, text
+    assert sim2reason.load(sim2reason.dump(scene)) == scene
+
+
+def certified(entity: Entity) -> float:
+    """The part of its horizon for which both engines agree."""
+    scene = alone(entity)
+    return sim2reason.certify(scene)[1].stable_until / scene.horizon

@@ -1,0 +1,44 @@
+"""Scenes of one entity, and how their motion is sampled."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from sim2reason.dsl.entity import ENTITIES, Entity, Named
+from sim2reason.dsl.model import Choice, draw
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.state import Array
+from sim2reason.simulation.engines.exact import simulate
+from sim2reason.simulation.trace import Trace
+
+
+def alone(entity: Entity) -> Scene:
+    """A scene of nothing else."""
+    return Scene(entities=(Named(name="it", entity=entity),))
+
+
+def drawn(name: str, seed: int, choices: Mapping[str, Choice] | None = None) -> Scene:
+    """A random entity of a class, by itself."""
+    return alone(draw(ENTITIES[name], np.random.default_rng(seed), choices or {}))
+
+
+def followed(entity: Entity, until: float, count: int = 201) -> Trace:
+    """The motion of an entity by itself, as the exact engine finds it, at evenly spaced times."""
+    return simulate(alone(entity).mechanism, np.linspace(0.0, until, count))
+
+
+def close(found: object, wanted: object, scale: float = 0.0) -> None:
+    """Assert that values agree to 1e-8 of the larger of the greatest of them and `scale`."""
+    a, b = np.asarray(found, dtype=float), np.asarray(wanted, dtype=float)
+    size = max(float(np.abs(b).max()), scale)
+    assert float(np.abs(a - b).max()) <= 1e-8 * size, f"{a} instead of {b}"
+
+
+def planar(trace: Trace) -> tuple[Array, Array, Array, Array]:
+    """The first two coordinates of a motion and their rates, (n,) each."""
+    return trace.state.q[:, 0], trace.state.q[:, 1], trace.state.v[:, 0], trace.state.v[:, 1]
+
+
+def happened(trace: Trace, *kinds: str) -> list[tuple[str, float]]:
+    """The events of some kinds, or of all but turns, with their times, s."""
+    return [(e.kind, e.time) for e in trace.events if (e.kind in kinds if kinds else e.kind != "turn")]

@@ -1,0 +1,266 @@
+"""A small entity that conforms, and ones like it with one fault each: what the conformance kit must catch."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from itertools import count
+from typing import Annotated, Any, ClassVar
+
+from annotated_types import Len
+
+from sim2reason.bodies.block import Block
+from sim2reason.dsl.body import Body
+from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.entity import ENTITIES, Entity
+from sim2reason.dsl.fields import Profile, Push
+from sim2reason.dsl.measures import Count, Hidden, Length, Mass, Measure, Range
+from sim2reason.dsl.mechanism import X, Y, Z
+from sim2reason.dsl.template import Saying, either
+from sim2reason.dsl.triples import Maths, Number, Triple, times
+from sim2reason.dsl.vectors import Vector
+
+Thrust = Annotated[float, Measure("force", "N", "F"), Range(1.0, 9.0)]
+
+PUSHED = either(
+    "{block} slides on a smooth level track, pushed along it by a steady {thrust}.",
+    "on a smooth level track {block} is pushed along by a steady {thrust}.",
+    "a steady {thrust} pushes {block} along a smooth level track.",
+)
+
+
+@contextmanager
+def registered(*classes: type[Entity]) -> Iterator[None]:
+    """Entity classes that files and texts know for a while."""
+    for cls in classes:
+        ENTITIES.add(cls.__name__, cls)
+    try:
+        yield
+    finally:
+        for cls in classes:
+            del ENTITIES._members[cls.__name__]
+
+
+def pushed(room: Frame, block: Block, thrust: float, name: str = "block") -> Frame:
+    """A block on a smooth track along x, and a steady force on it."""
+    body = room.body(name, block.mass).rest(X, Z)
+    body.force("thrust", Push(X, Profile(thrust)))
+    return body
+
+
+class Sled(Entity):
+    """What conforms: a block on a smooth track under a steady force."""
+
+    block: Block
+    thrust: Thrust
+
+    says: ClassVar[tuple[Saying, ...]] = (PUSHED,)
+
+    def build(self, room: Frame) -> None:
+        pushed(room, self.block, self.thrust)
+
+
+class Brake(Sled):
+    """Its track is rough, which no line says."""
+
+    def build(self, room: Frame) -> None:
+        body = room.body("block", self.block.mass).rest(X, Z, friction=0.015, speed=1.0)
+        body.force("thrust", Push(X, Profile(self.thrust)))
+
+
+class Wind(Sled):
+    """A second force acts, which no line says."""
+
+    def build(self, room: Frame) -> None:
+        pushed(room, self.block, self.thrust).force("wind", Push(X, Profile(0.7)))
+
+
+class Twin(Sled):
+    """It says what a sled says, and is pushed the other way half as much."""
+
+    def build(self, room: Frame) -> None:
+        pushed(room, self.block, -0.5 * self.thrust)
+
+
+class Lamp(Sled):
+    """A line tells of what nothing depends on."""
+
+    glow: Annotated[float, Measure("length", "m", "h"), Range(1.0, 3.0)] | None = None
+
+    says: ClassVar[tuple[Saying, ...]] = (
+        PUSHED,
+        either("a lamp hangs {glow} above it.", "there is a lamp {glow} above it.", "it has a lamp {glow} above it."),
+    )
+
+
+class Constant(Sled):
+    """A range of one number."""
+
+    thrust: Annotated[Thrust, Range(2.0, 2.0)]
+
+
+class Indices(Sled):
+    """Two numbers share a symbol, and a third has the symbol that one of them gets by that."""
+
+    second: Thrust
+    third: Annotated[float, Measure("third", "N", "F_1"), Range(1.0, 9.0)]
+
+    says: ClassVar[tuple[Saying, ...]] = (
+        either(
+            "{block} slides on a smooth level track, pushed along it by {thrust}, {second} and {third}.",
+            "on a smooth level track {block} is pushed along by {thrust}, {second} and {third}.",
+            "{thrust}, {second} and {third} push {block} along a smooth level track.",
+        ),
+    )
+
+    def build(self, room: Frame) -> None:
+        pushed(room, self.block, self.thrust + 2.0 * self.second + 3.0 * self.third)
+
+
+class Offset(Sled):
+    """A hidden number that matters."""
+
+    offset: Annotated[Length, Hidden()] = 1.0
+
+    def build(self, room: Frame) -> None:
+        pushed(room, self.block, self.thrust * self.offset)
+
+
+class Thin(Sled):
+    """A tensor of inertia that no body has: about one axis more than about the two others together."""
+
+    def build(self, room: Frame) -> None:
+        body = room.body("block", self.block.mass, center=(0.0, 0.0, -1.0), inertia=(0.1, 5.0, 0.1, 0.0, 0.0, 0.0))
+        body.hinge(Y)
+        body.force("thrust", Push(X, Profile(self.thrust)))
+
+
+@dataclass(frozen=True, slots=True)
+class Lying:
+    """A drag that says of itself that it is constant."""
+
+    strength: float
+
+    def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
+        """Less and less along x."""
+        del place, time, maths
+        return times(self.strength - velocity[0], X)
+
+    def potential(self, place: Triple, maths: Maths) -> Number | None:
+        """None."""
+        del place, maths
+        return None
+
+    @property
+    def constant(self) -> bool:
+        """So it says."""
+        return True
+
+    def moved(self, by: Vector) -> "Lying":
+        """The same everywhere."""
+        del by
+        return self
+
+
+class Liar(Sled):
+    """A law that is not what it says of itself."""
+
+    def build(self, room: Frame) -> None:
+        room.body("block", self.block.mass).rest(X, Z).force("thrust", Lying(self.thrust))
+
+
+@dataclass(frozen=True, slots=True)
+class Moody:
+    """A force that is another one each time it is asked."""
+
+    strength: float
+    asked: "count[int]" = field(default_factory=count, compare=False)
+
+    def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
+        """Along x."""
+        del place, velocity, time, maths
+        return times(self.strength + 0.1 * next(self.asked), X)
+
+    def potential(self, place: Triple, maths: Maths) -> Number | None:
+        """None."""
+        del place, maths
+        return None
+
+    @property
+    def constant(self) -> bool:
+        """So it says."""
+        return True
+
+    def moved(self, by: Vector) -> "Moody":
+        """The same everywhere."""
+        del by
+        return self
+
+
+class Mood(Sled):
+    """A law with a memory."""
+
+    def build(self, room: Frame) -> None:
+        room.body("block", self.block.mass).rest(X, Z).force("thrust", Moody(self.thrust))
+
+
+class Couple(Entity):
+    """It counts on two blocks, but takes one."""
+
+    blocks: Annotated[tuple[Block, ...], Len(1, 3), Count(2, 3)]
+    thrust: Thrust
+
+    says: ClassVar[tuple[Saying, ...]] = (
+        either(
+            "{blocks} {blocks:slides/slide} on a smooth level track, each pushed along it by a steady {thrust}.",
+            "on a smooth level track {blocks} {blocks:is/are} each pushed along by a steady {thrust}.",
+            "a steady {thrust} pushes each of {blocks} along a smooth level track.",
+        ),
+    )
+
+    def build(self, room: Frame) -> None:
+        for number, block in enumerate(self.blocks):
+            pushed(room, block, self.thrust, f"blocks.{number}")
+        room.site("middle", at=(self.blocks[1].mass, 0.0, 0.0))
+
+
+class Sponge(Body):
+    """A body that nobody draws."""
+
+    mass: Mass
+
+    nouns = ("sponge",)
+    lone = ("a {noun} of mass {mass}", "a {noun} ({mass})")
+    named = ("{noun} {letter} of mass {mass}", "{noun} {letter} ({mass})")
+
+
+class Bath(Sled):
+    """What it is made of has no look."""
+
+    block: Sponge  # type: ignore[assignment]  # a body of another class
+
+    def build(self, room: Frame) -> None:
+        body = room.body("block", self.block.mass).rest(X, Z)
+        body.force("thrust", Push(X, Profile(self.thrust)))
+
+
+class Terse(Sled):
+    """It says the same thing in the same words."""
+
+    says: ClassVar[tuple[Saying, ...]] = (
+        either("on a smooth track {thrust} pushes {block}.", "on a smooth track {block} is pushed by {thrust}."),
+    )
+
+
+class Alias(Sled):
+    """Its body has another name than its field."""
+
+    def build(self, room: Frame) -> None:
+        pushed(room, self.block, self.thrust, name="cart")
+
+
+class Crash(Sled):
+    """It can't be built."""
+
+    def build(self, room: Frame) -> None:
+        numbers: dict[str, Any] = {}
+        room.body("block", numbers["mass"])

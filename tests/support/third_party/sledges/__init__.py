@@ -1,0 +1,1 @@
+"""Sledges: a package of a third party."""

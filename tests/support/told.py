@@ -1,0 +1,83 @@
+"""Whether the texts of an entity lead back to it: for the tests of entities."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.model import draw
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import DrawError, SceneError, TextError
+from sim2reason.parsing import parse_scene
+from sim2reason.parsing.equivalence import Signature, signature
+from sim2reason.parsing.tokens import pieces
+from sim2reason.prose.writer import Description, describe
+from sim2reason.scene_files import dump, load
+from sim2reason.simulation.scenes import certify
+
+
+def scene_of(entity: Entity) -> Scene:
+    """A scene of one entity."""
+    return Scene(entities=(Named(name="it", entity=entity),))
+
+
+def drawn(kind: type[Entity], count: int, seed: int = 0) -> Iterator[Scene]:
+    """That many random scenes of one entity, by its own ranges."""
+    index = 0
+    while count:
+        try:
+            yield scene_of(draw(kind, np.random.default_rng([seed, index]), {}))
+            count -= 1
+        except (DrawError, SceneError):
+            pass
+        index += 1
+
+
+def check_told(scene: Scene, seed: int) -> None:
+    """Text and file of a scene lead back to it."""
+    description = describe(scene, seed)
+    assert understood(description.text) == meaning(description), description.text
+    assert load(dump(scene)) == scene
+
+
+def check_whole(scene: Scene, seed: int) -> None:
+    """No sentence, and no row of a table, can be cut without another meaning, or none."""
+    description = describe(scene, seed)
+    for text in shortened(list(pieces(description.text))):
+        try:
+            found = understood(text)
+        except TextError:
+            continue
+        assert found != meaning(description), text
+
+
+def certified(scene: Scene) -> bool:
+    """Whether both engines agree on all of a motion."""
+    _, certificate = certify(scene)
+    whole = certificate.stable_until >= 0.999 * scene.horizon
+    return whole and max(certificate.agreement.values()) <= certificate.tolerance
+
+
+def meaning(description: Description) -> Signature:
+    """What a scene means, with the names that its text gives."""
+    return signature(description.scene, {address: description.mention(address) for address in description.scene.bodies})
+
+
+def understood(text: str) -> Signature:
+    """What a text means."""
+    reading = parse_scene(text)
+    return signature(reading.scene, {address: name for name, address in reading.names.items()})
+
+
+def shortened(parts: list[str]) -> Iterator[str]:
+    """A text without one of its sentences, or one row of its table."""
+    for index, part in enumerate(parts):
+        yield _together(parts[:index] + parts[index + 1 :]) or " "
+        rows = part.split("\n")
+        for number in range(len(rows)) if len(rows) > 1 else ():
+            fewer = "\n".join(rows[:number] + rows[number + 1 :])
+            yield _together([*parts[:index], fewer, *parts[index + 1 :]])
+
+
+def _together(parts: list[str]) -> str:
+    return "".join(f"\n\n{part}\n\n" if part.startswith("|") else f" {part}" for part in parts).strip()
