@@ -2,10 +2,26 @@
 
 from collections.abc import Callable, Mapping
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
-if TYPE_CHECKING:
-    from sim2reason.dsl.model import FieldType
+
+class Related(Protocol):
+    """What of a field relates it to others; `sim2reason.dsl.model.FieldType` says more."""
+
+    @property
+    def models(self) -> tuple[type[Any], ...]:
+        """The classes of models that it may hold."""
+        ...
+
+    @property
+    def member(self) -> str:
+        """The field whose members it counts, if it is an index."""
+        ...
+
+    @property
+    def size(self) -> Callable[[Mapping[str, Any]], int] | None:
+        """How many members it has, where other fields demand it."""
+        ...
 
 
 class Relations(NamedTuple):
@@ -16,7 +32,7 @@ class Relations(NamedTuple):
 
 
 @cache
-def relations(model: type[Any], types: "Callable[[type[Any]], Mapping[str, FieldType]]") -> Relations:
+def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Related]]) -> Relations:
     """The relations that a class of models declares; `types` takes its fields apart."""
     kinds = types(model)
     own = [("", name, kind.member) for name, kind in kinds.items() if kind.member in kinds]

@@ -12,9 +12,9 @@ paths bend, how springs pull and fields push.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import dist
 
 import numpy as np
@@ -29,6 +29,7 @@ from sim2reason.dsl.vectors import Tensor
 
 Label = tuple[object, ...]
 Signature = tuple[object, ...]
+FLAT = 1e-9  # √kg; less motion of all bodies per rate of a coordinate is none
 ROUNDS = 3  # of refining labels by their neighbours
 STAGES = (0.0, 0.37, -0.23)  # at which changing mechanisms are compared: m, rad or s from the start
 
@@ -36,13 +37,15 @@ STAGES = (0.0, 0.37, -0.23)  # at which changing mechanisms are compared: m, rad
 def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
     """What two scenes have in common if they mean the same; `names` is what bodies are called, by address."""
     mechanism = scene.mechanism
-    stages = STAGES if changing(mechanism, start(mechanism)) else STAGES[:1]
-    return (mechanism.gravity, mechanism.units.name, *(_compared(mechanism, names, stage) for stage in stages))
+    bending = bool(changing(mechanism, start(mechanism)))
+    stages = STAGES if bending else STAGES[:1]
+    compared = (_compared(_Rows(mechanism, names, stage, bending=bending)) for stage in stages)
+    return (mechanism.gravity, mechanism.units.name, *compared)
 
 
-def _compared(mechanism: Mechanism, names: Mapping[str, str], stage: float) -> tuple[object, ...]:
+def _compared(rows: "_Rows") -> tuple[object, ...]:
     """All rows at one stage, and what has no row."""
-    rows = _Rows(mechanism, names, stage)
+    mechanism = rows.mechanism
     for body in mechanism.bodies:
         rows.body(body)
     for line in mechanism.lines:
@@ -58,14 +61,38 @@ def _compared(mechanism: Mechanism, names: Mapping[str, str], stage: float) -> t
 class _Rows:
     """Rows with labels over all coordinates and all rises."""
 
-    def __init__(self, mechanism: Mechanism, names: Mapping[str, str], stage: float) -> None:
-        self._mechanism, self._names, self._stage = mechanism, names, stage
-        speeds = [coordinate.speed for coordinate in mechanism.coordinates]
-        self._n = len(speeds)
-        self._frames = Frames(mechanism, [stage] * self._n, speeds, math)
+    def __init__(self, mechanism: Mechanism, names: Mapping[str, str], stage: float, *, bending: bool) -> None:
+        self.mechanism, self._names, self._stage = mechanism, names, stage
+        self._n = len(mechanism.coordinates)
+        self._frames = self._going([coordinate.speed for coordinate in mechanism.coordinates])
         self._width = self._n + len(mechanism.faces)
         self._labels: list[Label] = []
         self._rows: list[Array] = []
+        self._bends = self._curvature() if bending else {}
+
+    def _going(self, speeds: Sequence[float]) -> Frames:
+        return Frames(self.mechanism, [self._stage] * self._n, speeds, math)
+
+    def _curvature(self) -> dict[str, Array]:
+        """How far the path of each body is from straight, by its name: 1/m times the root of a mass.
+
+        It is the mean curvature of the surface on which all bodies can be, in the metric of their masses: the part of
+        the accelerations at q̈ = 0 that no q̈ makes up for, summed over rates that are orthonormal there.
+        """
+        bodies = self.mechanism.bodies
+        roots = np.repeat([math.sqrt(body.mass + 1.0) for body in bodies], 3)
+        spread = np.vstack([self._spread(self._frames.center(body.name))[:, : self._n] for body in bodies])
+        way, sizes, rates = np.linalg.svd(roots[:, None] * spread, full_matrices=False)
+        kept = sizes > FLAT
+        way, rates = way[:, kept], rates[kept] / sizes[kept, None]
+
+        def biases(speeds: Array) -> Array:
+            frames = self._going([float(speed) for speed in speeds])
+            return roots * np.concatenate([frames.center(body.name).bias for body in bodies])
+
+        total = sum((biases(speeds) for speeds in rates), np.zeros(len(roots))) - len(rates) * biases(np.zeros(self._n))
+        total -= way @ (way.T @ total)
+        return dict(zip((body.name for body in bodies), total.reshape(-1, 3), strict=True))
 
     def _called(self, address: str | None) -> str:
         return self._names.get(address or "", "")
@@ -84,15 +111,24 @@ class _Rows:
         return found
 
     def body(self, body: RigidBody) -> None:
-        """Its place, its start and how its path bends; it has three rows, and more if it turns."""
+        """Its place, its start and how its path bends; it has three rows, and more if it turns.
+
+        Its principal moments count, though no place may show them: how fast a ball spins that rolls.
+        """
         point, called = self._frames.center(body.name), self._called(body.name)
         spread = self._spread(point)
+        bends = self._bends.get(body.name, np.zeros(3))
         for axis in range(3):
-            bent = (_rounded(point.velocity[axis]), _rounded(point.bias[axis]))
+            bent = map(_rounded, (point.velocity[axis], point.bias[axis], round(bends[axis], 7)))
             self._add(("body", called, axis, body.mass, *bent), spread[axis])
-        for row in self._turns(body):
-            self._add(("turn", called), row)
-        for burn in self._mechanism.burns:
+        turns = self._turns(body)
+        if turns:
+            frame, inertia = self._frames[body.name], _matrix(body.inertia)
+            spin = np.array(frame.unturned(frame.turning.velocity))
+            own = [*map(_rounded, np.linalg.eigvalsh(inertia)), _rounded(float(spin @ inertia @ spin))]
+            for row in turns:
+                self._add(("turn", called, *own), row)
+        for burn in self.mechanism.burns:
             if burn.body == body.name:
                 thrust = self._frames[body.name].turned(burn.direction)
                 label = ("burn", called, burn.rate, burn.exhaust, burn.until)
@@ -120,16 +156,17 @@ class _Rows:
         return "hit", self._called(one), self._called(other), repr(numbers)
 
     def push(self, force: Force) -> Label:
-        """A force that is given: what it is here, and how far its borders are."""
+        """A force that is given: what it is here, now and at other velocities, and how far its borders are."""
         point = self._frames.center(force.body)
-        found = force.law.force(point.place, point.velocity, self._stage, math)
+        velocities = (point.velocity, X, Y, Z)
+        found = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
         borders = () if force.region is None else force.region.margins(point.place, math)
-        return "force", self._called(force.body), *map(_rounded, (*found, *borders))
+        return "force", self._called(force.body), *map(_rounded, (*chain.from_iterable(found), *borders))
 
     def pairs(self) -> list[Label]:
         """The bodies that attract each other, and how far apart they are."""
         found: list[Label] = []
-        for pair in self._mechanism.attractions:
+        for pair in self.mechanism.attractions:
             distance = dist(self._frames.center(pair.a).place, self._frames.center(pair.b).place)
             both = sorted((self._called(pair.a), self._called(pair.b)))
             found.append(("attraction", *both, pair.constant, pair.power, _rounded(distance)))
@@ -142,7 +179,7 @@ class _Rows:
         """
         row, wound = np.zeros(self._width), 0.0
         for wheel in line.wheels:
-            row[self._mechanism.number[wheel.coordinate]] += wheel.radius
+            row[self.mechanism.number[wheel.coordinate]] += wheel.radius
             wound += wheel.radius * self._stage
         for first, last in pairwise(line.through):
             one, other = self._frames.site(first), self._frames.site(last)
@@ -187,7 +224,7 @@ class _Rows:
     def _kinetic(self) -> Array:
         """The mass matrix, a unit mass being added to every body."""
         total = np.zeros((self._width, self._width))
-        for body in self._mechanism.bodies:
+        for body in self.mechanism.bodies:
             spread = self._spread(self._frames.center(body.name))
             total += (body.mass + 1.0) * spread.T @ spread
             for row in self._turns(body):
@@ -197,8 +234,12 @@ class _Rows:
 
 def _root(inertia: Tensor) -> Array:
     """The symmetric root of a tensor of inertia, (3, 3)."""
-    values, axes = np.linalg.eigh(np.array([applied(inertia, axis) for axis in (X, Y, Z)]))
+    values, axes = np.linalg.eigh(_matrix(inertia))
     return axes * np.sqrt(np.maximum(values, 0.0)) @ axes.T
+
+
+def _matrix(inertia: Tensor) -> Array:
+    return np.array([applied(inertia, axis) for axis in (X, Y, Z)])
 
 
 def _near(products: Array, labels: list[object]) -> tuple[object, ...]:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import nan
 
-from sim2reason.simulation.engines.exact.contact_modes import scales, search, stiffest
+from sim2reason.simulation.engines.exact.contact_modes import linked, scales, search, stiffest
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import Row, solve
 from sim2reason.simulation.engines.exact.problem import Forces, Mode, Problem, Solution
@@ -82,7 +82,7 @@ def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode
     for number, side in enumerate(found.mode.rubbing):
         if side and not problem.sliding[number] and abs(problem.grips[number].slip.rate(found.x)) <= small:
             rubbing[number] = 0
-    return Mode(tuple(acting), tuple(rubbing))
+    return linked(problem, Mode(tuple(acting), tuple(rubbing)))
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
