@@ -1,13 +1,13 @@
 """Regular prisms: of a stated height, or long ones that tumble and whose length never matters."""
 
-from math import hypot
+from math import cos, hypot, pi, sin
 from typing import Literal
 
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Axial
 from sim2reason.dsl.shape import Extent, Radius, Shape
 from sim2reason.dsl.solids import Solid, polygon, prism
-from sim2reason.dsl.vectors import Vector
+from sim2reason.dsl.vectors import Vector, add, scale
 
 Polygon = Literal[
     "triangular", "square", "pentagonal", "hexagonal", "heptagonal", "octagonal", "decagonal", "dodecagonal"
@@ -83,6 +83,16 @@ class LongPrism(Shape):
     def sides(self) -> int:
         """Of its cross-section."""
         return SIDES[self.shape]
+
+    @property
+    def apothem(self) -> float:
+        """From its axis to the middle of a face, m."""
+        return self.radius * cos(pi / self.sides)
+
+    def edges(self, along: Vector, up: Vector) -> list[Vector]:
+        """From its axis to its edges as it lies on a face, the one in front first and the last behind it, m."""
+        turns = [(2 * number + 1) * pi / self.sides for number in range(self.sides)]
+        return [add(scale(self.radius * sin(turn), along), scale(-self.radius * cos(turn), up)) for turn in turns]
 
     @property
     def solid(self) -> Solid:

@@ -131,6 +131,7 @@ Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decim
 Friction = Annotated[float, Ge(0), Le(2), Measure("friction", "", r"\mu", decimals=2), Range(0.1, 0.7)]
 Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
 Speed = Annotated[float, LEAST, Le(1e3), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
+AngularVelocity = Annotated[float, LEAST, Le(1e4), Measure("angular velocity", "rad/s", r"\omega_0"), Range(0.5, 5.0)]
 Velocity = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-3.0, 3.0)]
 Coordinate = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-2.0, 2.0)]
 Length = Annotated[float, LEAST, Le(1e3), Measure("length", "m", r"\ell"), Range(0.5, 2.0)]

@@ -2,14 +2,9 @@
 
 from typing import Literal
 
+from sim2reason.authoring import End, Entity, Frame, Word, X, Z, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.spring import Spring
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import End
-from sim2reason.dsl.template import Word, either
-from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.stretched import AT_FIRST, StartLength
 
 

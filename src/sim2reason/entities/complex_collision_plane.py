@@ -8,13 +8,9 @@ import numpy as np
 from annotated_types import Len
 from pydantic import model_validator
 
+from sim2reason.authoring import Chance, Count, Entity, Frame, Range, Restitution, Word, each, either, entity, scale
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.track import Track
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Chance, Count, Range, Restitution
-from sim2reason.dsl.template import Word, each, either
-from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.neighbours import BUFFERS, JOINED, PAIRS, Buffered, Joined, OwnRestitution, Wall, fit
 
 NEAREST = 0.01  # m, between neighbours at the start

@@ -1,9 +1,6 @@
 """A hand that draws a string in with a constant force."""
 
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Force
-from sim2reason.dsl.ports import StringEnd
+from sim2reason.authoring import Entity, Force, Frame, StringEnd, entity
 
 
 @entity

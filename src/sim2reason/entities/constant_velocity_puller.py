@@ -2,10 +2,7 @@
 
 from typing import Annotated
 
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Range, Speed
-from sim2reason.dsl.ports import StringEnd
+from sim2reason.authoring import Entity, Frame, Range, Speed, StringEnd, entity
 
 
 @entity

@@ -5,17 +5,11 @@ from typing import Annotated, Literal
 
 from annotated_types import Ge, Le
 
+from sim2reason.authoring import LEAST, Angle, Entity, Frame, Measure, Range, StringEnd, X, either, entity, scale
 from sim2reason.bodies.block import Block
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.mechanism import X
-from sim2reason.dsl.ports import StringEnd
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import scale
 
 Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d", decimals=2), Range(0.5, 2.0)]
-Incline = Annotated[float, Ge(1), Le(85), Measure("angle", "deg", r"\theta", decimals=0), Range(15.0, 70.0)]
+Away = Annotated[Angle, Ge(1), Range(15.0, 70.0)]
 Side = Literal["above", "below"]
 
 
@@ -25,10 +19,10 @@ class DirectedMass(Entity):
 
     block: Block
     left_distance: Distance
-    left_angle: Incline
+    left_angle: Away
     left_side: Side
     right_distance: Distance
-    right_angle: Incline
+    right_angle: Away
     right_side: Side
 
     says = (
@@ -61,10 +55,8 @@ class DirectedMass(Entity):
     def build(self, room: Frame) -> None:
         """The block at the origin, on a slide that holds it both ways, and two points round which the strings go."""
         room.body("block", self.block.mass).slide(X).site("left_hook").site("right_hook")
-        for name, distance, angle, side, way in (
-            ("left_wheel", self.left_distance, self.left_angle, self.left_side, -1.0),
-            ("right_wheel", self.right_distance, self.right_angle, self.right_side, 1.0),
-        ):
-            rise = sin(radians(angle)) * (1.0 if side == "above" else -1.0)
-            at = (way * distance * cos(radians(angle)), 0.0, distance * rise)
-            room.site(name, at=at, faces=scale(way, X))
+        left = ("left_wheel", self.left_distance, self.left_angle, self.left_side)
+        right = ("right_wheel", self.right_distance, self.right_angle, self.right_side)
+        for way, (name, distance, angle, side) in ((-1.0, left), (1.0, right)):
+            across, rise = distance * cos(radians(angle)), distance * sin(radians(angle))
+            room.site(name, at=(way * across, 0.0, rise if side == "above" else -rise), faces=scale(way, X))

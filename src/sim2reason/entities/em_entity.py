@@ -7,14 +7,10 @@ from typing import Annotated, Any, Self
 import numpy as np
 from pydantic import model_validator
 
+from sim2reason.authoring import ZERO, Chance, Entity, Frame, X, Y, either, entity
 from sim2reason.bodies.charge import ChargedBead, Launched, Released
 from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Chance
-from sim2reason.dsl.mechanism import ZERO, X, Y
 from sim2reason.dsl.model import rebuilt
-from sim2reason.dsl.template import either
 from sim2reason.entities.parts.fields import ElectricField, ForceField, MagneticField, Medium
 
 MILLI = 1e-3

@@ -1,8 +1,6 @@
 """A hook to which an open string is tied."""
 
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.ports import End
+from sim2reason.authoring import End, Entity, Frame, entity
 
 
 @entity

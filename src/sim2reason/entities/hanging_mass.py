@@ -1,8 +1,6 @@
 """Blocks that hang from the end of a string."""
 
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.ports import Chain
+from sim2reason.authoring import Chain, Entity, Frame, entity
 from sim2reason.entities.parts.mass_systems import Hanging
 
 

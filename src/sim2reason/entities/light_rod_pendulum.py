@@ -1,21 +1,12 @@
 """A ball on a light rod that is hinged to something which may move."""
 
-from math import cos, pi, radians, sin, sqrt
-from typing import Annotated, Literal
+from math import cos, radians, sin
+from typing import Literal
 
-from annotated_types import Ge, Le
-
+from sim2reason.authoring import Base, Entity, Frame, Speed, Word, Y, either, entity
 from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.hanger import LightRod
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Measure, Range, Speed
-from sim2reason.dsl.mechanism import GRAVITY, Y
-from sim2reason.dsl.ports import Base
-from sim2reason.dsl.template import Word, either
-
-Tilt = Annotated[float, Ge(0), Le(180), Measure("deflection", "deg", r"\theta", decimals=0), Range(10.0, 150.0)]
-PERIODS = 1.5  # of a small swing about a fixed point that the motion is followed for
+from sim2reason.entities.parts.swings import Deflection, swings
 
 
 @entity
@@ -24,7 +15,7 @@ class LightRodPendulum(Entity):
 
     bob: Ball
     rod: LightRod
-    angle: Tilt
+    angle: Deflection
     side: Literal["left", "right"] = "right"
     speed: Speed | None = None
 
@@ -57,8 +48,8 @@ class LightRodPendulum(Entity):
 
     @property
     def horizon(self) -> float:
-        """A period and a half of a small swing about a fixed point on Earth, s."""
-        return PERIODS * 2.0 * pi * sqrt(self.rod.length / GRAVITY)
+        """Of a few swings about a fixed point, s."""
+        return swings(self.rod.length)
 
     def build(self, room: Frame) -> None:
         """The ball on an arm about the hinge; what turns right-handed about y, away from the reader, goes clockwise."""

@@ -1,14 +1,8 @@
 """A box on the floor with blocks on its top and at its sides, joined by strings over its edges."""
 
+from sim2reason.authoring import End, Entity, Frame, FreeLength, X, Z, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.box import Box
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import FreeLength
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import End
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.mass_systems import SPACING, Blocks, link
 
 EYE = 1.6  # times the free length of a string that hangs there, below the top; for looks

@@ -5,15 +5,9 @@ from typing import Annotated
 
 from annotated_types import Len
 
+from sim2reason.authoring import Count, Entity, Frame, FreeLength, StringEnd, X, Z, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.wedge import Prism
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Count, FreeLength
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import StringEnd
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.mass_systems import SPACING
 
 FaceBlocks = Annotated[tuple[Block, ...], Len(1, 3), Count(1, 2)]

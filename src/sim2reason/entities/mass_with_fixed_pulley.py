@@ -1,9 +1,7 @@
 """A mass system whose string passes over a pulley that is fixed in the room."""
 
+from sim2reason.authoring import WHEEL_RADIUS, Chain, Entity, Frame, Pass, entity
 from sim2reason.bodies.pulley import FixedPulley
-from sim2reason.dsl.builder import WHEEL_RADIUS, Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.ports import Chain, Pass
 from sim2reason.entities.parts.mass_systems import Hanging, OnPlane, OnWedge
 
 

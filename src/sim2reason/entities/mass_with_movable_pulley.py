@@ -1,13 +1,9 @@
 """A movable pulley that hangs by its axle and carries a mass system on either side of its string."""
 
+from sim2reason.authoring import WHEEL_RADIUS, End, Entity, Frame, Pass, X, Z, entity, scale
 from sim2reason.bodies.pulley import MovablePulley
 from sim2reason.connections.string import String
-from sim2reason.dsl.builder import WHEEL_RADIUS, Frame
 from sim2reason.dsl.connection import Inside
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import End, Pass
-from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.mass_systems import Hanging, OnPlane, OnWedge
 
 ASIDE = 1.0  # m; how far from the pulley a plane or wedge stands, for looks

@@ -1,14 +1,8 @@
 """A movable pulley that hangs in the bight of a string, with a load on its axle."""
 
+from sim2reason.authoring import End, Entity, Frame, FreeLength, Pass, Z, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.pulley import MovablePulley
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import FreeLength
-from sim2reason.dsl.mechanism import Z
-from sim2reason.dsl.ports import End, Pass
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import scale
 
 
 @entity

@@ -1,21 +1,15 @@
 """A pendulum: a bob on a string or on a light rod, in a vertical plane."""
 
-from math import cos, pi, radians, sin, sqrt
+from math import cos, radians, sin
 from typing import Annotated, Self
 
-from annotated_types import Ge, Le
+from annotated_types import Le
 from pydantic import model_validator
 
+from sim2reason.authoring import Chance, Entity, Frame, Range, Speed, Word, X, Y, Z, either, entity
 from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.hanger import Cord, LightRod
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Chance, Measure, Range, Speed
-from sim2reason.dsl.mechanism import GRAVITY, X, Y, Z
-from sim2reason.dsl.template import Word, either
-
-Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
-PERIODS = 1.5  # of a small swing that the motion is followed for
+from sim2reason.entities.parts.swings import Deflection, swings
 
 
 @entity
@@ -24,7 +18,7 @@ class Pendulum(Entity):
 
     bob: Ball
     hanger: Cord | LightRod
-    angle: Deflection
+    angle: Annotated[Deflection, Le(175), Range(5.0, 90.0)]
     speed: Annotated[Speed | None, Chance(0.5)] = None
 
     words = {
@@ -41,11 +35,7 @@ class Pendulum(Entity):
             "{hanger} joins {bob} to a fixed point.",
             "from a fixed point {bob} hangs on {hanger}.",
         ),
-        either(
-            "at first {start}.",
-            "at the start {start}.",
-            "to begin with, {start}.",
-        ),
+        either("at first {start}.", "at the start {start}.", "to begin with, {start}."),
         either(
             "{bob} is sent off {sent} at {speed}.",
             "{bob} is given a speed of {speed} {sent}.",
@@ -61,8 +51,8 @@ class Pendulum(Entity):
 
     @property
     def horizon(self) -> float:
-        """A period and a half of a small swing on Earth, s."""
-        return PERIODS * 2.0 * pi * sqrt(self.hanger.length / GRAVITY)
+        """Of a few swings, s."""
+        return swings(self.hanger.length)
 
     def build(self, room: Frame) -> None:
         """On a rod it turns about the point; on a string it moves in the plane, held by the string alone."""

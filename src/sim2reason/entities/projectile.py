@@ -6,12 +6,23 @@ from typing import Annotated, Literal, Self
 from annotated_types import Ge, Le
 from pydantic import model_validator
 
+from sim2reason.authoring import (
+    GRAVITY,
+    Chance,
+    Entity,
+    Frame,
+    Height,
+    Measure,
+    Range,
+    Restitution,
+    Speed,
+    Word,
+    X,
+    Z,
+    either,
+    entity,
+)
 from sim2reason.bodies.ball import Ball
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Chance, Height, Measure, Range, Restitution, Speed
-from sim2reason.dsl.mechanism import GRAVITY, X, Z
-from sim2reason.dsl.template import Word, either
 
 Elevation = Annotated[float, Ge(0), Le(90), Measure("elevation", "deg", r"\theta", decimals=0), Range(0.0, 90.0)]
 FLIGHTS = 2.2  # times the first flight that the motion is followed for

@@ -1,8 +1,6 @@
 """A rigid body, made of several, that swings from what carries its axle."""
 
-from sim2reason.dsl.entity import entity
-from sim2reason.dsl.ports import Base, Mount
-from sim2reason.dsl.template import either
+from sim2reason.authoring import Base, Mount, either, entity
 from sim2reason.entities.parts.assembly import WeldedArm
 
 

@@ -7,13 +7,9 @@ from typing import Annotated, Any
 import numpy as np
 from annotated_types import Le
 
+from sim2reason.authoring import GRAVITY, LEAST, Entity, Frame, Measure, Range, X, Z, either, entity
 from sim2reason.bodies.rocket import AirlessPlanet, DeepSpace, LevelGround, Rocket
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.mechanism import GRAVITY, X, Z
 from sim2reason.dsl.model import field_types
-from sim2reason.dsl.template import either
 
 ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u"), Range(0.4, 3.0)]
 BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu"), Range(1.0, 10.0)]

@@ -5,6 +5,7 @@ from typing import Self
 
 from pydantic import model_validator
 
+from sim2reason.authoring import ZERO, End, Entity, Frame, Y, either, entity, lines_of, outer
 from sim2reason.bodies.bored_cylinder import BoredCylinder
 from sim2reason.bodies.cylinder import Roller
 from sim2reason.bodies.disc import Disc
@@ -14,13 +15,7 @@ from sim2reason.bodies.hoop import Hoop
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.pipe import Pipe, ThickPipe
 from sim2reason.bodies.sphere import Sphere
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.mechanism import ZERO, Y
-from sim2reason.dsl.ports import End
 from sim2reason.dsl.solids import axes_along
-from sim2reason.dsl.template import either, lines_of
-from sim2reason.dsl.vectors import outer
 from sim2reason.entities.parts.rolling import Hole, NoSlipping, Rolling, Rough, Sliding, Spinning
 
 Holed = BoredCylinder | SphereWithHole

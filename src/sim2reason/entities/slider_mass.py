@@ -1,12 +1,7 @@
 """A carriage on a horizontal rail, with a hinge for what hangs from it."""
 
+from sim2reason.authoring import End, Entity, Frame, Mount, X, either, entity, scale
 from sim2reason.bodies.carriage import Carriage
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.mechanism import X
-from sim2reason.dsl.ports import End, Mount
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import scale
 
 
 @entity

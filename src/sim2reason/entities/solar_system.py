@@ -9,13 +9,9 @@ import numpy as np
 from annotated_types import Len
 from pydantic import model_validator
 
+from sim2reason.authoring import Count, Entity, Frame, Range, X, Y, each, either, entity
 from sim2reason.bodies.star import HeavyPlanet, Planet, Star
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Count, Range
-from sim2reason.dsl.mechanism import X, Y
 from sim2reason.dsl.model import field_types, rebuilt
-from sim2reason.dsl.template import each, either
 from sim2reason.dsl.units import ASTRONOMICAL, UnitSystem
 
 G = 4.0 * pi**2  # au³/(Msun yr²): what is 1 au from 1 solar mass takes 1 year for a circle

@@ -7,13 +7,9 @@ from typing import Annotated, Self
 from annotated_types import Ge, Le, Len
 from pydantic import model_validator
 
+from sim2reason.authoring import Chance, Count, Damping, Entity, Frame, Measure, Part, Range, X, Y, each, either, entity
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.spring import NailedSpring
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, Part, entity
-from sim2reason.dsl.measures import Chance, Count, Damping, Measure, Range
-from sim2reason.dsl.mechanism import X, Y
-from sim2reason.dsl.template import each, either
 from sim2reason.entities.parts.springs import DASHPOTS
 
 Across = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-0.3, 0.3)]

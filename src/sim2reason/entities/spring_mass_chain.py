@@ -6,14 +6,10 @@ from typing import Annotated, Literal, Self
 from annotated_types import Len
 from pydantic import model_validator
 
+from sim2reason.authoring import Chance, Count, Damping, Entity, Frame, FreeLength, Sized, Word, either, entity, scale
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Chance, Count, Damping, FreeLength, Sized
-from sim2reason.dsl.template import Word, either
-from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.springs import DASHPOTS, Blow, Strained
 
 WALLS = {"free": 0, "left": 1, "right": 1, "both": 2}

@@ -1,13 +1,9 @@
 """A block on a plane, tied by a spring to a stop below it, with a string that leads up the slope."""
 
+from sim2reason.authoring import End, Entity, Frame, Word, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.spring import Spring
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.ports import End
-from sim2reason.dsl.template import Word, either
-from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
 from sim2reason.entities.parts.stretched import AT_FIRST, StartLength
 

@@ -4,14 +4,9 @@ from typing import Self
 
 from pydantic import model_validator
 
+from sim2reason.authoring import End, Entity, Frame, Friction, Speed, Vector, Word, either, entity, scale
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.slab import Slab
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Friction, Speed
-from sim2reason.dsl.ports import End
-from sim2reason.dsl.template import Word, either
-from sim2reason.dsl.vectors import Vector, scale
 from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
 
 THICK = 0.4  # m; how much higher than one slab's the strings of the next one are, for looks

@@ -2,13 +2,8 @@
 
 from typing import Literal
 
+from sim2reason.authoring import End, Entity, Frame, Pass, Word, Z, entity, scale
 from sim2reason.bodies.pulley import MovablePulley
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.mechanism import Z
-from sim2reason.dsl.ports import End, Pass
-from sim2reason.dsl.template import Word
-from sim2reason.dsl.vectors import scale
 
 
 @entity

@@ -1,21 +1,14 @@
 """A regular prism that tumbles down a plane from face to face, as a pencil does."""
 
-from math import cos, pi, sin
+from math import pi
 from typing import Annotated, Self
 
-from annotated_types import Le
 from pydantic import model_validator
 
+from sim2reason.authoring import AngularVelocity, Entity, Frame, Range, Y, either, entity, inner, outer, scale
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.polygonal_prism import LongPrism
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.mechanism import Y
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import add, outer, scale
 
-TipRate = Annotated[float, LEAST, Le(1e3), Measure("angular velocity", "rad/s", r"\omega_0"), Range(1.0, 5.0)]
 TUMBLES, LONGEST = 5, 2.0  # for which the motion is followed, and s
 FEWEST = 5  # sides: with four, a landing leaves a sixteenth of the energy, with three it stops all motion
 
@@ -26,7 +19,7 @@ class TumblingPrism(Entity):
 
     prism: LongPrism
     plane: Incline
-    rate: TipRate | None = None
+    rate: Annotated[AngularVelocity | None, Range(1.0, 5.0)] = None
 
     says = (
         either(
@@ -63,13 +56,13 @@ class TumblingPrism(Entity):
     def build(self, room: Frame) -> None:
         """A body free in the plane of the motion, its edges the feet on which it may stand."""
         uphill, normal = self.plane.directions()
-        sides, radius, sense = self.prism.sides, self.prism.radius, 1.0 if self.plane.angle == 0.0 else -1.0
-        half, rate = pi / sides, sense * (self.rate or 0.0)  # the rate is positive if it tips to the right
-        apothem, side = radius * cos(half), radius * sin(half)
-        edge = add(scale(sin(half), uphill), scale(-cos(half), normal))
-        frame = self.prism.put(room, "prism", scale(apothem, normal), (edge, outer(Y, edge), Y))
-        frame.slide(uphill, rate * apothem).slide(normal, rate * sense * side, name="rise").hinge(Y, rate)
-        for number in range(sides):
-            turn = (2 * number + 1) * half
-            place = add(scale(radius * sin(turn), uphill), scale(-radius * cos(turn), normal))
+        edges, apothem = self.prism.edges(uphill, normal), self.prism.apothem
+        sense = 1.0 if self.plane.angle == 0.0 else -1.0
+        rate = sense * (self.rate or 0.0)  # positive if it tips to the right
+        edge = scale(1.0 / self.prism.radius, edges[0])
+        frame = self.prism.put(room, "prism", scale(apothem, normal), (edge, outer(Y, edge), Y)).slide(
+            uphill, rate * apothem
+        )
+        frame.slide(normal, rate * sense * inner(edges[0], uphill), name="rise").hinge(Y, rate)
+        for number, place in enumerate(edges):
             frame.stand(f"edge{number}", place, uphill, normal, on=scale(-apothem, normal))

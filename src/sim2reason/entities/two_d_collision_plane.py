@@ -7,12 +7,23 @@ from typing import Annotated, Self
 from annotated_types import Ge, Le, Len
 from pydantic import model_validator
 
+from sim2reason.authoring import (
+    LEAST,
+    Count,
+    Entity,
+    Frame,
+    Measure,
+    Member,
+    Part,
+    Range,
+    Restitution,
+    Word,
+    X,
+    each,
+    either,
+    entity,
+)
 from sim2reason.bodies.puck import Puck, Table
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, Part, entity
-from sim2reason.dsl.measures import LEAST, Count, Measure, Member, Range, Restitution
-from sim2reason.dsl.mechanism import X
-from sim2reason.dsl.template import Word, each, either
 
 Pucks = Annotated[tuple[Puck, ...], Len(2, 6), Count(2, 4)]
 Radius = Annotated[float, LEAST, Le(10), Measure("radius", "m", "R", decimals=2), Range(0.1, 0.3)]

@@ -1,12 +1,7 @@
 """Blocks in a row on a fixed plane, open to strings on either side."""
 
+from sim2reason.authoring import End, Entity, Frame, Speed, either, entity, scale
 from sim2reason.bodies.plane import Plane
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.measures import Speed
-from sim2reason.dsl.ports import End
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import scale
 from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE, Blocks, row
 
 

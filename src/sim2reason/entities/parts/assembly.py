@@ -7,19 +7,30 @@ from typing import Annotated, ClassVar, Self
 from annotated_types import Ge, Le, Len
 from pydantic import model_validator
 
+from sim2reason.authoring import (
+    GRAVITY,
+    AngularVelocity,
+    Count,
+    Entity,
+    Frame,
+    Length,
+    Measure,
+    Range,
+    Word,
+    X,
+    Y,
+    either,
+    lines_of,
+    scale,
+)
 from sim2reason.bodies.arm import Arm
 from sim2reason.bodies.uniform_rod import UniformRod
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity
-from sim2reason.dsl.measures import LEAST, Count, Length, Measure, Range
-from sim2reason.dsl.mechanism import GRAVITY, X, Y
 from sim2reason.dsl.solids import Axes, composed
-from sim2reason.dsl.template import Saying, Word, either, lines_of
-from sim2reason.dsl.vectors import scale
+from sim2reason.dsl.template import Saying
 from sim2reason.entities.parts.pieces import AnyPiece
 
 Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
-TurnRate = Annotated[float, LEAST, Le(1e3), Measure("angular velocity", "rad/s", r"\omega_0"), Range(0.5, 4.0)]
+TurnRate = Annotated[AngularVelocity, Range(0.5, 4.0)]
 PERIODS, LONGEST = 1.5, 6.0  # of a small swing that the motion is followed for, and s
 
 

@@ -6,16 +6,10 @@ from typing import Annotated
 
 from annotated_types import Len
 
+from sim2reason.authoring import Count, End, Frame, FreeLength, Part, StringEnd, X, Z, either, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.wedge import Wedge
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Part
-from sim2reason.dsl.measures import Count, FreeLength
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import End, StringEnd
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import scale
 
 MAX_BLOCKS = 5
 SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters

@@ -7,12 +7,10 @@ from typing import Annotated, Self, TypeVar
 from annotated_types import Ge, Le
 from pydantic import model_validator
 
+from sim2reason.authoring import Measure, Member, Part, Restitution, each
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.spring import Bumper, Coil
-from sim2reason.dsl.entity import Part
-from sim2reason.dsl.measures import Measure, Member, Restitution
 from sim2reason.dsl.model import rebuilt
-from sim2reason.dsl.template import each
 
 Index = Annotated[int, Ge(0), Le(5), Member("gliders")]
 Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "x", decimals=2)]

@@ -9,6 +9,7 @@ from typing import Annotated, Literal, Self
 from annotated_types import Gt, Lt
 from pydantic import model_validator
 
+from sim2reason.authoring import Chance, Length, Measure, Part, Range, X, Y, Z, either, outer, scale
 from sim2reason.bodies.bar import Bar
 from sim2reason.bodies.bowl import Bowl, SphericalCap
 from sim2reason.bodies.cylinder import Cylinder
@@ -20,13 +21,8 @@ from sim2reason.bodies.hoop import Hoop
 from sim2reason.bodies.polygonal_prism import PolygonalPrism
 from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.uniform_rod import UniformRod
-from sim2reason.dsl.entity import Part
-from sim2reason.dsl.measures import Chance, Length, Measure, Range
-from sim2reason.dsl.mechanism import X, Y, Z
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Axes, axes_along, seen
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import outer, scale
 
 Distance = Annotated[Length, Range(0.15, 1.2)]
 Side = Literal["from the axle", "beyond the axle"]

@@ -6,13 +6,10 @@ from typing import Annotated, Literal, Self
 from annotated_types import Ge, Le
 from pydantic import model_validator
 
-from sim2reason.dsl.entity import Part
-from sim2reason.dsl.measures import LEAST, Friction, Measure, Range, Speed
-from sim2reason.dsl.template import Word, either
-from sim2reason.dsl.vectors import Vector
+from sim2reason.authoring import AngularVelocity, Friction, Measure, Part, Range, Speed, Vector, Word, either
 
 Bearing = Annotated[float, Ge(0), Le(180), Measure("bearing", "deg", r"\varphi", decimals=0), Range(0.0, 180.0)]
-Spin = Annotated[float, LEAST, Le(1e4), Measure("angular velocity", "rad/s", r"\omega_0"), Range(5.0, 40.0)]
+Spin = Annotated[AngularVelocity, Range(5.0, 40.0)]
 Way = Literal["up the slope", "down the slope", "to the right"]
 
 

@@ -5,9 +5,7 @@ from typing import Annotated, Literal, Self
 from annotated_types import Ge, Le
 from pydantic import model_validator
 
-from sim2reason.dsl.entity import Part
-from sim2reason.dsl.measures import Chance, Measure, Member, Range, Speed
-from sim2reason.dsl.template import either
+from sim2reason.authoring import Chance, Measure, Member, Part, Range, Speed, either
 
 Strain = Annotated[float, Ge(0), Le(1e3), Measure("strain", "m", "d"), Range(0.05, 0.3), Chance(1.0)]
 

@@ -2,8 +2,7 @@
 
 from typing import Annotated
 
-from sim2reason.dsl.measures import Length, Range
-from sim2reason.dsl.template import either
+from sim2reason.authoring import Length, Range, either
 
 StartLength = Annotated[Length, Range(0.2, 1.0)]
 AT_FIRST = either(

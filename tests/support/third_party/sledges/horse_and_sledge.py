@@ -2,15 +2,8 @@
 
 from typing import Annotated
 
+from sim2reason.authoring import End, Entity, Force, Frame, Friction, Profile, Push, Range, X, Z, either, entity, scale
 from sim2reason.bodies.block import Block
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, entity
-from sim2reason.dsl.fields import Profile, Push
-from sim2reason.dsl.measures import Force, Friction, Range
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.ports import End
-from sim2reason.dsl.template import either
-from sim2reason.dsl.vectors import scale
 
 
 @entity

@@ -5,13 +5,8 @@ from typing import Annotated, Literal, TypeVar
 
 from annotated_types import Le
 
-from sim2reason.dsl.entity import Part
-from sim2reason.dsl.fields import Law
-from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.mechanism import X, Y, Z
+from sim2reason.authoring import LEAST, Law, Measure, Part, Range, Vector, Word, X, Y, Z, scale
 from sim2reason.dsl.model import Model
-from sim2reason.dsl.template import Word
-from sim2reason.dsl.vectors import Vector, scale
 from sim2reason.registry import Registry
 
 ElectricStrength = Annotated[float, LEAST, Le(1e6), Measure("electric field", "N/C", "E"), Range(0.4, 2.0)]

@@ -7,12 +7,9 @@ from typing import Annotated, Literal, Self
 from annotated_types import Le
 from pydantic import model_validator
 
+from sim2reason.authoring import LEAST, Law, Measure, Range, Vector, add, either
 from sim2reason.bodies.field_region import Border
-from sim2reason.dsl.fields import Law
-from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.template import either
 from sim2reason.dsl.triples import Maths, Number, Triple, cross, minus, product, times
-from sim2reason.dsl.vectors import Vector, add
 from sim2reason.entities.parts.fields import MagneticField, along, force_field
 
 DipoleStrength = Annotated[float, LEAST, Le(1e6), Measure("dipole strength", "T m^3", "b"), Range(1.0, 5.0)]

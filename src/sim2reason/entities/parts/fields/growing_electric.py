@@ -4,9 +4,7 @@ from typing import Annotated
 
 from annotated_types import Le
 
-from sim2reason.dsl.fields import Law, Profile, Push
-from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.template import either
+from sim2reason.authoring import LEAST, Law, Measure, Profile, Push, Range, either
 from sim2reason.entities.parts.fields import (
     SUM,
     Direction,

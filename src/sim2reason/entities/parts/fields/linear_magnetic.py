@@ -4,9 +4,7 @@ from typing import Annotated, Literal
 
 from annotated_types import Le
 
-from sim2reason.dsl.fields import Law, Magnetic, Profile
-from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.template import either
+from sim2reason.authoring import LEAST, Law, Magnetic, Measure, Profile, Range, either
 from sim2reason.entities.parts.fields import (
     AXES,
     SUM,

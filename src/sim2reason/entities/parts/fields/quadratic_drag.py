@@ -4,9 +4,7 @@ from typing import Annotated
 
 from annotated_types import Le
 
-from sim2reason.dsl.fields import Law, Resistance
-from sim2reason.dsl.measures import LEAST, Measure, Range
-from sim2reason.dsl.template import either
+from sim2reason.authoring import LEAST, Law, Measure, Range, Resistance, either
 from sim2reason.entities.parts.fields import Medium, force_field
 from sim2reason.entities.parts.fields.linear_drag import MILLI
 

@@ -1,7 +1,6 @@
 """An electric field that is everywhere the same."""
 
-from sim2reason.dsl.fields import Law, Profile, Push
-from sim2reason.dsl.template import either
+from sim2reason.authoring import Law, Profile, Push, either
 from sim2reason.entities.parts.fields import Direction, ElectricField, ElectricStrength, along, force_field
 
 

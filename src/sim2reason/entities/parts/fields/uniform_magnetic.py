@@ -2,8 +2,7 @@
 
 from typing import Literal
 
-from sim2reason.dsl.fields import Law, Magnetic, Profile
-from sim2reason.dsl.template import either
+from sim2reason.authoring import Law, Magnetic, Profile, either
 from sim2reason.entities.parts.fields import MagneticField, MagneticStrength, along, force_field
 
 

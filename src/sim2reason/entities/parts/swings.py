@@ -1,0 +1,16 @@
+"""What entities that swing share: how far they are turned at the start, and for how long they are followed."""
+
+from math import pi, sqrt
+from typing import Annotated
+
+from annotated_types import Ge, Le
+
+from sim2reason.authoring import GRAVITY, Measure, Range
+
+Deflection = Annotated[float, Ge(0), Le(180), Measure("deflection", "deg", r"\theta", decimals=0), Range(10.0, 150.0)]
+PERIODS = 1.5  # of a small swing on Earth that the motion is followed for
+
+
+def swings(length: float) -> float:
+    """The duration, s, of the swings that are followed of a bob at that distance, m, from a fixed point."""
+    return PERIODS * 2.0 * pi * sqrt(length / GRAVITY)
