@@ -7,16 +7,17 @@ import pytest
 
 from plain_scenes import G, atwood, ramp, table
 from sim2reason.dsl.scene import Scene
-from sim2reason.filters import FILTERS, Candidate, sift
-from sim2reason.filters.precision import shiftable
+from sim2reason.filters import FILTERS, Candidate, precision, sift
+from sim2reason.filters.precision import patterns, shiftable
 from sim2reason.questions import KINDS, Moment, Query, Question, Study, Target
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.recipes import RECIPES
 from sim2reason.simulation.certify import witnessed
-from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.channels import Channel, channels
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
 LEFT, RIGHT = "table.pucks.0", "table.pucks.1"
@@ -137,3 +138,30 @@ def test_a_body_that_stops_is_vouched_for() -> None:
     found = candidate(ramp(angle=20.0, friction=0.6, speed=2.0), Stopped("ramp.blocks.0"), None)
     assert found.question.answer == pytest.approx(2.0 / (G * (np.sin(np.pi / 9) + 0.6 * np.cos(np.pi / 9))), rel=1e-9)
     assert not reason("agreement", replace(found, certificate=witnessed(found.study.trace)[1]))
+
+
+@pytest.mark.parametrize("count", [1, 8, 9, 24, 127])
+def test_shifts_measure_the_changes_of_all_numbers(count: int) -> None:
+    """ΣΔᵢ² is what the squares of shifts of single numbers add up to, or of many the mean; no two numbers cancel."""
+    shifts = np.array(patterns(count))
+    assert len(shifts) == min(count, 8)
+    gram = abs(shifts.T @ shifts)
+    assert (gram.diagonal() == (1 if count <= 8 else 8)).all()
+    assert (gram - np.diag(gram.diagonal()) < 8).all()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_precision_of_many_numbers_is_about_that_of_each_by_itself(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The condition number of a speed that hangs on more than eight numbers, found in both ways."""
+    scene = RECIPES["springs"]("hard", np.random.default_rng(seed))
+    subject = next(c.subject for c, q in channels(scene.mechanism) if c.quantity == "velocity")
+    found = candidate(scene, AtTime(0.3), Target("velocity", subject))
+    assert sum(shiftable(scene, parameter) for parameter in scene.parameters) > 8
+    monkeypatch.setattr(precision, "WORST", 1e-9)
+    conditions = list[float]()
+    for at_once in (8, 100):
+        monkeypatch.setattr(precision, "AT_ONCE", at_once)
+        patterns.cache_clear()
+        conditions.append(float(reason("precision", found).rpartition(" ")[2]))
+    patterns.cache_clear()
+    assert conditions[0] == pytest.approx(conditions[1], rel=0.6)

@@ -9,8 +9,9 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate, sift
 from sim2reason.prose.writer import Description, describe
-from sim2reason.questions import Mode, Question, Study, Words
+from sim2reason.questions import KINDS, Mode, Query, Question, Study, Words
 from sim2reason.questions.prompt import prompt, words_of
+from sim2reason.questions.study import BEYOND
 from sim2reason.simulation.certify import Certificate, witnessed
 
 SAMPLES = 41
@@ -24,7 +25,7 @@ class CertifiedQuestion:
 
     question: Question
     prompt: str
-    study: Study  # its motion is cut where the engines part
+    study: Study  # its motion is recorded beyond what is asked, and cut where the engines part
     certificate: Certificate
 
 
@@ -39,6 +40,7 @@ class QuestionSearch:
         """`wording` is the seed of the text."""
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._wording = wording
+        self._vouched: tuple[Study, Certificate] | None = None
 
     @cached_property
     def description(self) -> Description:
@@ -50,11 +52,14 @@ class QuestionSearch:
         """What questions need to know of its text."""
         return words_of(self.description)
 
-    @cached_property
-    def _told(self) -> tuple[Study, Certificate]:
-        """What the second engine says; heard only if a question gets as far as that."""
-        trace, certificate = witnessed(self.study.trace)
-        return Study(self.study.scene, trace), certificate
+    def _certified(self, query: Query) -> tuple[Study, Certificate]:
+        """The motion as far as both engines vouch for it; the second follows it no further than a question needs."""
+        time = KINDS[query.kind].time(query, self.study)
+        trace = self.study.trace if time is None else self.study.trace.through(BEYOND * time)
+        if self._vouched is None or len(self._vouched[0].trace.state.times) < len(trace.state.times):
+            seen, certificate = witnessed(trace)
+            self._vouched = Study(self.study.scene, seen), certificate
+        return self._vouched
 
     def ask(
         self, mode: Mode, rng: np.random.Generator, refused: Counter[str], kind: str = ""
@@ -72,8 +77,9 @@ class QuestionSearch:
             candidate = Candidate(self.study, question, prompt(description, question, rng), description.sentences)
             verdict = sift(candidate, witnessed=False)
             if verdict.keep:
-                verdict = sift(replace(candidate, certificate=self._told[1]), witnessed=True)
-            if verdict.keep:
-                return CertifiedQuestion(question, candidate.prompt, *self._told)
+                study, certificate = self._certified(question.query)
+                verdict = sift(replace(candidate, certificate=certificate), witnessed=True)
+                if verdict.keep:
+                    return CertifiedQuestion(question, candidate.prompt, study, certificate)
             refused[verdict.filter] += 1
         return None

@@ -1,5 +1,6 @@
 """Scenes: entities, connections and a world, as one frozen value."""
 
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Any, Self, cast
 
@@ -204,31 +205,38 @@ class Scene(Model):
     def parameters(self) -> tuple[Parameter, ...]:
         """Every declared number, with its address (``ramp.block.mass``)."""
         entities = [p for named in self.entities for p in parameters(named.entity, named.name)]
-        own = [p for i, c in enumerate(self.connections, 1) for p in parameters(c, f"{c.key}_{i}")]
+        own = [p for name, connection in self._named_connections().items() for p in parameters(connection, name)]
         return (*entities, *own, *parameters(self.world, "world"))
 
     def value(self, path: str) -> Any:
         """What stands at an address."""
         head, _, rest = path.partition(".")
-        holder = self.world if head == "world" else self._connection(head) or self.entity(head, path)
+        holder = self.world if head == "world" else self._named_connections().get(head) or self.entity(head, path)
         return lookup(holder, rest) if rest else holder
 
-    def _connection(self, name: str) -> Connection | None:
-        return next((c for number, c in enumerate(self.connections, 1) if f"{c.key}_{number}" == name), None)
+    def _named_connections(self) -> dict[str, Connection]:
+        return {f"{connection.key}_{number}": connection for number, connection in enumerate(self.connections, 1)}
 
     def having(self, path: str, value: object) -> "Scene":
         """The same scene with another value at an address, validated again."""
-        head, _, rest = path.partition(".")
-        if head == "world":
-            return rebuilt(self, world=changed(self.world, rest, value))
-        if (string := self._connection(head)) is not None:
-            kept = tuple(changed(c, rest, value) if c is string else c for c in self.connections)
-            return rebuilt(self, connections=kept)
-        self.entity(head, path)
-        entities = tuple(
-            Named(name=n.name, entity=changed(n.entity, rest, value)) if n.name == head else n for n in self.entities
-        )
-        return rebuilt(self, entities=entities)
+        return self.having_all({path: value})
+
+    def having_all(self, values: Mapping[str, object]) -> "Scene":
+        """The same scene with other values at some addresses; each step on the way to it is validated too."""
+        world, entities = self.world, {named.name: named.entity for named in self.entities}
+        connections = self._named_connections()
+        for path, value in values.items():
+            head, _, rest = path.partition(".")
+            if head == "world":
+                world = changed(world, rest, value)
+            elif head in connections:
+                connections[head] = changed(connections[head], rest, value)
+            else:
+                entities[head] = changed(
+                    self.entity(head, path) if head not in entities else entities[head], rest, value
+                )
+        named = tuple(Named(name=name, entity=entity) for name, entity in entities.items())
+        return rebuilt(self, world=world, entities=named, connections=tuple(connections.values()))
 
     def without(self, address: str) -> "Scene":
         """The scene without an entity, an optional part, or a member of a variable-length part.

@@ -74,7 +74,7 @@ def _index(value: Told) -> int | None:
 
 
 def _several(state: ParseState, address: str, held: FieldType, rng: np.random.Generator) -> tuple[Model, ...]:
-    low, high = state.count(address)
+    low, high = state.size_range(address)
     if low != high:
         raise TextError("text", f"it is not told how many {address.rpartition('.')[2]} there are", "name them all")
     members = [f"{address}.{index}" for index in range(high)]

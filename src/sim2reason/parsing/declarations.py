@@ -57,7 +57,7 @@ def canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState
     if step == "first":
         yield f"{owner}.0", state
     elif step == "last":
-        low, high = state.count(owner)
+        low, high = state.size_range(owner)
         for count in range(max(low, 1), high + 1):
             then = state.with_count(owner, count, count)
             if then is not None:

@@ -33,6 +33,8 @@ class Matcher:
         """What a whole sentence tells, read as a template of the part at `owner`."""
         if place < len(self.pieces):
             text = self.pieces[place]
+            if any(slot.text[1:] not in text for slot in slots(template) if slot.kind == "text"):
+                return  # quickly: most lines are no others; a sentence begins with a capital
             for end, then in self.template(text, 0, template, owner, state):
                 if end == len(text):
                     self.reach = max(self.reach, place + 1)
@@ -87,7 +89,7 @@ class Matcher:
             yield end, state
 
     def _count(self, text: str, at: int, address: str, state: ParseState) -> Iterator[Found]:
-        low, high = state.count(address)
+        low, high = state.size_range(address)
         for count in range(low, high + 1):
             then = state.with_count(address, count, count)
             if then is not None:
@@ -110,7 +112,7 @@ class Matcher:
 
     def _member(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
         members = joined(owner, slot.text)
-        for index in range(state.count(members)[1]):
+        for index in range(state.size_range(members)[1]):
             address = f"{members}.{index}"
             then = state.with_value(joined(owner, slot.path), index)
             if then is not None and address in state.letters:
@@ -210,7 +212,7 @@ class Matcher:
         self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
     ) -> Iterator[Found]:
         """One member as it is, several with the plural noun; known ones by their letters alone."""
-        low, high = state.count(address)
+        low, high = state.size_range(address)
         one = state.with_count(address, 1, 1)
         if one is not None:
             yield from self.at(text, at, f"{address}.0", one, start=start)
@@ -228,7 +230,7 @@ class Matcher:
 
     def _alike(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
         """The members of a new list whose numbers agree: A and B (… each)."""
-        low, high = state.count(address)
+        low, high = state.size_range(address)
         for count in range(max(low, 2), high + 1):
             members, letters = [f"{address}.{index}" for index in range(count)], state.next_letters(kind, count)
             then = state.with_count(address, count, count)

@@ -1,8 +1,9 @@
 """What a text has told so far: a frozen value, so that many readings can be followed at once."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection, Link, Told
@@ -21,15 +22,17 @@ class ParsedConnection:
     links: tuple[Link, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class ParseState:
+NONE: Mapping[Any, Any] = MappingProxyType({})
+
+
+class ParseState(NamedTuple):
     """Facts by address, as the scene will have them; `script` lists the wordings that were met, in order."""
 
     kinds: Mapping[str, type[Model]]
-    values: Mapping[str, Told] = field(default_factory=dict[str, Told])  # None: absent
-    counts: Mapping[str, tuple[int, int]] = field(default_factory=dict[str, tuple[int, int]])  # least and most
-    letters: Mapping[str, str] = field(default_factory=dict[str, str])  # in the order of introduction
-    nouns: Mapping[type[Body], str] = field(default_factory=dict[type[Body], str])
+    values: Mapping[str, Told] = NONE  # None: absent
+    counts: Mapping[str, tuple[int, int]] = NONE  # least and most
+    letters: Mapping[str, str] = NONE  # in the order of introduction
+    nouns: Mapping[type[Body], str] = NONE
     script: tuple[int, ...] = ()
     entities: tuple[str, ...] = ()
     waiting: tuple[str, ...] = ()  # entities whose lines were read and that no string has reached
@@ -38,17 +41,17 @@ class ParseState:
 
     def with_choice(self, number: int) -> "ParseState":
         """With one more wording."""
-        return replace(self, script=(*self.script, number))
+        return self._replace(script=(*self.script, number))
 
     def with_kind(self, address: str, kind: type[Model]) -> "ParseState":
         """With the class of what stands at an address."""
-        return replace(self, kinds={**self.kinds, address: kind})
+        return self._replace(kinds={**self.kinds, address: kind})
 
     def with_value(self, address: str, value: Told) -> "ParseState | None":
         """With a number, or None if another one was told before."""
         if address in self.values:
             return self if self.values[address] == value else None
-        return replace(self, values={**self.values, address: value})
+        return self._replace(values={**self.values, address: value})
 
     def shared(self, members: Sequence[str], names: Iterable[str]) -> "ParseState | None":
         """With the first member's numbers, as far as they are known, as those of all."""
@@ -61,23 +64,23 @@ class ParseState:
 
     def with_count(self, address: str, low: int, high: int = MANY) -> "ParseState | None":
         """With a narrower count, or None if it does not agree with what was told before."""
-        least, most = self.count(address)
+        least, most = self.size_range(address)
         low, high = max(least, low), min(most, high)
         if low > high:
             return None
-        return self if (low, high) == (least, most) else replace(self, counts={**self.counts, address: (low, high)})
+        return self if (low, high) == (least, most) else self._replace(counts={**self.counts, address: (low, high)})
 
-    def count(self, address: str) -> tuple[int, int]:
+    def size_range(self, address: str) -> tuple[int, int]:
         """The least and greatest number of members that a part can have."""
         return self.counts.get(address, (0, MANY))
 
     def with_noun(self, kind: type[Body], noun: str) -> "ParseState":
         """With the noun of a class of bodies."""
-        return self if kind in self.nouns else replace(self, nouns={**self.nouns, kind: noun})
+        return self if kind in self.nouns else self._replace(nouns={**self.nouns, kind: noun})
 
     def introduced(self, address: str, kind: type[Body], letter: str) -> "ParseState":
         """With a body that was mentioned for the first time."""
-        return replace(self, kinds={**self.kinds, address: kind}, letters={**self.letters, address: letter})
+        return self._replace(kinds={**self.kinds, address: kind}, letters={**self.letters, address: letter})
 
     def kind(self, address: str, base: type[M]) -> type[M]:
         """The class of what stands at an address; TypeError if it is no `base`."""
@@ -123,7 +126,7 @@ class ParseState:
         def move(held: Mapping[str, Any]) -> dict[str, Any]:
             return {_moved(address, moved): value for address, value in held.items()}
 
-        return replace(self, kinds=move(self.kinds), values=move(self.values), letters=move(self.letters))
+        return self._replace(kinds=move(self.kinds), values=move(self.values), letters=move(self.letters))
 
 
 def _moved(address: str, moved: Mapping[str, str]) -> str:

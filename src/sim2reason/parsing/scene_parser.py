@@ -1,7 +1,7 @@
 """All readings of a text, proven one by one."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -98,7 +98,7 @@ class _Grammar:
 
     def _unheard(self, state: ParseState, address: str, kind: type[Entity]) -> Iterator[ParseState]:
         """An entity of which no line is said: its bodies are met on a string."""
-        here = replace(state.with_kind(address, kind), entities=(*state.entities, address))
+        here = state.with_kind(address, kind)._replace(entities=(*state.entities, address))
         for _, then in entity_lines(self._matcher, address, len(self._matcher.pieces), here):
             yield then
 
@@ -112,7 +112,7 @@ class _Grammar:
         address = f"e{len(state.entities) + 1}"
         for kind in ENTITIES.values() if len(state.entities) < MAX_ENTITIES else ():
             here = state.with_kind(address, kind)
-            here = replace(here, entities=(*state.entities, address), waiting=(*state.waiting, address))
+            here = here._replace(entities=(*state.entities, address), waiting=(*state.waiting, address))
             for after, then in entity_lines(self._matcher, address, place, here):
                 if after > place and sum(must_end_at(then, waiting) for waiting in then.waiting) <= ENDS:
                     yield from self.scenes(after, then)
@@ -132,7 +132,7 @@ class _Grammar:
             return
         for index, closing in enumerate(CLOSINGS[number:], start=number):
             for choice, wording in enumerate(closing.wordings):
-                here = replace(state.with_choice(choice), closings=(*state.closings, closing.name))
+                here = state.with_choice(choice)._replace(closings=(*state.closings, closing.name))
                 for then in self._matcher.sentence(place, wording, "", here):
                     yield from self._closings(place + 1, index + 1, then)
 
@@ -163,7 +163,7 @@ def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseStat
             return None
         state = state.renamed(told.owned, told.owned[::-1])
         links = tuple(_turned(state, link) for link in reversed(links))
-    return replace(state, waiting=(), joined=(*state.joined, ParsedConnection(name, kind, links)))
+    return state._replace(waiting=(), joined=(*state.joined, ParsedConnection(name, kind, links)))
 
 
 def _turned(state: ParseState, link: Link) -> Link:

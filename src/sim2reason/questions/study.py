@@ -13,6 +13,7 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, Trace
 
 SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
+BEYOND = 1.1  # times the moment that is asked about, to which variants and the witness follow a motion
 
 
 class Timed(Hashable, Protocol):

@@ -19,21 +19,21 @@ TIERS = {
         Count(2, 2), (PULLEYS, RAMP), {**NUMBERS["easy"], **EASY}, spread=6.0, more=0.1, words=WORDS["easy"] + TWO
     ),
     "medium": Tier(
-        Count(2, 3),
+        Count(2, 2),
         (PULLEYS, FACES),
         {**NUMBERS["medium"], **SIDES},
         spread=8.0,
         rough=0.3,
-        more=0.2,
+        more=0.0,
         words=WORDS["medium"] + PRISM,
     ),
     "hard": Tier(
-        Count(3, 4),
+        Count(2, 3),
         (PULLEYS, FACES),
         {**NUMBERS["hard"], **SIDES},
         rough=0.6,
         massive=0.5,
-        more=0.2,
+        more=0.0,
         words=WORDS["hard"],
     ),
 }
@@ -41,5 +41,5 @@ TIERS = {
 
 @recipe("hybrid")
 def draw_hybrid(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Two to four entities of both kinds."""
+    """Two or three entities of both kinds, and what closes their ports."""
     return grow(TIERS[difficulty], rng)

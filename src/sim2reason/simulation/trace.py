@@ -1,7 +1,7 @@
 """The record of a simulated motion, the same from every engine."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -46,6 +46,23 @@ class Trace:
     def mechanism(self) -> Mechanism:
         """What moved."""
         return self.state.mechanism
+
+    def through(self, time: float) -> "Trace":
+        """The same motion recorded no longer than to the second sample after a time, s."""
+        times = self.state.times
+        count = int(np.searchsorted(times, time, side="right")) + 2
+        if count >= len(times):
+            return self
+        end = float(times[count - 1])
+        events = tuple(event for event in self.events if event.time <= end)
+        shorter = self.stable_until > end
+        return replace(
+            self,
+            state=self.sample(times[:count]),
+            events=events,
+            stable_until=end if shorter else self.stable_until,
+            cut="" if shorter else self.cut,
+        )
 
     @cached_property
     def scan(self) -> State:

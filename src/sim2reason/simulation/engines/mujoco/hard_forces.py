@@ -16,6 +16,7 @@ from sim2reason.simulation.engines.mujoco.hard_bracing import braced
 SINGULAR = 1e-10  # of the largest singular value
 TRY, FORCE = 4_000, 1_500  # operations that a way costs, and for each row and face more
 NEVER = 1e9  # a coefficient of friction that stands for one that never slips
+LARGE = 1e9  # an acceleration or a force beyond it is that of a part without mass, or of none that holds it
 FAINT = 1e-8  # of a pattern of forces without effect: an entry that is none
 HUGE = 1e12  # of what is divided by a pivot that should be zero
 
@@ -168,7 +169,7 @@ def quick(matrix: Array, wanted: Array) -> Array | None:
     scale = np.abs(matrix).max(axis=1, initial=1e-300)
     large = float(np.abs(found).max(initial=0.0))
     sound = np.isfinite(large) and np.abs((matrix @ found - wanted) / scale).max(initial=0.0) <= 1e-9 * (1.0 + large)
-    return found if sound and large <= 1e9 else None
+    return found if sound and large <= LARGE else None
 
 
 def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:

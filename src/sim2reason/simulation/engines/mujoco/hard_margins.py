@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.hard_forces import NEVER, Faces, Found, Way, acting, quick, system
+from sim2reason.simulation.engines.mujoco.hard_forces import LARGE, NEVER, Faces, Found, Way, acting, quick, system
 from sim2reason.simulation.engines.mujoco.hard_model import HardModel
 from sim2reason.simulation.engines.mujoco.hard_parts import Situation
 from sim2reason.simulation.engines.mujoco.hard_record import HardRecord
@@ -36,9 +36,13 @@ class ActingModel:
         """The rate of (q, v)."""
         model, situation, way, n = self.model, self.situation, self.way, self.model.size
         faces, acts = Faces(model.rises, model.slips, model.friction), acting(way, model.friction)
+        free = not (acts.rows or acts.closed)
 
         def rate(time: float, values: Array) -> Array:
             model.stand(time, values[:n], values[n:], situation)
+            if free:
+                x = model.unheld(model.loads())
+                return np.concatenate([values[n:], x if abs(x).max(initial=0.0) < LARGE else self.forces().x])
             rows = [model.row(number) for number in acts.rows]
             held, targets = [row.gradient for row in rows], [row.target for row in rows]
             matrix, wanted = system(model.inertia(), model.loads(), held, targets, faces, way, acts)

@@ -41,8 +41,10 @@ class HardModel:
         self._body_id = {name: int(body.id) for name, body in spec.bodies.items()}
         self._carriers = [int(body) for body in self._model.site_bodyid]
         self._still, self._mass = np.zeros(3), np.zeros((self.size, self.size))
+        self._straight = bool((self._model.jnt_type == mujoco.mjtJoint.mjJNT_SLIDE).all())
+        self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
         self._rowed = [line for line in mechanism.lines if isinstance(line.law, Inextensible | Rigid | Prop)]
-        self._pulls = Pulls(mechanism.lines, self._site_id, self.index, self._model)
+        self._pulls = Pulls(mechanism.lines, self._site_id, self.index, self._model, straight=self._straight)
         self.slips = self._slips()
         self._light = [burn.body for burn in mechanism.burns]
         self.begin()
@@ -98,6 +100,12 @@ class HardModel:
             mujoco.mj_fullM(self._model, self._data, self._mass)
         return self._mass
 
+    def unheld(self, loads: Array) -> Array:
+        """The accelerations under `loads`, (joints,), where no row and no face acts."""
+        found = np.zeros((1, self.size))
+        mujoco.mj_solveM(self._model, self._data, found, loads[None])
+        return np.asarray(found[0], dtype=np.float64)
+
     def _moving(self, kind: str, name: str) -> Moving:
         """A site or a centre of mass."""
         known = self._points.get((kind, name))
@@ -109,12 +117,19 @@ class HardModel:
         else:
             carrier = self._body_id[name]
             place = np.array(self._data.xipos[carrier])
+        slide = self._slides.get((kind, name))
+        if slide is not None:
+            found = self._points[kind, name] = Moving(place, slide @ self.v, self._still, slide)
+            return found
         jacobian, dot = np.zeros((3, self.size)), np.zeros((3, self.size))
         if carrier == 0:  # the room
+            self._slides[kind, name] = jacobian
             found = self._points[kind, name] = Moving(place, self._still, self._still, jacobian)
             return found
         mujoco.mj_jac(self._model, self._data, jacobian, None, place, carrier)
         mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
+        if self._straight:
+            self._slides[kind, name] = jacobian
         found = self._points[kind, name] = Moving(place, jacobian @ self.v, dot @ self.v, jacobian)
         return found
 

@@ -14,8 +14,16 @@ from sim2reason.simulation.engines.mujoco.specification import mujoco
 class Pulls:
     """The lines whose tension follows from their length and its rate, as arrays over their straight pieces."""
 
-    def __init__(self, lines: tuple[Line, ...], sites: dict[str, int], index: dict[str, int], model: Any) -> None:  # noqa: ANN401 - MuJoCo's
-        """`sites` and `index` number the sites and joints of the compiled `model`."""
+    def __init__(
+        self,
+        lines: tuple[Line, ...],
+        sites: dict[str, int],
+        index: dict[str, int],
+        model: Any,  # noqa: ANN401 - MuJoCo's
+        *,
+        straight: bool,
+    ) -> None:
+        """`sites` and `index` number the sites and joints of the compiled `model`; `straight`: nothing turns."""
         self.lines = [line for line in lines if isinstance(line.law, Drawn | Elastic)]
         names = sorted({name for line in self.lines for name in line.through})
         place = {name: number for number, name in enumerate(names)}
@@ -35,14 +43,16 @@ class Pulls:
         self._given, self._stiffness, self._natural, self._damping = (
             np.array([getattr(law, name, 0.0) for law in laws]) for name in ("force", "stiffness", "length", "damping")
         )
+        self._straight, self._known = straight, False
         self._jacobians = np.zeros((len(names), 3, int(model.nv)))
 
     def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
         """The load on the joints, (joints,), of all lines but those that are `idle`."""
         places = data.site_xpos[self._sites]
-        for number, carrier in enumerate(self._carriers):
+        for number, carrier in enumerate(self._carriers if not self._known else ()):
             if carrier:
                 mujoco.mj_jac(self._model, data, self._jacobians[number], None, places[number], carrier)
+        self._known = self._straight
         apart = places[self._last] - places[self._first]
         lengths = np.sqrt((apart * apart).sum(axis=1))
         if not lengths.all():
