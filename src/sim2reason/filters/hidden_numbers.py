@@ -6,6 +6,7 @@ from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.questions import KINDS
+from sim2reason.questions.study import BEYOND
 
 SAME = 1e-6  # relative
 
@@ -18,8 +19,13 @@ class HiddenNumbers:
 
     def reason(self, candidate: Candidate) -> str:
         """Solve the scene with its strings as short as they may be drawn, and ask again."""
-        answer, query = candidate.question.answer, candidate.question.query
-        kind, tight = KINDS[query.kind], candidate.study.variant(tightest(candidate.study.scene))
+        answer, query, study = candidate.question.answer, candidate.question.query, candidate.study
+        shorter = tightest(study.scene)
+        if shorter is study.scene:
+            return ""
+        kind = KINDS[query.kind]
+        moment = kind.time(query, study)
+        tight = study.variant(shorter, None if moment is None else BEYOND * moment)
         if tight is None:
             return "with shorter strings there is no motion"
         time = kind.time(query, tight)

@@ -15,7 +15,7 @@ from sim2reason.questions.study import BEYOND
 from sim2reason.simulation.trace import Trace
 
 SHIFT = 1e-3  # relative
-AT_ONCE = 8  # shifts: with more numbers than that, all of them are shifted each time
+AT_ONCE = 6  # shifts: with more numbers than that, all of them are shifted each time
 WORST = 20.0  # the condition number κ = √Σ(Δa/a)² / SHIFT
 
 

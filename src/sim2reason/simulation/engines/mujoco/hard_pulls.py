@@ -43,25 +43,32 @@ class Pulls:
         self._given, self._stiffness, self._natural, self._damping = (
             np.array([getattr(law, name, 0.0) for law in laws]) for name in ("force", "stiffness", "length", "damping")
         )
-        self._straight, self._known = straight, False
+        self._straight = straight
+        self._apart: Array | None = None  # how the Jacobians of the ends of each piece differ
         self._jacobians = np.zeros((len(names), 3, int(model.nv)))
 
     def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
         """The load on the joints, (joints,), of all lines but those that are `idle`."""
         places = data.site_xpos[self._sites]
-        for number, carrier in enumerate(self._carriers if not self._known else ()):
-            if carrier:
-                mujoco.mj_jac(self._model, data, self._jacobians[number], None, places[number], carrier)
-        self._known = self._straight
         apart = places[self._last] - places[self._first]
-        lengths = np.sqrt((apart * apart).sum(axis=1))
+        lengths = np.sqrt(np.einsum("ij,ij->i", apart, apart))
         if not lengths.all():
             raise SimulationError("two points of a line have come together")
-        moved = self._jacobians[self._last] - self._jacobians[self._first]
-        runs = ((apart / lengths[:, None])[:, :, None] * moved).sum(axis=1)
+        runs = np.einsum("ij,ijk->ik", apart / lengths[:, None], self._moved(data, places))
         gradients = self._owned @ runs + self._wound
         stretch = self._owned @ lengths + self._wound @ q - self._natural
         tension = self._given + self._stiffness * stretch + self._damping * (gradients @ v)
         if idle:
             tension = tension * np.array([line not in idle for line in self.lines])
         return np.asarray(-tension @ gradients, dtype=np.float64)
+
+    def _moved(self, data: Any, places: Array) -> Array:  # noqa: ANN401 - MuJoCo's
+        """How the ends of each piece move apart, (pieces, 3, joints); always the same where nothing turns."""
+        if self._apart is not None:
+            return self._apart
+        for number, carrier in enumerate(self._carriers):
+            if carrier:
+                mujoco.mj_jac(self._model, data, self._jacobians[number], None, places[number], carrier)
+        moved = self._jacobians[self._last] - self._jacobians[self._first]
+        self._apart = moved if self._straight else None
+        return moved
