@@ -18,7 +18,7 @@ def plotted(tmp_path: Path, out: Path, *options: object) -> str:
 
 def test_panels_are_named(tmp_path: Path) -> None:
     text = plotted(tmp_path, tmp_path / "traces.svg")
-    for word in ("displacement (m)", "velocity (m/s)", "acceleration (m/s²)", "time (s)"):
+    for word in ("x (m)", "y (m)", "speed", "(m/s)", "energy", "distance", "time (s)"):
         assert word in text
 
 

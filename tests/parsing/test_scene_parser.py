@@ -85,9 +85,7 @@ def test_what_is_read_moves_alike(recipe: str, difficulty: Difficulty) -> None:
     compared = 0
     for number, description in enumerate(drawn(recipe, difficulty, 12, first=500)):
         reading = parse_scene(description.text, np.random.default_rng(number))
-        said = {
-            description.mention(address): address for address in description.names.letters or description.scene.bodies
-        }
+        said = {description.mention(address): address for address in description.scene.bodies}
         try:
             meant = accelerations(description.scene, said)
         except (SimulationError, UnsupportedError):
@@ -166,7 +164,7 @@ def test_columns_that_agree_are_read_from_their_sentence() -> None:
     for index in range(3):
         scene = scene.having(f"table.pucks.{index}.mass", 2.0).having(f"table.pucks.{index}.vy", 0.0)
     description = describe(scene, 1)
-    assert description.text.count("All have") == 2
+    assert description.text.count("Each has") == 2
     assert meant(parse_scene(description.text)) == meaning(description)
 
 

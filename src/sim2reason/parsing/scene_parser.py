@@ -26,10 +26,15 @@ ENDS = 2  # of a connection
 
 @dataclass(frozen=True)
 class ParsedScene:
-    """A scene as its text tells it; `names` maps what bodies are called (*block A*) to their addresses."""
+    """A scene as its text tells it; `mentions` is what bodies are called (*block A*), by address."""
 
     scene: Scene
-    names: dict[str, str]
+    mentions: dict[str, str]
+
+    @property
+    def names(self) -> dict[str, str]:
+        """Addresses by name; of bodies without letters that share a name, the first one has it."""
+        return {name: address for address, name in reversed(self.mentions.items())}
 
 
 def parse_scene(text: str, rng: np.random.Generator | None = None) -> ParsedScene:
@@ -52,20 +57,12 @@ def parse_scene(text: str, rng: np.random.Generator | None = None) -> ParsedScen
             scene = assembled(state, rng)
             prove(scene, state, said)
             names = {address: state.mention(address, full=True) for address in state.letters}
-            found.setdefault(signature(scene, names), ParsedScene(scene, _by_name(names)))
+            found.setdefault(signature(scene, names), ParsedScene(scene, names))
         except TextError as error:
             refused.append(error)
         except (SceneError, UnsupportedError, ValueError) as error:
             refused.append(TextError("text", "it tells a scene that can not be", str(error)))
     return _only(list(found.values()), refused, matcher)
-
-
-def _by_name(names: dict[str, str]) -> dict[str, str]:
-    """Addresses by name; bodies without letters of their own may share a name, the first one has it."""
-    found: dict[str, str] = {}
-    for address, name in names.items():
-        found.setdefault(name, address)
-    return found
 
 
 def _only(found: list[ParsedScene], refused: list[TextError], matcher: Matcher) -> ParsedScene:

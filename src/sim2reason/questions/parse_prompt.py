@@ -46,7 +46,7 @@ def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPro
     story, question = parts
     reading = parse_scene(story, rng)
     study = Study(reading.scene, simulate(reading.scene))
-    words = Words.of(reading.scene, {address: said for said, address in reading.names.items()})
+    words = Words.of(reading.scene, reading.mentions)
     query = parse_question(question, study, words)
     if query is None:
         raise TextError("prompt", f"no question is asked by {question!r}", "ask in the words of the library")

@@ -19,7 +19,10 @@ FRICTION_ON_PLANE = either(
     "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
     "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
     "static and kinetic friction on this plane both have the coefficient {plane.friction}.",
-    "between this plane and what lies on it the coefficient of friction, static and kinetic, is {plane.friction}.",
+    "take {plane.friction} as the coefficient of friction, static and kinetic, on this plane.",
+    "for this plane the coefficient of friction is {plane.friction}, whether static or kinetic.",
+    "friction on this plane has the coefficient {plane.friction}, both static and kinetic.",
+    "between this plane and anything on it the coefficient of friction, static and kinetic, is {plane.friction}.",
 )
 
 

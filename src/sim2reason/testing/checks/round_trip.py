@@ -57,7 +57,7 @@ def meaning(description: Description) -> Signature:
 
 def meant(parsed: ParsedScene) -> Signature:
     """What a text that was read means."""
-    return signature(parsed.scene, {address: name for name, address in parsed.names.items()})
+    return signature(parsed.scene, parsed.mentions)
 
 
 def numbers(scene: Scene) -> list[tuple[str, float]]:

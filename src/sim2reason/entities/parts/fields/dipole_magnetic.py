@@ -4,15 +4,15 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import Annotated, Literal, Self
 
-from annotated_types import Le
+from annotated_types import Ge, Le
 from pydantic import model_validator
 
 from sim2reason.authoring import LEAST, Law, Measure, Range, Vector, add, either
-from sim2reason.bodies.field_region import Border
 from sim2reason.dsl.triples import Maths, Number, Triple, cross, minus, product, times
 from sim2reason.entities.parts.fields import MagneticField, along, force_field
 
 DipoleStrength = Annotated[float, LEAST, Le(1e6), Measure("dipole strength", "T m^3", "b"), Range(1.0, 5.0)]
+BOUNDS = (Ge(-1e3), Le(1e3))
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +51,8 @@ class DipoleMagnetic(MagneticField):
 
     strength: DipoleStrength
     way: Literal["positive z", "negative z"]
-    x: Annotated[Border, Range(1.0, 2.0)]
-    y: Annotated[Border, Range(-1.0, 1.0)]
+    x: Annotated[float, *BOUNDS, Measure("position", "m", "x_d", decimals=2), Range(1.0, 2.0)]
+    y: Annotated[float, *BOUNDS, Measure("position", "m", "y_d", decimals=2), Range(-1.0, 1.0)]
 
     says = (
         either(
