@@ -143,7 +143,8 @@ class Grower:
         """Give every port of a new entity its connection, if it must or happens to have one."""
         for here in open_ports(named):
             taken = (named.name, here.port.name) in self.used
-            if not taken and (here.port.required or self._wants()):
+            needed = here.port.required or here.port.unless  # where it is open, nothing hangs there yet
+            if not taken and (needed or self._wants()):
                 self._join(here)
 
     def _wants(self) -> bool:
