@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 
 from sim2reason.dsl.body import Body
+from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure, join_unit
 from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
@@ -159,7 +160,7 @@ class Matcher:
     def _told(
         self, text: str, at: int, template: str, owner: str, state: ParseState, *, start: bool
     ) -> Iterator[Found]:
-        if owner in state.kinds and issubclass(state.kinds[owner], Part):
+        if owner in state.kinds and issubclass(state.kinds[owner], Part | Connection):
             yield from self.template(text, at, template, owner, state, start=start)
         else:
             yield from self._of_body(text, at, slots(template), owner, state)

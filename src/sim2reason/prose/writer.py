@@ -9,6 +9,7 @@ import numpy as np
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part, parts_at
 from sim2reason.dsl.model import Parameter, field_types, lookup, parameters
 from sim2reason.dsl.scene import Scene
@@ -216,7 +217,7 @@ class Writer:
 
     def _named(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
         """What stands for a name in a template: a word, a choice, a number or a body."""
-        words = type(part).words if isinstance(part, Part) else {}
+        words = type(part).words if isinstance(part, Part | Connection) else {}
         if slot.path in words:
             word = words[slot.path]
             return self._word(

@@ -2,12 +2,9 @@
 
 from typing import Annotated, Literal, Self
 
-from annotated_types import Ge, Le
 from pydantic import model_validator
 
-from sim2reason.authoring import Chance, Measure, Member, Part, Range, Speed, either
-
-Strain = Annotated[float, Ge(0), Le(1e3), Measure("strain", "m", "d"), Range(0.05, 0.3), Chance(1.0)]
+from sim2reason.authoring import Chance, Member, Part, Range, Speed, Strain, either
 
 
 class Strained(Part):
@@ -15,7 +12,7 @@ class Strained(Part):
 
     spring: Annotated[int, Member("springs"), Chance(1.0)] = 0
     way: Annotated[Literal["stretched", "compressed"], Chance(1.0)] = "stretched"
-    by: Strain = 0.0
+    by: Annotated[Strain, Chance(1.0)] = 0.0
 
     @model_validator(mode="after")
     def _nothing_for_nothing(self) -> Self:
