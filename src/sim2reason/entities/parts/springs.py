@@ -4,7 +4,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import model_validator
 
-from sim2reason.authoring import Chance, Member, Part, Range, Speed, Strain, either
+from sim2reason.authoring import Chance, Member, Part, Range, Speed, Strain, Word, either
 
 
 class Strained(Part):
@@ -45,3 +45,12 @@ DASHPOTS = either(
     "a light dashpot with a damping constant of {damping} acts in parallel with {springs:the spring/each spring}.",
 )
 """The line of an entity with `springs` that all have the same `damping`."""
+
+STRAINED = Word(
+    "strain.by",
+    {0.0: "{springs:the spring is/all springs are} relaxed"},
+    "{strain.spring>springs} is {strain.way} by {strain.by}{springs:/ and the other is relaxed/ and the others are relaxed}",
+)
+"""How an entity with `springs` tells which of them has a `strain`: its word *strained*, which `AT_FIRST` uses."""
+
+AT_FIRST = either("at first {strained}.", "at the start {strained}.", "to begin with, {strained}.")

@@ -234,7 +234,8 @@ class Setting:
                 yield vector(self.frames[body.name].origin)
             yield from (self._below(body) or ())
         for line in self.lines:
-            yield from (vector(self.frames.site(site).place) for site in line.through)
+            bent = line.circle is not None
+            yield from () if bent else (vector(self.frames.site(site).place) for site in line.through)
         yield from self._turns()
         for region, _ in self.regions():
             yield from corners(region)
