@@ -12,7 +12,7 @@ from sim2reason.errors import TextError
 from sim2reason.parsing.declarations import Thing, canonical, joined, part_word, thing_at
 from sim2reason.parsing.parse_state import MANY, ParseState
 from sim2reason.prose.naming import listed
-from sim2reason.prose.phrases import another
+from sim2reason.prose.phrases import BODIES, another
 
 MAX_STEPS = 200_000
 NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
@@ -95,10 +95,12 @@ class Matcher:
                 yield from self._just(text, at, COUNT_WORDS[count], then)
 
     def _plural(self, text: str, at: int, address: str, state: ParseState) -> Iterator[Found]:
-        for kind in thing_at(state, address).models:
-            if issubclass(kind, Body):
-                for noun in _nouns(kind, state):
-                    yield from self._just(text, at, f"{noun}s", state.with_noun(kind, noun))
+        kinds = [kind for kind in thing_at(state, address).models if issubclass(kind, Body)]
+        for kind in kinds:
+            for noun in _nouns(kind, state):
+                yield from self._just(text, at, f"{noun}s", state.with_noun(kind, noun))
+        if len(kinds) > 1:
+            yield from self._just(text, at, BODIES, state)
 
     def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
         """Agreement: one, two or more; none or some."""
