@@ -26,6 +26,7 @@ from sim2reason.dsl.measures import (
     Sized,
     Speed,
     Stiffness,
+    Strain,
     Velocity,
 )
 from sim2reason.dsl.mechanism import GRAVITY, ZERO, X, Y, Z
@@ -72,6 +73,7 @@ __all__ = [
     "Sized",
     "Speed",
     "Stiffness",
+    "Strain",
     "StringEnd",
     "Vector",
     "Velocity",

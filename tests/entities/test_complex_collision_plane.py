@@ -5,8 +5,13 @@ from math import pi, radians, sin, sqrt
 import numpy as np
 import pytest
 
+from sim2reason.bodies.glider import Glider, SlidingBall
+from sim2reason.bodies.track import Track
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.figures.drawing import drawing
+from sim2reason.figures.shapes import Arc, LineShape
+from sim2reason.prose.writer import describe
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.trace import Trace
 from told import certified, check_told, check_whole, drawn, scene_of
@@ -17,7 +22,7 @@ G = 9.8
 
 def track(gliders: list[tuple[float, float, float]], restitution: float = 1.0, **more: object) -> Scene:
     """Gliders by mass, place and velocity."""
-    told = tuple({"mass": m, "x": x, "v": v} for m, x, v in gliders)
+    told = tuple(Glider(mass=m, x=x, v=v) for m, x, v in gliders)
     held = {"track": {}, "gliders": told, "restitution": restitution, **more}
     return scene_of(ComplexCollisionPlane.model_validate(held))
 
@@ -114,6 +119,30 @@ def test_a_spring_block_that_is_struck() -> None:
 def test_texts_and_files_lead_back() -> None:
     for seed, scene in enumerate(drawn(ComplexCollisionPlane, 50)):
         check_told(scene, seed)
+
+
+@pytest.mark.parametrize(
+    ("kinds", "called"),
+    [("bb", "two small blocks"), ("ss", "two small balls"), ("bs", "two small bodies"), ("sbs", "")],
+)
+def test_balls_are_called_balls_and_drawn_round(kinds: str, called: str) -> None:
+    """Those of one kind together, else one by one; each kind has its noun and its shape, and both move alike."""
+    classes = {"b": Glider, "s": SlidingBall}
+    gliders = tuple(classes[kind](mass=1.0 + n, x=float(n), v=-0.5 * n) for n, kind in enumerate(kinds))
+    scene = scene_of(ComplexCollisionPlane(track=Track(), gliders=gliders, restitution=0.8))
+    for seed in range(8):
+        check_told(scene, seed)
+        description = describe(scene, seed)
+        nouns = dict(zip(classes.values(), ("block", "ball"), strict=True)) | dict(description.names.nouns)
+        said = called.replace("block", nouns[Glider]).replace("ball", nouns[SlidingBall])
+        assert said in description.text.lower()
+        assert "|" not in description.text
+        shapes = drawing(scene, description).shapes
+        assert sum(isinstance(shape, Arc) and shape.fill == "block" for shape in shapes) == kinds.count("s")
+        assert sum(isinstance(shape, LineShape) and shape.weight == "rod" for shape in shapes) == 1
+    check_whole(scene, 0)
+    blocks = track([(g.mass, g.x, g.v) for g in gliders], 0.8)
+    assert moved(scene, [0.0, 3.0]).state.q.tolist() == moved(blocks, [0.0, 3.0]).state.q.tolist()
 
 
 def test_dead_hits_are_told() -> None:

@@ -22,3 +22,11 @@ class Ball(Body):
     def look(self) -> Small:
         """A filled circle."""
         return Small("ball")
+
+
+@body
+class Bead(Ball):
+    """A small ball that a ring or a wire leads."""
+
+    nouns = ("bead",)
+    alike = "({mass} each)"

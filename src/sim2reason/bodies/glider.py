@@ -22,3 +22,15 @@ class Glider(Body):
     def look(self) -> Small:
         """A block."""
         return Small("block")
+
+
+@body
+class SlidingBall(Glider):
+    """A small ball that slides along a straight smooth track, without turning."""
+
+    nouns = ("ball", "sphere")
+
+    @property
+    def look(self) -> Small:
+        """A circle as high as a block."""
+        return Small("sphere")

@@ -1,33 +1,61 @@
 """A light spring between two points."""
 
-from typing import ClassVar
+from math import dist
+from typing import Annotated, ClassVar, Literal, Self
+
+from annotated_types import Ge, Le
+from pydantic import model_validator
 
 from sim2reason.connections.parts.straight import Straight
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Joint, Look, connection
-from sim2reason.dsl.measures import Stiffness
-from sim2reason.dsl.template import Wordings, either
+from sim2reason.dsl.measures import Chance, Measure, Range, Stiffness, Strain
+from sim2reason.dsl.template import Word, Wordings, either
+
+Dashpot = Annotated[float, Ge(0), Le(1e6), Measure("damping constant", "N*s/m", "b"), Range(0.2, 3.0), Chance(0.25)]
 
 
 @connection
 class SpringConnection(Straight):
-    """A light spring, relaxed at the start, along the line of the two points that it joins."""
+    """A light spring along the line of the two points that it joins, strained at the start or not, damped or not."""
 
     key: ClassVar[str] = "spring"
     look: ClassVar[Look] = "spring"
     stiffness: Stiffness
+    strained: Annotated[Literal["stretched", "compressed"], Chance(1.0)] = "stretched"
+    by: Annotated[Strain, Chance(0.5)] = 0.0
+    damping: Dashpot = 0.0
 
+    words: ClassVar[dict[str, Word]] = {
+        "strain": Word("by", {0.0: "relaxed"}, "{strained} by {by}"),
+        "dashpot": Word("damping", {0.0: ""}, " with a light dashpot of damping constant {damping} beside it"),
+        "damped": Word("damping", {0.0: ""}, ", and beside it acts a light dashpot of damping constant {damping}"),
+    }
     says: ClassVar[Wordings] = either(
-        "a light spring of stiffness {stiffness}, at first relaxed, joins {a} to {b}.",
-        "{a} is joined to {b} by a light spring of stiffness {stiffness}, which is relaxed at first.",
-        "between {a} and {b} runs a light spring of stiffness {stiffness}, relaxed at the start.",
+        "a light spring of stiffness {stiffness}{dashpot}, at first {strain}, joins {a} to {b}.",
+        "{a} is joined to {b} by a light spring of stiffness {stiffness}, {strain} at first{damped}.",
+        "between {a} and {b} runs a light spring of stiffness {stiffness}{dashpot}; at the start the spring is {strain}.",
     )
     leads: ClassVar[Wordings] = either(
-        "from {a} a light spring of stiffness {stiffness}, at first relaxed, {way} to {b}.",
-        "a light spring of stiffness {stiffness} is fastened to {a}; relaxed at first, it {way} to {b}.",
-        "to {a} is fastened a light spring of stiffness {stiffness}, which {way} to {b} and is relaxed at the start.",
+        "from {a} a light spring of stiffness {stiffness}{dashpot}, at first {strain}, {way} to {b}.",
+        "a light spring of stiffness {stiffness} is fastened to {a}; {strain} at first, it {way} to {b}{damped}.",
+        "to {a} is fastened a light spring of stiffness {stiffness}{dashpot}; it {way} to {b} and is {strain} at the start.",
     )
 
+    @model_validator(mode="after")
+    def _strained_or_not(self) -> Self:
+        if self.by == 0.0 and self.strained != "stretched":
+            raise ValueError("strained: a spring strained by 0 is relaxed; leave it out, or say by how much")
+        return self
+
+    @property
+    def spacing(self) -> float:
+        """Its free length is the shorter one of that at the start and its natural length, so that both are positive."""
+        return self.free + (self.by if self.strained == "stretched" else 0.0)
+
     def build(self, joint: Joint, builder: Builder) -> None:
-        """From site to site, as long as they are apart."""
-        builder.add_spring(joint.name, self.ends(joint, builder), self.stiffness, None, 0.0)
+        """From site to site; its natural length follows from how far they are apart."""
+        ends = self.ends(joint, builder)
+        strain = self.by if self.strained == "stretched" else -self.by
+        length = dist(*map(builder.position, ends)) - strain
+        builder.add_spring(joint.name, ends, self.stiffness, length, self.damping)

@@ -192,6 +192,13 @@ class Frame:
         """Join sites by a light spring of a natural length, m, by default that which it has at the start."""
         self._builder.add_spring(self.address(name), _flat(through), stiffness, length, damping)
 
+    def wind(self, name: str, a: "Frame", b: "Frame", radius: float, arc: float, law: Elastic) -> None:
+        """Join two bodies that turn about one axis by a light spring along their circle, right-handed from `a` to `b`.
+
+        It is as long as the `arc` between them, m, at the start.
+        """
+        self._builder.add_arc(self.address(name), (a.own_name, b.own_name), radius, arc, law)
+
     def buffer(self, name: str, a: str, b: str, stiffness: float, length: float) -> None:
         """Put a light spring at a site that pushes another one away once that is nearer than its natural length, m."""
         self._builder.add_line(self.address(name), (a, b), Elastic(stiffness, length, acts="pushes"))

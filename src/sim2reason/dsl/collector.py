@@ -150,6 +150,17 @@ class Collector:
             length = sum(dist(one, other) for one, other in pairwise(places))
         self.add_line(name, sites, Elastic(stiffness, length, damping))
 
+    def add_arc(self, name: str, bodies: tuple[str, str], radius: float, arc: float, law: LineLaw) -> None:
+        """Enter a line along the circle on which two bodies turn, from one to the other; one that is glued holds it."""
+        ends = (f"{name}.from", f"{name}.to")
+        for end, at in zip(ends, (ZERO, (arc, 0.0, 0.0)), strict=True):
+            self.add_site(end, None, at)
+        hinges = [self._bodies[body].coordinates for body in bodies]
+        sides = zip(hinges, (-radius, radius), strict=True)
+        wheels = tuple(Wheel(hinge.name, side) for own, side in sides for hinge in own)
+        self._new(name, self._lines)
+        self._lines[name] = Line(name, name, ends, wheels, law, bodies)
+
     def _split(self, through: Iterable[str]) -> list[tuple[tuple[str, ...], tuple[Wheel, ...]]]:
         """Cut a path wherever it goes from one rim point of a massive pulley to the other."""
         parts: list[tuple[list[str], list[Wheel]]] = [([], [])]

@@ -12,6 +12,7 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.model import Model
 from sim2reason.dsl.ports import Port, Stop
+from sim2reason.dsl.template import Word
 from sim2reason.registry import Registry
 
 FREE = 2.5  # m of free string between neighbours, so that motions of a second or two have room
@@ -133,6 +134,7 @@ class Connection(Model):
     look: ClassVar[Look] = "string"
     carries: ClassVar[bool] = False  # whether its first end carries the entity at its last one
     stiff: ClassVar[bool] = False  # and if so, without letting it turn
+    words: ClassVar[dict[str, Word]] = {}
     links: tuple[Link, ...]
 
     @classmethod

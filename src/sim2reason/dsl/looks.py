@@ -7,7 +7,7 @@ of a cap or to the hole of what has a hole.
 from dataclasses import dataclass
 from typing import Literal
 
-SmallKind = Literal["ball", "block", "slab", "cart", "puck", "rocket", "star", "planet"]
+SmallKind = Literal["ball", "sphere", "block", "slab", "cart", "puck", "rocket", "star", "planet"]
 LineKind = Literal["string", "spring", "rod"]
 THIN = 0.06  # the wall of what is thin, as it is drawn, as a part of its radius
 

@@ -139,6 +139,7 @@ FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell
 Height = Annotated[float, LEAST, Le(1e4), Measure("height", "m", "h"), Range(1.0, 5.0)]
 Stiffness = Annotated[float, LEAST, Le(1e6), Measure("stiffness", "N/m", "k"), Range(20.0, 250.0)]
 NaturalLength = Annotated[float, LEAST, Le(1e3), Measure("natural length", "m", r"\ell_0"), Range(0.2, 1.0)]
+Strain = Annotated[float, Ge(0), Le(1e3), Measure("strain", "m", "d"), Range(0.05, 0.3)]
 Damping = Annotated[float, LEAST, Le(1e6), Measure("damping constant", "N*s/m", "b"), Range(0.2, 3.0)]
 Restitution = Annotated[float, Ge(0), Le(1), Measure("restitution", "", "e", decimals=2), Range(0.3, 0.95)]
 Gravity = Annotated[float, Ge(0), Le(100), Measure("gravity", "m/s^2", "g")]

@@ -135,7 +135,9 @@ class Line:
     """A light line of one tension, straight between its sites.
 
     Its length is the sum of the distances between consecutive sites + Σ radius·angle over its wheels. A line that
-    passes a massive pulley is several of these, one for each part, all with the same `whole`.
+    passes a massive pulley is several of these, one for each part, all with the same `whole`. One that lies along a
+    circle joins two bodies that turn about its centre: they are its wheels, and its sites, which are fixed in the room,
+    stand as far apart as it is long at the start.
     """
 
     name: str
@@ -143,6 +145,7 @@ class Line:
     through: tuple[str, ...]  # site names, from end to end
     wheels: tuple[Wheel, ...] = ()
     law: LineLaw = Inextensible()
+    circle: tuple[str, str] | None = None  # the bodies that it joins, if it lies along a circle, counter-clockwise
 
 
 @dataclass(frozen=True, slots=True)

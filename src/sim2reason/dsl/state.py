@@ -76,20 +76,24 @@ class State:
             rate = rate + product(apart, parting) / np.where(distance > 0.0, distance, 1.0)
         return length, rate
 
+    def free_length(self, line: Line) -> tuple[Array, Array]:
+        """The length of a line with what its wheels give out, m, and its rate, m/s; both (n,)."""
+        length, rate = self.length(line)
+        for wheel in line.wheels:
+            number = self.mechanism.number[wheel.coordinate]
+            length, rate = length + wheel.radius * self.q[:, number], rate + wheel.radius * self.v[:, number]
+        return length, rate
+
 
 def with_given_tensions(state: State) -> State:
     """The state with the tension of the lines whose own law gives it: of springs, and of what a hand draws."""
     found = dict(state.tension)
-    numbers = state.mechanism.number
     for line in state.mechanism.lines:
         law = line.law
         if isinstance(law, Drawn):
             found[line.name] = np.full(len(state.times), law.force)
         elif isinstance(law, Elastic):
-            length, rate = state.length(line)
-            for wheel in line.wheels:
-                length = length + wheel.radius * state.q[:, numbers[wheel.coordinate]]
-                rate = rate + wheel.radius * state.v[:, numbers[wheel.coordinate]]
+            length, rate = state.free_length(line)
             tension = law.stiffness * (length - law.length) + law.damping * rate
             found[line.name] = np.where(law.side * tension >= 0.0, tension, 0.0)
     return replace(state, tension=found) if len(found) > len(state.tension) else state

@@ -1,4 +1,4 @@
-"""Carts that meet on a straight track, with walls, spring buffers and pairs joined by springs."""
+"""Blocks and balls that meet on a straight track, with walls, spring buffers and pairs joined by springs."""
 
 from collections.abc import Mapping
 from itertools import pairwise
@@ -9,10 +9,22 @@ from annotated_types import Len
 from pydantic import model_validator
 
 from sim2reason.authoring import Chance, Count, Entity, Frame, Range, Restitution, Word, each, either, entity, scale
-from sim2reason.bodies.glider import Glider
+from sim2reason.bodies.glider import Glider, SlidingBall
 from sim2reason.bodies.track import Track
-from sim2reason.entities.parts.neighbours import BUFFERS, JOINED, PAIRS, Buffered, Joined, OwnRestitution, Wall, fit
+from sim2reason.entities.parts.neighbours import (
+    BUFFERS,
+    JOINED,
+    PAIRS,
+    WALLS,
+    Buffered,
+    Joined,
+    OwnRestitution,
+    Wall,
+    alike,
+    fit,
+)
 
+ALIKE = 0.6  # the chance that all of them are blocks, or balls, if they are drawn
 NEAREST = 0.01  # m, between neighbours at the start
 LONGEST = 10.0  # s
 PASSES = 5.0  # times that the fastest would run past all the others, that the motion is followed for
@@ -23,7 +35,7 @@ class ComplexCollisionPlane(Entity):
     """One-dimensional collisions; with a restitution of zero those that meet stay together."""
 
     track: Track
-    gliders: Annotated[tuple[Glider, ...], Len(2, 6), Count(2, 4)]
+    gliders: Annotated[tuple[Glider | SlidingBall, ...], Len(2, 6), Count(2, 4)]
     left: Annotated[Wall | None, Range(-2.8, -2.1), Chance(0.6)] = None
     right: Annotated[Wall | None, Range(2.1, 2.8), Chance(0.6)] = None
     joined: Annotated[tuple[Joined, ...], Len(0, 2), Count(0, 1)] = ()
@@ -64,16 +76,7 @@ class ComplexCollisionPlane(Entity):
                 "for t = 0 the table lists the {columns} of each {noun}.",
             ),
         ),
-        either(
-            "{track.left}, at x = {left}, stands a fixed wall.",
-            "a fixed wall stands {track.left}, at x = {left}.",
-            "the track ends {track.left} at a fixed wall, at x = {left}.",
-        ),
-        either(
-            "{track.right}, at x = {right}, stands a fixed wall.",
-            "a fixed wall stands {track.right}, at x = {right}.",
-            "the track ends {track.right} at a fixed wall, at x = {right}.",
-        ),
+        *WALLS,
         JOINED,
         BUFFERS,
         PAIRS,
@@ -104,9 +107,9 @@ class ComplexCollisionPlane(Entity):
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
         """From left to right, on firm springs; at the top of a slope there is no wall, which nothing would reach."""
-        del rng
         right = None if drawn["track"].tilt else drawn.get("right")
-        return {**fit(drawn["gliders"], drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
+        gliders = alike(drawn["gliders"]) if rng.random() < ALIKE else drawn["gliders"]
+        return {**fit(gliders, drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
 
     @property
     def horizon(self) -> float:

@@ -10,7 +10,7 @@ from sim2reason.authoring import Chance, Count, Damping, Entity, Frame, FreeLeng
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack
-from sim2reason.entities.parts.springs import DASHPOTS, Blow, Strained
+from sim2reason.entities.parts.springs import AT_FIRST, DASHPOTS, STRAINED, Blow, Strained
 
 WALLS = {"free": 0, "left": 1, "right": 1, "both": 2}
 PERIODS = 1.5  # of the heaviest cart on the softest spring that the motion is followed for
@@ -42,11 +42,7 @@ class SpringMassChain(Entity):
                 "both": "from a fixed wall {track.left} to {carts.first}{carts:/, from {carts.first} to {carts.last}/, from each of them to the next} and from {carts.last} to a fixed wall {track.right}",
             },
         ),
-        "strained": Word(
-            "strain.by",
-            {0.0: "{springs:the spring is/all springs are} relaxed"},
-            "{strain.spring>springs} is {strain.way} by {strain.by}{springs:/ and the other is relaxed/ and the others are relaxed}",
-        ),
+        "strained": STRAINED,
         "toward": Word("blow.toward", {"right": "{track.ahead}", "left": "{track.back}"}),
     }
     says = (
@@ -66,11 +62,7 @@ class SpringMassChain(Entity):
             "the {springs:link/links} {where} {springs:is/are, in this order,} {springs:/light }{springs}.",
         ),
         DASHPOTS,
-        either(
-            "at first {strained}.",
-            "at the start {strained}.",
-            "to begin with, {strained}.",
-        ),
+        AT_FIRST,
         either(
             "{blow.cart>carts} is struck and starts off {toward} at {blow.speed}{carts:/, the other being at rest/, the others being at rest}.",
             "at t = 0 a blow sends {blow.cart>carts} off {toward} at {blow.speed}{carts:/, while the other is at rest/, while the others are at rest}.",

@@ -29,7 +29,7 @@ def assembled(state: ParseState, rng: np.random.Generator) -> Scene:
 
 
 def _connection(state: ParseState, joined: ParsedConnection, rng: np.random.Generator) -> Connection:
-    own = {name: held for name, held in field_types(joined.kind).items() if held.measure is not None}
+    own = {name: held for name, held in field_types(joined.kind).items() if held.measure is not None or held.words}
     told = {name: _field(state, f"{joined.name}.{name}", joined.kind, held, rng) for name, held in own.items()}
     return joined.kind(links=joined.links, **told)
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sim2reason.dsl.body import Body
+from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure
 from sim2reason.dsl.model import Model, field_types
@@ -45,9 +46,9 @@ def joined(owner: str, path: str) -> str:
 
 
 def part_word(state: ParseState, owner: str, path: str) -> Word | None:
-    """A word of the part at an address."""
+    """A word of the part or the connection at an address."""
     kind = state.kinds.get(owner)
-    return kind.words.get(path) if kind is not None and issubclass(kind, Part) else None
+    return kind.words.get(path) if kind is not None and issubclass(kind, Part | Connection) else None
 
 
 def canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:

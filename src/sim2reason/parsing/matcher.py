@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 
 from sim2reason.dsl.body import Body
+from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure, join_unit
 from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
@@ -11,7 +12,7 @@ from sim2reason.errors import TextError
 from sim2reason.parsing.declarations import Thing, canonical, joined, part_word, thing_at
 from sim2reason.parsing.parse_state import MANY, ParseState
 from sim2reason.prose.naming import listed
-from sim2reason.prose.phrases import another
+from sim2reason.prose.phrases import BODIES, another
 
 MAX_STEPS = 200_000
 NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
@@ -96,10 +97,12 @@ class Matcher:
                 yield from self._just(text, at, COUNT_WORDS[count], then)
 
     def _plural(self, text: str, at: int, address: str, state: ParseState) -> Iterator[Found]:
-        for kind in thing_at(state, address).models:
-            if issubclass(kind, Body):
-                for noun in _nouns(kind, state):
-                    yield from self._just(text, at, f"{noun}s", state.with_noun(kind, noun))
+        kinds = [kind for kind in thing_at(state, address).models if issubclass(kind, Body)]
+        for kind in kinds:
+            for noun in _nouns(kind, state):
+                yield from self._just(text, at, f"{noun}s", state.with_noun(kind, noun))
+        if len(kinds) > 1:
+            yield from self._just(text, at, BODIES, state)
 
     def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
         """Agreement: one, two or more; none or some."""
@@ -161,7 +164,7 @@ class Matcher:
     def _told(
         self, text: str, at: int, template: str, owner: str, state: ParseState, *, start: bool
     ) -> Iterator[Found]:
-        if owner in state.kinds and issubclass(state.kinds[owner], Part):
+        if owner in state.kinds and issubclass(state.kinds[owner], Part | Connection):
             yield from self.template(text, at, template, owner, state, start=start)
         else:
             yield from self._of_body(text, at, slots(template), owner, state)

@@ -8,6 +8,15 @@ from sim2reason.dsl.model import Model, lookup
 _ENDS = {"first": 0, "last": -1}
 
 
+BODIES = "bodies"
+"""The plural of several that are not all of one kind."""
+
+
+def alike(members: tuple[object, ...]) -> bool:
+    """Whether all are of one kind."""
+    return len({type(member) for member in members}) == 1
+
+
 def join(items: list[str], last: str = " and ") -> str:
     """A, B and C."""
     return items[0] if len(items) == 1 else ", ".join(items[:-1]) + last + items[-1]

@@ -9,6 +9,7 @@ import numpy as np
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part, parts_at
 from sim2reason.dsl.model import Parameter, field_types, lookup, parameters
 from sim2reason.dsl.scene import Scene
@@ -16,7 +17,7 @@ from sim2reason.dsl.template import COUNT_WORDS, Each, PartLines, Saying, Slot, 
 from sim2reason.errors import SceneError
 from sim2reason.prose.closings import closings
 from sim2reason.prose.naming import Names, letters, listed, symbols
-from sim2reason.prose.phrases import another, canonical, join, resolved
+from sim2reason.prose.phrases import BODIES, alike, another, canonical, join, resolved
 from sim2reason.prose.tables import table
 from sim2reason.prose.voices import Voice, numeric
 
@@ -149,7 +150,7 @@ class Writer:
             return [self.finish(self.render(template, address))] if self.is_said(template, part) else []
         members = getattr(part, saying.field)
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
-        if len(members) >= TABLE_FROM and isinstance(members[0], Body):
+        if len(members) >= TABLE_FROM and isinstance(members[0], Body) and alike(members):
             self.introduced.update(dict.fromkeys(where))
             return table(self, saying.table, where, members)
         return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]
@@ -209,14 +210,15 @@ class Writer:
             count = len(resolved(part, slot.path))
             return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.form(count), address, start=start)
         if slot.kind == "plural":
-            return f"{self.names.noun(resolved(part, slot.path)[0])}s"
+            members = resolved(part, slot.path)
+            return f"{self.names.noun(members[0])}s" if alike(members) else BODIES
         if slot.kind == "member":
             return self._mention(f"{address}.{slot.text}.{resolved(part, slot.path)}", start=start)
         return self._named(slot, part, address, start=start)
 
     def _named(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
         """What stands for a name in a template: a word, a choice, a number or a body."""
-        words = type(part).words if isinstance(part, Part) else {}
+        words = type(part).words if isinstance(part, Part | Connection) else {}
         if slot.path in words:
             word = words[slot.path]
             return self._word(

@@ -36,10 +36,7 @@ class Extension(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """The length l − l₀, what a pulley winds up included, (n,)."""
         line, law = _law(state, subject)
-        length = state.length(line)[0]
-        for wheel in line.wheels:
-            length = length + wheel.radius * state.q[:, state.mechanism.number[wheel.coordinate]]
-        return length - law.length
+        return state.free_length(line)[0] - law.length
 
 
 @quantity
@@ -59,7 +56,7 @@ class SpringLength(Quantity):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """End to end, (n,)."""
-        return state.length(_law(state, subject)[0])[0]
+        return state.free_length(_law(state, subject)[0])[0]
 
 
 @quantity
@@ -78,7 +75,7 @@ class ExtensionRate(Quantity):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """dl/dt, (n,)."""
-        return state.length(_law(state, subject)[0])[1]
+        return state.free_length(_law(state, subject)[0])[1]
 
 
 @quantity

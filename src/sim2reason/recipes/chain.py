@@ -1,4 +1,4 @@
-"""Carts joined by springs in a row."""
+"""Carts joined by springs in a row, and beads joined by springs in a ring."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
-KIND = "SpringMassChain"
+KIND, RING = "SpringMassChain", "SpringMassRing"
 LEVEL = {"tilt?": 0.0, "friction?": 0.0, "damping?": 0.0}
 IDEAS = {
     "easy": (  # one cart on one or two springs, or two carts on one
@@ -18,16 +18,18 @@ IDEAS = {
         Idea(KIND, {**LEVEL, "carts": Count(2, 3), "ends": ("left", "right", "both")}, 2.0),
         Idea(KIND, {**LEVEL, "carts": Count(1, 2), "ends": ("left", "right"), "tilt?": 1.0}),
         Idea(KIND, {**LEVEL, "carts": Count(1, 1), "ends": ("left", "right"), "friction?": 1.0}),
+        Idea(RING, {"beads": Count(2, 3), "damping?": 0.0}, 0.7),
     ),
     "hard": (
         Idea(KIND, {**LEVEL, "carts": Count(3, 6)}, 2.0),
         Idea(KIND, {**LEVEL, "carts": Count(2, 3), "damping?": 1.0}),
         Idea(KIND, {**LEVEL, "carts": Count(2, 3), "friction?": 1.0}),
+        Idea(RING, {"beads": Count(3, 5)}, 0.7),
     ),
 }
 
 
 @recipe("chain")
 def draw_chain(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """One to six carts on a track with springs between them: struck, or let go with a spring strained."""
+    """Carts on a track, or beads on a ring, with springs between them: struck, or let go with a spring strained."""
     return one_of(IDEAS[difficulty], rng, "chain")

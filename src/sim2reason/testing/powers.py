@@ -112,10 +112,7 @@ def _working(force: Array, rate: Array) -> Array:
 
 def _rate(state: State, line: Line) -> Array:
     """How fast a line's free length grows, with what wheels give out, m/s."""
-    rate = state.length(line)[1]
-    for wheel in line.wheels:
-        rate = rate + wheel.radius * state.v[:, state.mechanism.number[wheel.coordinate]]
-    return rate
+    return state.free_length(line)[1]
 
 
 def acting(state: State, force: Force) -> Array:

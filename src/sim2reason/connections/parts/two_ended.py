@@ -42,10 +42,11 @@ class TwoEnded(Connection):
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:  # noqa: ANN401 - pydantic's hook
         """Refuse a class whose sentence leaves a number or an end unsaid; TypeError says which."""
-        numbers = {name for name, held in field_types(cls).items() if held.measure is not None and not held.hidden}
+        held = field_types(cls).items()
+        numbers = {name for name, kind in held if (kind.measure is not None or kind.words) and not kind.hidden}
         for wordings, ends in ((cls.says.wordings, {"a", "b"}), (cls.leads.wordings, {"a", "way", "b"})):
             for template in wordings:
-                missing = (ends | numbers) - set(paths(template))
+                missing = (ends | numbers) - _told(cls, template)
                 if missing:
                     raise TypeError(f"{cls.__name__}: {template!r} leaves {', '.join(sorted(missing))} unsaid")
 
@@ -131,6 +132,14 @@ class TwoEnded(Connection):
         for leg in routes.legs(cls, state, other or NOWHERE if slot == "b" else ()):
             if leg.link not in other and cls.admits(leg.stops[0].port, "ab".index(slot), 1):
                 yield leg
+
+
+def _told(cls: type[Connection], template: str) -> set[str]:
+    """The ends and numbers that a wording tells, those that its words tell included."""
+    found = set(paths(template))
+    for word in (cls.words[name] for name in found & cls.words.keys()):
+        found |= {path for text in (*word.special.values(), word.otherwise) for path in paths(text)}
+    return found
 
 
 def _pieces(template: str) -> list[tuple[str, str]]:

@@ -1,19 +1,20 @@
 """Neighbours on a straight track: what joins them, what is between them, how they bounce; and the lines that tell it."""
 
 from collections.abc import Sequence
-from math import ceil
+from math import ceil, inf
 from typing import Annotated, Self, TypeVar
 
 from annotated_types import Ge, Le
 from pydantic import model_validator
 
-from sim2reason.authoring import Measure, Member, Part, Restitution, each
+from sim2reason.authoring import Measure, Member, Part, Restitution, each, either
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.spring import Bumper, Coil
-from sim2reason.dsl.model import rebuilt
+from sim2reason.dsl.model import field_types, rebuilt
 
 Index = Annotated[int, Ge(0), Le(5), Member("gliders")]
 Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "x", decimals=2)]
+ROOM = 0.3  # m, at least, between neighbours that are drawn
 HARDEST = 2000.0  # N/m, of springs that are drawn
 
 
@@ -42,13 +43,31 @@ class Buffered(Pair):
     buffer: Bumper
 
 
+def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
+    """The same, all of the class of the first."""
+    kind = type(gliders[0])
+    return tuple(kind(mass=glider.mass, x=glider.x, v=glider.v) for glider in gliders)
+
+
 Sprung = TypeVar("Sprung", Joined, Buffered)
 
 
 def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:
-    """What was drawn, from left to right and on firm springs."""
-    ordered = tuple(sorted(gliders, key=lambda glider: glider.x))
+    """What was drawn, from left to right with room between neighbours, and on firm springs."""
+    ordered = _apart(sorted(gliders, key=lambda glider: glider.x))
     return {"gliders": ordered, "joined": _firm(joined, ordered), "buffers": _firm(buffers, ordered)}
+
+
+def _apart(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
+    """Neighbours too near each other are moved to the right, and back to the left from where no place is drawn."""
+    drawn = field_types(Glider)["x"].drawn
+    end = drawn.high if drawn is not None else inf
+    places = [glider.x for glider in gliders]
+    for index in range(1, len(places)):
+        places[index] = max(places[index], places[index - 1] + ROOM)
+    for index in reversed(range(len(places))):
+        places[index] = min(places[index], end - ROOM * (len(places) - 1 - index))
+    return tuple(rebuilt(glider, x=round(x, 2)) for glider, x in zip(gliders, places, strict=True))
 
 
 def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, ...]:
@@ -73,6 +92,20 @@ class OwnRestitution(Pair):
 
     restitution: Restitution
 
+
+WALLS = (
+    either(
+        "{track.left}, at x = {left}, stands a fixed wall.",
+        "a fixed wall stands {track.left}, at x = {left}.",
+        "the track ends {track.left} at a fixed wall, at x = {left}.",
+    ),
+    either(
+        "{track.right}, at x = {right}, stands a fixed wall.",
+        "a fixed wall stands {track.right}, at x = {right}.",
+        "the track ends {track.right} at a fixed wall, at x = {right}.",
+    ),
+)
+"""The lines of an entity whose `track` may have walls, at `left` and `right`."""
 
 JOINED = each(
     "joined",

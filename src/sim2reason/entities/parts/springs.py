@@ -2,12 +2,9 @@
 
 from typing import Annotated, Literal, Self
 
-from annotated_types import Ge, Le
 from pydantic import model_validator
 
-from sim2reason.authoring import Chance, Measure, Member, Part, Range, Speed, either
-
-Strain = Annotated[float, Ge(0), Le(1e3), Measure("strain", "m", "d"), Range(0.05, 0.3), Chance(1.0)]
+from sim2reason.authoring import Chance, Member, Part, Range, Speed, Strain, Word, either
 
 
 class Strained(Part):
@@ -15,7 +12,7 @@ class Strained(Part):
 
     spring: Annotated[int, Member("springs"), Chance(1.0)] = 0
     way: Annotated[Literal["stretched", "compressed"], Chance(1.0)] = "stretched"
-    by: Strain = 0.0
+    by: Annotated[Strain, Chance(1.0)] = 0.0
 
     @model_validator(mode="after")
     def _nothing_for_nothing(self) -> Self:
@@ -48,3 +45,12 @@ DASHPOTS = either(
     "a light dashpot with a damping constant of {damping} acts in parallel with {springs:the spring/each spring}.",
 )
 """The line of an entity with `springs` that all have the same `damping`."""
+
+STRAINED = Word(
+    "strain.by",
+    {0.0: "{springs:the spring is/all springs are} relaxed"},
+    "{strain.spring>springs} is {strain.way} by {strain.by}{springs:/ and the other is relaxed/ and the others are relaxed}",
+)
+"""How an entity with `springs` tells which of them has a `strain`: its word *strained*, which `AT_FIRST` uses."""
+
+AT_FIRST = either("at first {strained}.", "at the start {strained}.", "to begin with, {strained}.")

@@ -17,6 +17,7 @@ from sim2reason.figures.vectors import RIGHT, UP, Polygon, hull, rectangle, unit
 THIN = 0.13  # units: of what has no thickness, at least
 ROCKET = ((-0.2, -0.5), (0.2, -0.5), (0.2, 0.25), (0.0, 0.65), (-0.2, 0.25))
 FINS = (((-0.2, -0.5), (-0.38, -0.65), (-0.2, -0.15)), ((0.2, -0.5), (0.38, -0.65), (0.2, -0.15)))
+LETTERED = ("puck", "sphere")  # round things in which there is room for a letter
 SEEN = 0.5  # an axis this much in the page is drawn from the side
 LEVEL = 0.3  # the sine up to which texts along a slope fit into a slab
 FINE = 24  # points of half a round outline
@@ -77,7 +78,7 @@ def small(kind: str, at: complex, radius: float, sizes: tuple[float, float], alo
         case "star":
             return [Arc(at, radius, fill="star")]
         case _:
-            return [Arc(at, radius, fill="block" if kind == "puck" else "ball")]
+            return [Arc(at, radius, fill="block" if kind in LETTERED else "ball")]
 
 
 def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]:
@@ -218,7 +219,7 @@ def _plain(look: BodyLook) -> bool:
     """Whether there is room for a letter inside: neither ink nor a hole."""
     match look:
         case Small(kind):
-            return kind in ("puck", "star")
+            return kind in (*LETTERED, "star")
         case Spherical(_, wall, hole):
             return not wall and not hole
         case Axial(_, _, wall, _, hole):

@@ -1,7 +1,9 @@
 """Strings, springs, rods and arms between the points that they join, and what holds their ends."""
 
+from cmath import phase, rect
 from collections.abc import Iterator
 from itertools import pairwise
+from math import pi
 
 from sim2reason.dsl.looks import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
 from sim2reason.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
@@ -44,6 +46,9 @@ def lines(setting: Setting, front: Sketch) -> Sketch:
     for line in setting.lines:
         look = look_of(setting, line)
         points = [setting.site(name) for name in line.through]
+        if line.circle is not None:
+            _around(setting, line, line.circle, found)
+            continue
         if look == "prop":
             continue
         found.shapes += strokes(setting, line, look, points)
@@ -59,6 +64,26 @@ def lines(setting: Setting, front: Sketch) -> Sketch:
             stiff = joint.connection.look == "weld"
             front.shapes.append(Area(rectangle(at, 0.2, 0.2), "ink") if stiff else Arc(at, PIVOT))
     return found
+
+
+def _around(setting: Setting, line: Line, ends: tuple[str, str], found: Sketch) -> None:
+    """A coil along the circle on which two bodies turn, and the circle, once."""
+    middle = setting.view.at(vector(setting.frames[ends[0]].origin))
+    a, b = (setting.at(end) - middle for end in ends)
+    whole = Arc(middle, round(abs(a), 6), weight="thin")  # rounded, since all bodies are on the same one
+    if whole not in found.shapes:
+        found.shapes.append(whole)
+    turn = phase(b / a) % (2.0 * pi)
+    clear = min(setting.radius(ends[0]) / abs(a), 0.3 * turn)
+    straight = coil(0j, complex(abs(a) * (turn - 2.0 * clear)))
+    bent = (middle + (abs(a) + p.imag) * unit(a) * rect(1.0, clear + p.real / abs(a)) for p in straight)
+    found.shapes.append(Stroke(tuple(bent), "thin"))
+    body = setting.bodies.get(line.whole)
+    if body is not None and body.letters:
+        half, text = unit(a) * rect(1.0, 0.5 * turn), setting.plan.name(line.whole)
+        places = (middle + (abs(a) + far) * half for far in (0.5, -0.5, 0.8, -0.8))
+        found.labels.append(Wanted(text, tuple(places), line.whole))
+    setting.drawn.add(line.whole)
 
 
 def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
@@ -147,6 +172,8 @@ def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> Non
     stiff = not body.coordinates and body.parent is not None and isinstance(setting.look(body.name), Small | Slender)
     if {c.kind for c in body.coordinates} != {"hinge"} and not stiff:
         return
+    if any(body.name in (line.circle or ()) for line in setting.lines):
+        return  # a ring leads it
     pivot = setting.view.at(vector(setting.frames[body.name].origin))
     ends = [] if sized else [end for end in _ends(setting, body) if abs(end - pivot) > NEAR]
     for end in ends:

@@ -7,7 +7,7 @@ from sim2reason.dsl.looks import BigBox, Small
 from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.figures.hanging import plate
 from sim2reason.figures.paths import flat, is_pulley
-from sim2reason.figures.scaled.setting import OBLONG, STEEP, Setting
+from sim2reason.figures.scaled.setting import BESIDE, STEEP, Setting
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Sketch, Wanted, dot_at, hatched
 from sim2reason.figures.vectors import RIGHT, UP, cross, unit
 
@@ -22,7 +22,7 @@ def rides(setting: Setting, body: RigidBody) -> bool:
     look, slides = setting.look(body.name), [c for c in body.coordinates if c.kind == "slide"]
     if not isinstance(look, Small) or body.name in setting.mechanism.contacts or setting.view.level:
         return False
-    led = len(slides) == 1 and body.parent is None and look.kind in OBLONG
+    led = len(slides) == 1 and body.parent is None and look.kind in BESIDE
     return led and abs(setting.view.way(slides[0].axis).real) > STEEP
 
 

@@ -13,7 +13,7 @@ from sim2reason.dsl.mechanism import Elastic, Line, RigidBody, X, Y, Z
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.regions import BoxRegion, DiscRegion, HalfSpace, Region
 from sim2reason.dsl.triples import Triple
-from sim2reason.dsl.vectors import Vector, add, scale
+from sim2reason.dsl.vectors import Vector, add, inner, scale
 from sim2reason.figures.pieces import DrawingPlan
 from sim2reason.figures.scaled.view import APART, COILED, FROM_ABOVE, SPAN, View, fitting, sides
 from sim2reason.figures.vectors import RIGHT
@@ -21,6 +21,7 @@ from sim2reason.figures.vectors import RIGHT
 UPRIGHT: Axes = (X, Y, Z)
 RADII = {"ball": 0.24, "puck": 0.3, "star": 0.38, "planet": 0.2}  # units, of round things whose size does not matter
 OBLONG = ("block", "slab", "cart")
+BESIDE = (*OBLONG, "sphere")  # what stands on a track
 SLAB, SLAB_LENGTH, SLAB_STEP = (
     0.62,
     1.5,
@@ -157,7 +158,7 @@ class Setting:
     def _near(self, address: str) -> float:
         """A little less than the distance to the nearest block beside this one, in units; but not too little."""
         look = self.look(address)
-        oblong = [a for a in self.bodies if isinstance(other := self.look(a), Small) and other.kind in OBLONG]
+        oblong = [a for a in self.bodies if isinstance(other := self.look(a), Small) and other.kind in BESIDE]
         if not isinstance(look, Small):
             return math.inf
         ways = (self.at(a) - self.at(address) for a in oblong if a != address and self.stands(a))
@@ -234,8 +235,13 @@ class Setting:
                 yield vector(self.frames[body.name].origin)
             yield from (self._below(body) or ())
         for line in self.lines:
-            yield from (vector(self.frames.site(site).place) for site in line.through)
+            bent = line.circle is not None
+            yield from () if bent else (vector(self.frames.site(site).place) for site in line.through)
         yield from self._turns()
+        for meeting in self.mechanism.meetings:
+            if meeting.a is None and meeting.normal is not None and self.owns(meeting.b):
+                place = self.place(meeting.b)
+                yield add(place, scale(meeting.distance - inner(meeting.normal, place), meeting.normal))  # of a wall
         for region, _ in self.regions():
             yield from corners(region)
         for face in self.mechanism.faces:
