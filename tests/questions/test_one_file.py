@@ -21,6 +21,7 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
+from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
 
 QUANTITY = '''
@@ -275,7 +276,7 @@ def test_a_new_quantity_is_a_channel_and_has_a_panel() -> None:
     panel = next(panel for panel in shown.panels if panel.title == "power (W)")
     assert [curve.name for curve in panel.curves] == ["A", "B"]
     assert all(np.abs(curve.values).max() > 1.0 for curve in panel.curves)
-    assert Channel("one.system.blocks.0", "power of weight") in search._told[1].until
+    assert Channel("one.system.blocks.0", "power of weight") in witnessed(search.study.trace)[1].until
 
 
 @pytest.mark.parametrize("share", [None, 0.0, -1.0, float("nan")])

@@ -7,7 +7,6 @@ from sim2reason.dsl.looks import Rectangular
 from sim2reason.dsl.measures import LEAST, Length, Measure, Range
 from sim2reason.dsl.shape import SMALL, Shape
 from sim2reason.dsl.solids import Solid, box
-from sim2reason.dsl.vectors import Vector
 
 Width = Annotated[float, LEAST, SMALL, Measure("width", "m", "w"), Range(0.05, 0.2)]
 Depth = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "h"), Range(0.02, 0.05)]
@@ -40,8 +39,3 @@ class Bar(Shape):
     def look(self) -> Rectangular:
         """A rectangle."""
         return Rectangular(self.width, self.thickness, self.length)
-
-    def reach(self, way: Vector) -> float:
-        """To its farthest corner."""
-        sides = (self.width, self.thickness, self.length)
-        return 0.5 * sum(side * abs(part) for side, part in zip(sides, way, strict=True))

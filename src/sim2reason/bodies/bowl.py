@@ -1,6 +1,5 @@
 """Parts of a sphere cut off by a plane: a bowl with a wall, and a solid cap."""
 
-from math import hypot, sqrt
 from typing import Annotated, Self
 
 from annotated_types import Le
@@ -12,17 +11,8 @@ from sim2reason.dsl.measures import LEAST, Measure, Range
 from sim2reason.dsl.shape import Radius, Shape, Thickness
 from sim2reason.dsl.solids import Solid, segment
 from sim2reason.dsl.template import Word
-from sim2reason.dsl.vectors import Vector
 
 CutHeight = Annotated[float, LEAST, Le(2e2), Measure("height", "m", "h"), Range(0.04, 0.2)]
-
-
-def cap_reach(radius: float, height: float, way: Vector) -> float:
-    """How far a spherical cap extends along a unit vector from the centre of its flat face, its pole towards z, m."""
-    center = height - radius  # of the sphere, along z
-    if center + radius * way[2] >= 0.0:
-        return center * way[2] + radius
-    return sqrt(max(0.0, height * (2.0 * radius - height))) * hypot(way[0], way[1])
 
 
 @body
@@ -58,10 +48,6 @@ class SphericalCap(Shape):
     def look(self) -> Capped:
         """A segment of a circle."""
         return Capped(self.radius, self.height)
-
-    def reach(self, way: Vector) -> float:
-        """To its curved surface, or to its rim."""
-        return cap_reach(self.radius, self.height, way)
 
 
 @body
@@ -100,7 +86,3 @@ class Bowl(Shape):
     def look(self) -> Capped:
         """A curved wall."""
         return Capped(self.radius, self.height, self.thickness)
-
-    def reach(self, way: Vector) -> float:
-        """To its curved surface, or to its rim."""
-        return cap_reach(self.radius, self.height, way)

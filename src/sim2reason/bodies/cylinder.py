@@ -1,12 +1,9 @@
 """Solid cylinders: of a stated height, or rollers whose length never matters."""
 
-from math import hypot
-
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Axial
 from sim2reason.dsl.shape import Extent, Radius, Shape
 from sim2reason.dsl.solids import Solid, cylinder, disc
-from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -36,10 +33,6 @@ class Cylinder(Shape):
         """A rectangle from the side, a disc from its end."""
         return Axial(self.radius, self.height)
 
-    def reach(self, way: Vector) -> float:
-        """To its rim."""
-        return self.radius * hypot(way[0], way[1]) + 0.5 * self.height * abs(way[2])
-
 
 @body
 class Roller(Shape):
@@ -66,7 +59,3 @@ class Roller(Shape):
     def look(self) -> Axial:
         """A disc: it is seen from its end."""
         return Axial(self.radius)
-
-    def reach(self, way: Vector) -> float:
-        """To its surface."""
-        return self.radius * hypot(way[0], way[1])

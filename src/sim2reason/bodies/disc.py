@@ -1,13 +1,10 @@
 """A thin disc."""
 
-from math import hypot
-
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Axial
 from sim2reason.dsl.shape import Radius, Shape
 from sim2reason.dsl.solids import Solid
 from sim2reason.dsl.solids import disc as thin_disc
-from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -35,7 +32,3 @@ class Disc(Shape):
     def look(self) -> Axial:
         """A disc, or a thick line from the side."""
         return Axial(self.radius)
-
-    def reach(self, way: Vector) -> float:
-        """To its rim."""
-        return self.radius * hypot(way[0], way[1])

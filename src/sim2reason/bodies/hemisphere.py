@@ -1,13 +1,10 @@
 """A solid hemisphere."""
 
-from math import hypot
-
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Capped
 from sim2reason.dsl.shape import Radius, Shape
 from sim2reason.dsl.solids import Solid, segment
 from sim2reason.dsl.template import Word
-from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -36,7 +33,3 @@ class Hemisphere(Shape):
     def look(self) -> Capped:
         """Half a disc."""
         return Capped(self.radius, self.radius)
-
-    def reach(self, way: Vector) -> float:
-        """To its curved surface, or on the other side to its rim."""
-        return self.radius * (1.0 if way[2] >= 0.0 else hypot(way[0], way[1]))

@@ -10,7 +10,6 @@ from sim2reason.dsl.measures import Range
 from sim2reason.dsl.shape import HoleOffset, HoleRadius, Radius, Shape, Thickness
 from sim2reason.dsl.solids import Solid, ball, lens
 from sim2reason.dsl.template import Word
-from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -47,11 +46,6 @@ class SphereWithHole(Shape):
     def look(self) -> Spherical:
         """A disc with its hole, as if cut open."""
         return Spherical(self.radius, hole=self.hole, offset=self.offset)
-
-    def reach(self, way: Vector) -> float:
-        """Its radius, every way."""
-        del way
-        return self.radius
 
 
 @body
@@ -95,8 +89,3 @@ class HollowSphereWithHole(Shape):
     def look(self) -> Spherical:
         """A ring with its opening, as if cut open."""
         return Spherical(self.radius, wall=self.thickness, hole=self.hole, offset=self.offset)
-
-    def reach(self, way: Vector) -> float:
-        """Its outer radius, every way; less at the opening, where nothing else may stand either."""
-        del way
-        return self.radius

@@ -8,7 +8,6 @@ from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import THIN, Spherical
 from sim2reason.dsl.shape import Radius, Shape, Thickness
 from sim2reason.dsl.solids import Solid, ball, sphere_surface
-from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -36,11 +35,6 @@ class SphericalShell(Shape):
     def look(self) -> Spherical:
         """A ring, as if cut open."""
         return Spherical(self.radius, wall=THIN * self.radius)
-
-    def reach(self, way: Vector) -> float:
-        """Its radius, every way."""
-        del way
-        return self.radius
 
 
 @body
@@ -75,8 +69,3 @@ class HollowSphere(Shape):
     def look(self) -> Spherical:
         """A broad ring, as if cut open."""
         return Spherical(self.radius, wall=self.thickness)
-
-    def reach(self, way: Vector) -> float:
-        """Its outer radius, every way."""
-        del way
-        return self.radius

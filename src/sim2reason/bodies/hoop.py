@@ -1,12 +1,9 @@
 """A thin hoop."""
 
-from math import hypot
-
 from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import THIN, Axial
 from sim2reason.dsl.shape import Radius, Shape
 from sim2reason.dsl.solids import Solid, ring
-from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -34,7 +31,3 @@ class Hoop(Shape):
     def look(self) -> Axial:
         """A ring."""
         return Axial(self.radius, wall=THIN * self.radius)
-
-    def reach(self, way: Vector) -> float:
-        """To its rim."""
-        return self.radius * hypot(way[0], way[1])

@@ -1,6 +1,5 @@
 """Pipes: hollow cylinders that roll, with a thin wall or a thick one."""
 
-from math import hypot
 from typing import Annotated, Self
 
 from pydantic import model_validator
@@ -10,7 +9,6 @@ from sim2reason.dsl.looks import THIN, Axial
 from sim2reason.dsl.measures import LEAST, Measure, Range
 from sim2reason.dsl.shape import SMALL, Radius, Shape
 from sim2reason.dsl.solids import Solid, disc, ring
-from sim2reason.dsl.vectors import Vector
 
 Bore = Annotated[float, LEAST, SMALL, Measure("inner radius", "m", "r"), Range(0.02, 0.12)]
 
@@ -40,10 +38,6 @@ class Pipe(Shape):
     def look(self) -> Axial:
         """A ring: it is seen from its end."""
         return Axial(self.radius, wall=THIN * self.radius)
-
-    def reach(self, way: Vector) -> float:
-        """To its surface."""
-        return self.radius * hypot(way[0], way[1])
 
 
 @body
@@ -78,7 +72,3 @@ class ThickPipe(Shape):
     def look(self) -> Axial:
         """A broad ring: it is seen from its end."""
         return Axial(self.radius, wall=self.radius - self.bore)
-
-    def reach(self, way: Vector) -> float:
-        """To its surface."""
-        return self.radius * hypot(way[0], way[1])

@@ -1,6 +1,6 @@
 """Regular prisms: of a stated height, or long ones that tumble and whose length never matters."""
 
-from math import cos, hypot, pi, sin
+from math import cos, pi, sin
 from typing import Literal
 
 from sim2reason.dsl.body import body
@@ -57,10 +57,6 @@ class PolygonalPrism(Shape):
         """A rectangle from the side, a polygon from its end."""
         return Axial(self.radius, self.height, sides=self.sides)
 
-    def reach(self, way: Vector) -> float:
-        """To the cylinder about its edges."""
-        return self.radius * hypot(way[0], way[1]) + 0.5 * self.height * abs(way[2])
-
 
 @body
 class LongPrism(Shape):
@@ -103,7 +99,3 @@ class LongPrism(Shape):
     def look(self) -> Axial:
         """A polygon: it is seen from its end."""
         return Axial(self.radius, sides=self.sides)
-
-    def reach(self, way: Vector) -> float:
-        """To the cylinder about its edges."""
-        return self.radius * hypot(way[0], way[1])

@@ -4,7 +4,6 @@ from sim2reason.dsl.body import body
 from sim2reason.dsl.looks import Spherical
 from sim2reason.dsl.shape import Radius, Shape
 from sim2reason.dsl.solids import Solid, ball
-from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -32,8 +31,3 @@ class Sphere(Shape):
     def look(self) -> Spherical:
         """A disc."""
         return Spherical(self.radius)
-
-    def reach(self, way: Vector) -> float:
-        """Its radius, every way."""
-        del way
-        return self.radius

@@ -8,7 +8,6 @@ from sim2reason.dsl.measures import Length, Range
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Solid, rod
 from sim2reason.dsl.template import Word
-from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -37,7 +36,3 @@ class UniformRod(Shape):
     def look(self) -> Axial:
         """A thick line."""
         return Axial(0.0, self.length)
-
-    def reach(self, way: Vector) -> float:
-        """To its end."""
-        return 0.5 * self.length * abs(way[2])

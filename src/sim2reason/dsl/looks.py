@@ -5,7 +5,10 @@ of a cap or to the hole of what has a hole.
 """
 
 from dataclasses import dataclass
+from math import hypot, sqrt
 from typing import Literal
+
+from sim2reason.dsl.vectors import Vector
 
 SmallKind = Literal["ball", "sphere", "block", "slab", "cart", "puck", "rocket", "star", "planet"]
 LineKind = Literal["string", "spring", "rod"]
@@ -29,6 +32,11 @@ class Spherical:
     hole: float = 0.0
     offset: float = 0.0
 
+    def reach(self, way: Vector) -> float:
+        """How far it extends along a unit vector, m."""
+        del way
+        return self.radius
+
 
 @dataclass(frozen=True, slots=True)
 class Axial:
@@ -44,6 +52,10 @@ class Axial:
     hole: float = 0.0
     offset: float = 0.0
 
+    def reach(self, way: Vector) -> float:
+        """How far it, or the cylinder about its edges, extends along a unit vector, m."""
+        return self.radius * hypot(way[0], way[1]) + 0.5 * self.height * abs(way[2])
+
 
 @dataclass(frozen=True, slots=True)
 class Capped:
@@ -53,6 +65,13 @@ class Capped:
     height: float
     wall: float = 0.0
 
+    def reach(self, way: Vector) -> float:
+        """How far it extends along a unit vector from the centre of its flat face, m."""
+        center = self.height - self.radius  # of the sphere, along z
+        if center + self.radius * way[2] >= 0.0:
+            return center * way[2] + self.radius
+        return sqrt(max(0.0, self.height * (2.0 * self.radius - self.height))) * hypot(way[0], way[1])
+
 
 @dataclass(frozen=True, slots=True)
 class Rectangular:
@@ -61,6 +80,10 @@ class Rectangular:
     x: float
     y: float
     z: float
+
+    def reach(self, way: Vector) -> float:
+        """How far it extends along a unit vector: to its farthest corner, m."""
+        return 0.5 * (self.x * abs(way[0]) + self.y * abs(way[1]) + self.z * abs(way[2]))
 
 
 @dataclass(frozen=True, slots=True)

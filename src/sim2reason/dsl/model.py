@@ -122,6 +122,12 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
     return found
 
 
+def as_said(model: type[Model], name: str, value: float) -> float:
+    """A value rounded as the text will say that field of a class, so that what is said is what is simulated."""
+    measure = field_types(model)[name].measure
+    return measure.round(value) if measure is not None else value
+
+
 def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
     """Every declared number under a value, with its address, in the order of declaration."""
     for name, kind in field_types(type(value)).items():

@@ -6,6 +6,7 @@ from annotated_types import Ge, Le
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.looks import Axial, Capped, Rectangular, Spherical
 from sim2reason.dsl.measures import LEAST, Mass, Measure, Range
 from sim2reason.dsl.solids import UPRIGHT, Axes, Solid, composed
 from sim2reason.dsl.template import Word
@@ -38,7 +39,10 @@ class Shape(Body):
 
     def reach(self, way: Vector) -> float:
         """How far it extends from its origin along a unit vector, m."""
-        raise NotImplementedError
+        look = self.look
+        if self.seen != UPRIGHT or not isinstance(look, Axial | Capped | Rectangular | Spherical):
+            raise NotImplementedError
+        return look.reach(way)
 
     def put(self, carrier: Frame, name: str, at: Vector, axes: Axes = UPRIGHT) -> Frame:
         """The body on what carries it, its origin at a point there and turned so."""

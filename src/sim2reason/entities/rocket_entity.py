@@ -9,7 +9,7 @@ from annotated_types import Le
 
 from sim2reason.authoring import GRAVITY, LEAST, Entity, Frame, Measure, Range, X, Z, either, entity
 from sim2reason.bodies.rocket import AirlessPlanet, DeepSpace, LevelGround, Rocket
-from sim2reason.dsl.model import field_types
+from sim2reason.dsl.model import as_said
 
 ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u"), Range(0.4, 3.0)]
 BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu"), Range(1.0, 10.0)]
@@ -51,9 +51,9 @@ class RocketEntity(Entity):
         g = GRAVITY
         if isinstance(place, AirlessPlanet):
             g, escape = place.gravity, sqrt(2.0 * place.gravity * place.radius / KILO)
-            exhaust = _spoken("exhaust", rng.uniform(ESCAPE.low, ESCAPE.high) * escape)
+            exhaust = as_said(RocketEntity, "exhaust", rng.uniform(ESCAPE.low, ESCAPE.high) * escape)
         thrust = rng.uniform(THRUST.low, THRUST.high) * drawn["rocket"].mass * g
-        return {"exhaust": exhaust, "rate": _spoken("rate", thrust / (KILO * exhaust))}
+        return {"exhaust": exhaust, "rate": as_said(RocketEntity, "rate", thrust / (KILO * exhaust))}
 
     @property
     def clocked(self) -> bool:
@@ -88,10 +88,3 @@ class RocketEntity(Entity):
             radius = KILO * self.place.radius
             planet = room.body("place", self.place.gravity * radius**2 / G, at=(-radius, 0.0, 0.0))
             rocket.attract(planet, G)
-
-
-def _spoken(name: str, value: float) -> float:
-    """A number as it will be said."""
-    measure = field_types(RocketEntity)[name].measure
-    assert measure is not None
-    return measure.round(value)

@@ -11,7 +11,7 @@ from pydantic import model_validator
 
 from sim2reason.authoring import Count, Entity, Frame, Range, X, Y, each, either, entity
 from sim2reason.bodies.star import HeavyPlanet, Planet, Star
-from sim2reason.dsl.model import field_types, rebuilt
+from sim2reason.dsl.model import as_said, rebuilt
 from sim2reason.dsl.units import ASTRONOMICAL, UnitSystem
 
 G = 4.0 * pi**2  # au³/(Msun yr²): what is 1 au from 1 solar mass takes 1 year for a circle
@@ -128,15 +128,8 @@ def orbiting(
         x, y = r * cos(angle + turn), r * sin(angle + turn)
         along, across = -speed * sin(angle), speed * (e + cos(angle))
         vx, vy = along * cos(turn) - across * sin(turn), along * sin(turn) + across * cos(turn)
-        orbit = {name: _spoken(planet, name, part) for name, part in (("x", x), ("y", y), ("vx", vx), ("vy", vy))}
+        orbit = {name: as_said(type(planet), name, part) for name, part in (("x", x), ("y", y), ("vx", vx), ("vy", vy))}
         apart = FAR_APART if isinstance(planet, HeavyPlanet) else APART
         nearest *= (1.0 + e) / (1.0 - e) * rng.uniform(apart.low, apart.high)
         found.append(rebuilt(planet, **orbit))
     return tuple(found)
-
-
-def _spoken(planet: AnyPlanet, name: str, value: float) -> float:
-    """A number as it will be said."""
-    measure = field_types(type(planet))[name].measure
-    assert measure is not None
-    return measure.round(value)

@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.measures import Count, Range
-from sim2reason.dsl.model import Choices, field_types
+from sim2reason.dsl.model import Choices, as_said, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.two_d_collision_plane import PairRestitution, TwoDCollisionPlane
@@ -81,7 +81,7 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
         slowest = min(pucks, key=lambda puck: hypot(puck.vx, puck.vy), default=None)
         velocity = _aim(slowest, place, radius, tier, rng) if slowest else _any(Range(0.1, tier.speed.low), rng)
         mass = _drawn(Puck, "mass", rng, tier.mass)
-        vx, vy = (_rounded(Puck, "vx", part) for part in velocity)
+        vx, vy = (as_said(Puck, "vx", part) for part in velocity)
         pucks.append(Puck(mass=mass, x=place[0], y=place[1], vx=vx, vy=vy))
     tilt = _drawn(Table, "tilt", rng, Range(2.0, 30.0)) if rng.random() < tier.tilt else 0.0
     restitution = _restitution(tier, rng)
@@ -112,12 +112,6 @@ def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None 
     assert held.measure is not None
     assert found is not None
     return held.measure.draw(rng, found.low, found.high)
-
-
-def _rounded(kind: type, name: str, value: float) -> float:
-    measure = field_types(kind)[name].measure
-    assert measure is not None
-    return measure.round(value)
 
 
 def _places(count: int, clear: float, rng: np.random.Generator) -> list[tuple[float, float]]:

@@ -98,11 +98,15 @@ WALLS = (
         "{track.left}, at x = {left}, stands a fixed wall.",
         "a fixed wall stands {track.left}, at x = {left}.",
         "the track ends {track.left} at a fixed wall, at x = {left}.",
+        "{track.left} the track ends at x = {left}, at a fixed wall.",
+        "at x = {left} the track ends {track.left}, at a fixed wall.",
     ),
     either(
         "{track.right}, at x = {right}, stands a fixed wall.",
         "a fixed wall stands {track.right}, at x = {right}.",
         "the track ends {track.right} at a fixed wall, at x = {right}.",
+        "{track.right} the track ends at x = {right}, at a fixed wall.",
+        "at x = {right} the track ends {track.right}, at a fixed wall.",
     ),
 )
 """The lines of an entity whose `track` may have walls, at `left` and `right`."""

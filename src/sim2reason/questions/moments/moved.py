@@ -4,32 +4,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.kinematics import Displacement, Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.paths import center_path, rides
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.moments.parts.distance import Distance
 from sim2reason.questions.moments.parts.verbs import Verb
-from sim2reason.questions.spoken import spoken
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
-
-NEAREST, FARTHEST = 0.2, 0.9  # of how far the body gets
-SHORTEST, LONGEST, TIED = 0.01, 9e3, 3.0  # m; strings are not longer than the last
 
 
 @MOMENTS.register("moved")
 @dataclass(frozen=True, slots=True)
-class Moved(Threshold):
+class Moved(Distance):
     """When a body has moved a stated distance along a straight line, without turning back."""
 
     label = "moved"
-    of = Bodies()
     verb = Verb("has moved", "moved", "has")
-    hangs_on = "displacement"
-    unit = "m"
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
@@ -37,15 +28,6 @@ class Moved(Threshold):
         mechanism = words.mechanism
         called = words.called(cls.of).items()
         return {n: said for n, said in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
-
-    @classmethod
-    def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """A part of how far it gets."""
-        return drawn_distance(name, trace, rng)
-
-    def excess(self, state: State) -> Array:
-        """How much farther it is than the distance."""
-        return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value
 
     def time(self, trace: Trace) -> float | None:
         """When it is so far away, if it has not turned back before."""
@@ -61,13 +43,6 @@ class Moved(Threshold):
         """As in: the block has moved 0.50 m."""
         said = self.said(words)
         return Clause(self.subject(words), "has", f"moved {said}", f"has moved {said}", f"to move {said}")
-
-
-def drawn_distance(name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-    """A part of how far a body gets from its starting point, m."""
-    reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
-    distance = rng.uniform(NEAREST, FARTHEST) * min(reached, TIED if trace.mechanism.lines else LONGEST)
-    return spoken(distance) if distance >= SHORTEST else None
 
 
 def _turns_back(trace: Trace, name: str, until: float) -> bool:

@@ -1,0 +1,35 @@
+"""What moments share at which a body is a stated distance from its starting point."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.kinematics import Displacement
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.spoken import spoken
+from sim2reason.simulation.trace import Trace
+
+NEAREST, FARTHEST = 0.2, 0.9  # of how far the body gets
+SHORTEST, LONGEST, TIED = 0.01, 9e3, 3.0  # m; strings are not longer than the last
+
+
+@dataclass(frozen=True, slots=True)
+class Distance(Threshold):
+    """A threshold of a body's distance from where it was at the start."""
+
+    of = Bodies()
+    hangs_on = "displacement"
+    unit = "m"
+
+    @classmethod
+    def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
+        """A part of how far it gets."""
+        reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
+        distance = rng.uniform(NEAREST, FARTHEST) * min(reached, TIED if trace.mechanism.lines else LONGEST)
+        return spoken(distance) if distance >= SHORTEST else None
+
+    def excess(self, state: State) -> Array:
+        """How much farther it is than the distance."""
+        return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value
