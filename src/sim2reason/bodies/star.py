@@ -43,7 +43,7 @@ class Planet(Body):
 
     nouns = ("planet", "comet")
     lone = ("a {noun}", "a single {noun}")
-    named = ("{noun} {letter}", "a {noun}, {letter},")
+    named = ("{noun} {letter}", "the {noun} {letter}")
     listed = "{letter}"
     words = {"among": Word("x", {}, "do not attract")}
     symbols = {"vx": "v_x", "vy": "v_y"}

@@ -51,12 +51,17 @@ def describe(scene: Scene, seed: int = 0, voice: Voice = numeric) -> Description
 
     A first pass finds the order of mention, from which follow the letters; a second one writes.
     """
-    nouns = _nouns(scene, np.random.default_rng([seed, 1]))
-    dry = Writer(scene, Names(nouns=nouns), np.random.default_rng([seed, 2]), numeric)
-    dry.sentences()
-    names = Names(letters(dry.introduced, scene.bodies), nouns)
+    _, dry = draft(scene, seed)
+    names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
     final = Writer(scene, names, np.random.default_rng([seed, 2]), voice)
     return Description(scene, tuple(final.sentences()), names, final.symbols)
+
+
+def draft(scene: Scene, seed: int = 0) -> "tuple[list[str], Writer]":
+    """The sentences of the first pass, hardly longer than those of the text, and who wrote them."""
+    nouns = _nouns(scene, np.random.default_rng([seed, 1]))
+    writer = Writer(scene, Names(nouns=nouns), np.random.default_rng([seed, 2]), numeric)
+    return writer.sentences(), writer
 
 
 def _nouns(scene: Scene, rng: np.random.Generator) -> dict[type[Body], str]:
@@ -263,8 +268,7 @@ class Writer:
         again = any(self.names.noun(self.scene.bodies[known]) == self.names.noun(body) for known in self.introduced)
         self.introduced[address] = None
         letter = self.names.letters.get(address, "")
-        template = self.choose(body.named if letter else body.lone)
-        text = self._of_body(template, address)
+        text = self._of_body(self.choose(body.named if letter else body.lone), address)
         return another(text) if again and not letter else text
 
     def _of_body(self, template: str, address: str) -> str:

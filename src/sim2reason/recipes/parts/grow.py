@@ -1,7 +1,7 @@
 """Growing a scene: entities are connected port by port, by what the ports say of themselves, until none is open."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from math import exp, log
 
@@ -16,7 +16,7 @@ from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
-from sim2reason.prose.writer import describe
+from sim2reason.prose.writer import describe, draft
 from sim2reason.recipes.parts.open_ports import OpenPort, ends_for, is_down, is_passed, open_ports, stands_still, takes
 
 TRIES = 40
@@ -223,5 +223,15 @@ def grow(tier: Tier, rng: np.random.Generator) -> Scene:
 
 def _is_short(scene: Scene, words: int) -> bool:
     """Whether the whole text and every sentence about a string keep within their bounds."""
-    lengths = [len(sentence.split()) for sentence in describe(scene).sentences]
-    return sum(lengths) <= words and max(lengths) <= LONGEST_SENTENCE
+    if _total(draft(scene)[0]) > words:
+        return False  # most do not, and show it at once
+    sentences = describe(scene).sentences
+    return _total(sentences) <= words and max(map(_length, sentences)) <= LONGEST_SENTENCE
+
+
+def _total(sentences: Iterable[str]) -> int:
+    return sum(map(_length, sentences))
+
+
+def _length(sentence: str) -> int:
+    return len(sentence.split())
