@@ -289,8 +289,7 @@ class Writer:
     def _list(self, members: list[str], *, start: bool) -> str:
         if len(members) == 1:
             return self._mention(members[0], start=start)
-        first = self.scene.bodies[members[0]]
-        noun = self.names.noun(first)
+        noun = self.names.noun(first := self.scene.bodies[members[0]])
         letters = [self.names.letters.get(address, "") for address in members]
         if members[0] in self.introduced:
             return listed(noun, letters, full=start)
