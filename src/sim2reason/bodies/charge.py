@@ -96,7 +96,10 @@ class Released(BeadStart):
     """It is let go."""
 
     nouns = ("start",)
-    lone = ("is released from rest at the origin of the x-y plane", "is let go at rest at the origin of the x-y plane")
+    lone = (
+        "is released from rest at the origin of the x-y plane",
+        "is let go from rest at the origin of the x-y plane",
+    )
 
     @property
     def velocity(self) -> tuple[float, float]:

@@ -61,11 +61,11 @@ class HollowSphereWithHole(Shape):
     words = {"gap": Word("mass", {}, "opening")}
     lone = (
         "a hollow {noun} of outer radius {radius} and wall thickness {thickness} from which all within {hole} of a point {offset} from its centre is cut away (mass after that: {mass})",
-        "a hollow {noun} (outer radius {radius}, wall thickness {thickness}) without the part of its wall that lies within {hole} of a point {offset} from its centre, of mass {mass} as it is",
+        "a hollow {noun} (outer radius {radius}, wall thickness {thickness}), without the part of its wall that lies within {hole} of a point {offset} from its centre (its mass is {mass} without it)",
     )
     named = (
         "a hollow {noun} {letter} of outer radius {radius} and wall thickness {thickness} from which all within {hole} of a point {offset} from its centre is cut away (mass after that: {mass})",
-        "a hollow {noun} {letter} (outer radius {radius}, wall thickness {thickness}) without the part of its wall that lies within {hole} of a point {offset} from its centre, of mass {mass} as it is",
+        "a hollow {noun} {letter} (outer radius {radius}, wall thickness {thickness}), without the part of its wall that lies within {hole} of a point {offset} from its centre (its mass is {mass} without it)",
     )
 
     @model_validator(mode="after")

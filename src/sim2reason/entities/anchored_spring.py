@@ -21,7 +21,7 @@ class AnchoredSpring(Entity):
         "held": Word(
             "support",
             {
-                "wall": "on a smooth level floor {block} is held to a wall on its left by {spring}",
+                "wall": "on a smooth level floor {block} is attached to a wall on its left by {spring}",
                 "ceiling": "{block} hangs from the ceiling by {spring}",
                 "floor": "{spring} holds {block} upright above the floor",
             },

@@ -39,13 +39,13 @@ class EmEntity(Entity):
         ),
         either(
             "at t = 0 {particle} {start}.",
-            "when t = 0, {particle} {start}.",
+            "at t = 0, {particle} {start}.",
             "at the time t = 0 {particle} {start}.",
         ),
         either(
-            "gravity is negligible.",
-            "the effect of gravity is negligible.",
-            "gravity plays no part.",
+            "there is no gravity.",
+            "no gravity acts here.",
+            "gravity is absent.",
         ),
     )
 

@@ -18,7 +18,7 @@ class MassWithReverseMovablePulley(Entity):
     says = (
         either(
             "{load} hangs by a light string from the axle of {pulley}.",
-            "on a light string {load} hangs from the axle of {pulley}.",
+            "from the axle of {pulley} {load} hangs on a light string.",
             "a light string joins the axle of {pulley} to {load}, which hangs below it.",
         ),
     )

@@ -60,7 +60,7 @@ class StackedMassPlane(Entity):
         either(
             "at t = 0 {upper} is moving {plane.uphill} at {speed}, and all else is at rest.",
             "{upper} is launched {plane.uphill} at t = 0 with a speed of {speed}, all else being at rest.",
-            "when t = 0, {upper} has a velocity of {speed}, directed {plane.uphill}, and nothing else moves.",
+            "at t = 0 {upper} has a velocity of {speed}, directed {plane.uphill}, and all else is at rest.",
         ),
     )
     lower_left = End(

@@ -122,7 +122,7 @@ RELEASES = (
 LONE_RELEASES = (
     "the motion starts from rest{taut}.",
     "the motion begins from rest{taut}.",
-    "the start is from rest{taut}.",
+    "at first all is at rest{taut}.",
 )
 TAUT = ("", " with the string taut", " with all strings taut")
 STRETCHED = (

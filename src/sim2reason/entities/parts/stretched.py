@@ -8,5 +8,5 @@ StartLength = Annotated[Length, Range(0.2, 1.0)]
 AT_FIRST = either(
     "at first {spring} is {start} long.",
     "the length of {spring} at the start is {start}.",
-    "{spring} starts with a length of {start}.",
+    "the initial length of {spring} is {start}.",
 )

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 from sim2reason.quantities.subjects.bodies import AXES
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.distance import Distance
+from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
 
 
 @MOMENTS.register("away")
 @dataclass(frozen=True, slots=True)
-class Away(Distance):
+class Away(DistanceThreshold):
     """The first time that a body that moves freely in a plane is a stated distance from its starting point."""
 
     label = "away"

@@ -13,7 +13,7 @@ class MostStretched(SpringTurn):
     """The first time that a spring is stretched the most."""
 
     label = "greatest extension"
-    verb = Verb("reaches its greatest extension", "reach its greatest extension")
+    verb = Verb("begins to shorten from a stretched state", "begin to shorten from a stretched state")
 
     def sign(self) -> float:
         """Its length is then the longest."""

@@ -8,7 +8,7 @@ from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.paths import center_path, rides
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.distance import Distance
+from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -16,7 +16,7 @@ from sim2reason.simulation.trace import Trace
 
 @MOMENTS.register("moved")
 @dataclass(frozen=True, slots=True)
-class Moved(Distance):
+class Moved(DistanceThreshold):
     """When a body has moved a stated distance along a straight line, without turning back."""
 
     label = "moved"

@@ -10,6 +10,7 @@ import numpy as np
 from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.dsl.entity import ENTITIES, Named
 from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.mechanism import GRAVITY
 from sim2reason.dsl.mobility import is_weightless, stuck_bodies
 from sim2reason.dsl.model import Choice, draw
 from sim2reason.dsl.ports import Pass
@@ -72,15 +73,17 @@ class Grower:
         self.used: set[tuple[str, str]] = set()
 
     def _masses(self) -> dict[str, Choice]:
-        """Blocks of comparable masses, and pulleys with mass, if any, that are lighter than all of them."""
+        """Blocks of comparable masses, pulleys, if they have mass, lighter than all of them, and pulls like weights."""
         blocks, pulleys = self.tier.choices["mass"], self.tier.choices["pulley mass"]
         assert isinstance(blocks, Range)
         assert isinstance(pulleys, Range)
         size = exp(self.rng.uniform(log(blocks.low), log(blocks.high)))
         lightest = float(f"{max(blocks.low, size / self.tier.spread):.2g}")
+        weight = GRAVITY * lightest
         massive = float(lightest > pulleys.low and self._chance(self.tier.massive))
         return {
             "mass": Range(lightest, float(f"{min(blocks.high, lightest * self.tier.spread):.2g}")),
+            "force": Range(float(f"{0.5 * weight:.2g}"), float(f"{self.tier.spread * weight:.2g}")),
             **dict.fromkeys(PULLEYS, Range(pulleys.low, max(pulleys.low, min(pulleys.high, lightest)))),
             **{f"{name}?": massive for name in PULLEYS},
         }

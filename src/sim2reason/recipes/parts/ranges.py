@@ -17,7 +17,6 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "easy": {
         "mass": Range(0.5, 3.0),
         "pulley mass": Range(0.1, 0.5),
-        "force": Range(0.5, 30.0),
         "angle": Range(10.0, 45.0),
         "blocks": Count(1, 1),
         "left_blocks": Count(1, 1),
@@ -26,7 +25,6 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "medium": {
         "mass": Range(0.5, 8.0),
         "pulley mass": Range(0.2, 1.0),
-        "force": Range(0.5, 80.0),
         "angle": Range(10.0, 60.0),
         "blocks": Count(1, 2),
         "left_blocks": Count(1, 1),
@@ -35,7 +33,6 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "hard": {
         "mass": Range(0.1, 20.0),
         "pulley mass": Range(0.5, 2.0),
-        "force": Range(0.1, 200.0),
         "angle": Range(10.0, 70.0),
         "blocks": Count(1, 3),
         "left_blocks": Count(1, 2),

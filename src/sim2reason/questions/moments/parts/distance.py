@@ -16,7 +16,7 @@ SHORTEST, LONGEST, TIED = 0.01, 9e3, 3.0  # m; strings are not longer than the l
 
 
 @dataclass(frozen=True, slots=True)
-class Distance(Threshold):
+class DistanceThreshold(Threshold):
     """A threshold of a body's distance from where it was at the start."""
 
     of = Bodies()
