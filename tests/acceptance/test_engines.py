@@ -7,7 +7,7 @@ from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import CHANGES, EVENTFUL, SMOOTH
 from sim2reason.simulation.scenes import certify, simulate
 
-SCENES = 60  # of each cell; benchmarks/certified.py takes 200
+SCENES = 30  # of each cell; benchmarks/certified.py takes 200
 SHARE = 0.9
 
 

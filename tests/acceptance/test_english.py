@@ -79,8 +79,9 @@ def test_no_sentence_is_said_twice(batch: list[Sample]) -> None:
 def test_every_letter_is_introduced_and_used_again(batch: list[Sample]) -> None:
     for sample in batch:
         text = re.sub(r"(?<=\d) (?:T|m?C|N/\(?C\S*)", " of that unit", sample.prose.body)
+        text = text.replace("G = 4π²", "the constant of gravitation is 4π²")
         text = re.sub(r"(^|[.\n] ?)A (?=[a-z])", r"\1a ", text)  # the article that begins a sentence
-        letters = set(LETTER.findall(text)) - {"N", "J", "G"}
+        letters = set(LETTER.findall(text)) - {"N", "J"}
         for letter in letters:
             assert introduced(letter, text), (letter, text)
         assert letters & set("BCDEFGH") <= set("BCDEFGH"[: len(letters & set("BCDEFGH"))]), text

@@ -36,12 +36,16 @@ class ScriptedWriter(Writer):
         return super()._say(saying, part, address) if said else []
 
 
+def unsaid(scene: Scene, state: ParseState) -> list[str]:
+    """What matters in the scene and of which a reading says nothing."""
+    return [closing.name for closing in closings(scene) if closing.name not in state.closings]
+
+
 def prove(scene: Scene, state: ParseState, text: tuple[str, ...]) -> None:
     """Return if the scene has this text; TextError names what should have been said or said otherwise."""
     needed = [closing.name for closing in closings(scene)]
-    for name in needed:
-        if name not in state.closings:
-            raise TextError("text", f"nothing is said of {name!r}, which matters here", "say it at the end")
+    if lacking := unsaid(scene, state):
+        raise TextError("text", f"nothing is said of {lacking[0]!r}, which matters here", "say it at the end")
     for name in state.closings:
         if name not in needed:
             raise TextError("text", f"it speaks of {name!r}, which does not matter here", "leave it out")

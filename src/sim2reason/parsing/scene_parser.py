@@ -15,7 +15,7 @@ from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.lines import entity_lines
 from sim2reason.parsing.matcher import Matcher
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
-from sim2reason.parsing.proof import prove
+from sim2reason.parsing.proof import prove, unsaid
 from sim2reason.parsing.string_routes import free_legs, must_end_at
 from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import CLOSINGS
@@ -49,30 +49,32 @@ def parse_scene(text: str, rng: np.random.Generator | None = None) -> ParsedScen
     said = pieces(text)
     matcher = Matcher(said)
     found: dict[Signature, ParsedScene] = {}
-    refused: list[TextError] = []
+    refused: list[tuple[int, TextError]] = []
     for count, state in enumerate(_Grammar(matcher).scenes(0, ParseState({"world": World}))):
         if count == MAX_READINGS:
             raise TextError("text", "it can be read in too many ways", "give the text of one scene")
+        lacking = 0
         try:
             scene = assembled(state, rng)
+            lacking = len(unsaid(scene, state))
             prove(scene, state, said)
             names = {address: state.mention(address, full=True) for address in state.letters}
             found.setdefault(signature(scene, names), ParsedScene(scene, names))
         except TextError as error:
-            refused.append(error)
+            refused.append((lacking, error))
         except (SceneError, UnsupportedError, ValueError) as error:
-            refused.append(TextError("text", "it tells a scene that can not be", str(error)))
+            refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
     return _only(list(found.values()), refused, matcher)
 
 
-def _only(found: list[ParsedScene], refused: list[TextError], matcher: Matcher) -> ParsedScene:
+def _only(found: list[ParsedScene], refused: list[tuple[int, TextError]], matcher: Matcher) -> ParsedScene:
     if len(found) == 1:
         return found[0]
     if found:
         one, other = (_described(reading.scene) for reading in found[:2])
         raise TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
     if refused:
-        raise refused[0]
+        raise min(refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
     if matcher.reach == len(matcher.pieces):
         raise TextError("text", "it ends before all is told", "give the whole text of one scene")
     fits = f"{shown(matcher.pieces[matcher.reach])} fits nowhere"

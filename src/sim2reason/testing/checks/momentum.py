@@ -88,5 +88,5 @@ def free_directions(mechanism: Mechanism) -> list[Vector]:
 
 
 def _least(mechanism: Mechanism) -> float:
-    """A momentum that is small for a mechanism: of its heaviest body at a decimetre a second, kg m/s."""
-    return 0.1 * max((body.mass for body in mechanism.bodies if body.coordinates), default=1.0)
+    """A momentum that is small for a mechanism: of its heaviest body, or of 1 kg, at a decimetre a second, kg m/s."""
+    return 0.1 * (max((body.mass for body in mechanism.bodies if body.coordinates), default=0.0) or 1.0)

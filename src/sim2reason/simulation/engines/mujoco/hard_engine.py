@@ -13,7 +13,7 @@ from sim2reason.simulation.engines.mujoco.hard_record import Knot
 from sim2reason.simulation.engines.mujoco.hard_settling import BEGINS, STILL, STOPS, HardSettling
 from sim2reason.simulation.trace import Event, Trace
 
-PIECES = 14  # of the duration: a step is no longer than one of them, so that its ends tell what lies between
+PIECES = 24  # of the duration: a step is no longer than one of them, so that its ends tell what lies between
 FIRST = 0.05  # of such a piece: the first step where something has just left, so that it has left when it returns
 STEPS = 4000
 SHORTEST = 1e-11  # of the duration
