@@ -10,7 +10,6 @@ from sim2reason.bodies.block import Block
 
 Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d", decimals=2), Range(0.5, 2.0)]
 Away = Annotated[Angle, Ge(1), Range(15.0, 70.0)]
-Side = Literal["above", "below"]
 
 
 @entity
@@ -20,10 +19,10 @@ class DirectedMass(Entity):
     block: Block
     left_distance: Distance
     left_angle: Away
-    left_side: Side
+    left_side: Literal["above", "below"]
     right_distance: Distance
     right_angle: Away
-    right_side: Side
+    right_side: Literal["above", "below"]
 
     says = (
         either(
@@ -55,8 +54,7 @@ class DirectedMass(Entity):
     def build(self, room: Frame) -> None:
         """The block at the origin, on a slide that holds it both ways, and two points round which the strings go."""
         room.body("block", self.block.mass).slide(X).site("left_hook").site("right_hook")
-        left = ("left_wheel", self.left_distance, self.left_angle, self.left_side)
-        right = ("right_wheel", self.right_distance, self.right_angle, self.right_side)
-        for way, (name, distance, angle, side) in ((-1.0, left), (1.0, right)):
+        for way, name in ((-1.0, "left"), (1.0, "right")):
+            distance, angle, side = (getattr(self, f"{name}_{field}") for field in ("distance", "angle", "side"))
             across, rise = distance * cos(radians(angle)), distance * sin(radians(angle))
-            room.site(name, at=(way * across, 0.0, rise if side == "above" else -rise), faces=scale(way, X))
+            room.site(f"{name}_wheel", (way * across, 0.0, rise if side == "above" else -rise), faces=scale(way, X))

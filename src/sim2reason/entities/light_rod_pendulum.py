@@ -6,7 +6,7 @@ from typing import Literal
 from sim2reason.authoring import Base, Entity, Frame, Speed, Word, Y, either, entity
 from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.hanger import LightRod
-from sim2reason.entities.parts.swings import Deflection, swings
+from sim2reason.entities.parts.swings import AT_FIRST, SENT_OFF, TILTED, Deflection, swings
 
 
 @entity
@@ -23,13 +23,9 @@ class LightRodPendulum(Entity):
         "start": Word(
             "angle",
             {0.0: "the rod hangs straight down", 180.0: "the rod stands upright, {bob} at its top"},
-            "the rod makes an angle of {angle} with the downward vertical, {bob} being on the {side}",
+            f"the rod makes {TILTED}, {{bob}} being on the {{side}}",
         ),
-        "begin": Word(
-            "angle",
-            {0.0: "the rod points straight down", 180.0: "the rod points straight up"},
-            "the rod points to the {side}, at {angle} to the downward vertical",
-        ),
+        "sent": Word("angle", {}, "clockwise along its arc"),
     }
     says = (
         either(
@@ -37,12 +33,8 @@ class LightRodPendulum(Entity):
             "at one end of {rod} sits {bob}.",
             "{rod} carries {bob} at one of its ends.",
         ),
-        either("at first {start}.", "at the start {begin}.", "to begin with, {start}."),
-        either(
-            "{bob} is sent off clockwise along its arc at {speed}.",
-            "{bob} is given a speed of {speed}, clockwise along its arc.",
-            "{bob} is launched clockwise along its arc with a speed of {speed}.",
-        ),
+        AT_FIRST,
+        SENT_OFF,
     )
     base = Base(held="the other end of {rod}", required=True)
 

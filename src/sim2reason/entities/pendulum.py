@@ -9,7 +9,7 @@ from pydantic import model_validator
 from sim2reason.authoring import Chance, Entity, Frame, Range, Speed, Word, X, Y, Z, either, entity
 from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.hanger import Cord, LightRod
-from sim2reason.entities.parts.swings import Deflection, swings
+from sim2reason.entities.parts.swings import AT_FIRST, SENT_OFF, TILTED, Deflection, swings
 
 
 @entity
@@ -22,11 +22,7 @@ class Pendulum(Entity):
     speed: Annotated[Speed | None, Chance(0.5)] = None
 
     words = {
-        "start": Word(
-            "angle",
-            {0.0: "{bob} hangs straight down"},
-            "{hanger} {hanger.straight} an angle of {angle} with the downward vertical",
-        ),
+        "start": Word("angle", {0.0: "{bob} hangs straight down"}, "{hanger} {hanger.straight} " + TILTED),
         "sent": Word("angle", {0.0: "horizontally"}, "downwards along its arc"),
     }
     says = (
@@ -35,12 +31,8 @@ class Pendulum(Entity):
             "{hanger} joins {bob} to a fixed point.",
             "from a fixed point {bob} hangs on {hanger}.",
         ),
-        either("at first {start}.", "at the start {start}.", "to begin with, {start}."),
-        either(
-            "{bob} is sent off {sent} at {speed}.",
-            "{bob} is given a speed of {speed} {sent}.",
-            "{bob} is launched {sent} with a speed of {speed}.",
-        ),
+        AT_FIRST,
+        SENT_OFF,
     )
 
     @model_validator(mode="after")
