@@ -187,7 +187,7 @@ def test_a_structure_with_too_many_supports_stays_put() -> None:
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 @pytest.mark.parametrize("recipe", sorted(RECIPES))
 def test_engines_agree_on_scenes_of_every_recipe(recipe: str, difficulty: Difficulty) -> None:
-    for seed in range(8):
+    for seed in range(3):
         try:
             mechanism = RECIPES[recipe](difficulty, np.random.default_rng(seed)).mechanism
             recorded = exactly(mechanism, TIMES)
