@@ -24,10 +24,12 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
     """The motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
     motion: HardMotion | None = None
     try:
-        motion = HardMotion(mechanism, times)
-        while motion.advance():
-            if len(motion.record.stretches) > SEGMENTS:
-                raise SimulationError(f"more than {SEGMENTS} events before {times[-1]:g} s; simulate a shorter time")
+        with np.errstate(over="raise"):
+            motion = HardMotion(mechanism, times)
+            while motion.advance():
+                if len(motion.record.stretches) > SEGMENTS:
+                    many = f"more than {SEGMENTS} events before {times[-1]:g} s"
+                    raise SimulationError(f"{many}; simulate a shorter time")
     except (ZeroDivisionError, FloatingPointError, np.linalg.LinAlgError) as error:
         now = motion.now if motion else 0.0
         raise SimulationError(f"MuJoCo: the motion becomes singular at {now:.6g} s ({error})") from None
