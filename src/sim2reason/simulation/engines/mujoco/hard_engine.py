@@ -13,7 +13,8 @@ from sim2reason.simulation.engines.mujoco.hard_record import Knot
 from sim2reason.simulation.engines.mujoco.hard_settling import BEGINS, STILL, STOPS, HardSettling
 from sim2reason.simulation.trace import Event, Trace
 
-PIECES = 24  # of the duration: a step is no longer than one of them, so that its ends tell what lies between
+PIECES = 24  # of the duration: a step is no longer than one of them, so that its ends tell what lies between,
+STRIDE, FEWEST = 5 / 3, 10  # or than so many intervals between samples, if there are that many steps at least
 FIRST = 0.05  # of such a piece: the first step where something has just left, so that it has left when it returns
 STEPS = 4000
 SHORTEST = 1e-11  # of the duration
@@ -40,6 +41,12 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
 class HardMotion(HardSettling):
     """A motion in the making, from event to event."""
 
+    def __init__(self, mechanism: Mechanism, times: Array) -> None:
+        """At the start; see `run`."""
+        super().__init__(mechanism, times)
+        stride = min(STRIDE * float(times[1] - times[0]), self.duration / FEWEST) if len(times) > 2 else 0.0
+        self.longest = max(self.duration / PIECES, stride)
+
     def advance(self) -> bool:
         """Settle the present instant and go on to the next event; False at the end."""
         self.model.stand(self.now, self.q, self.v, self.situation)
@@ -60,9 +67,9 @@ class HardMotion(HardSettling):
         before = acting.margins()
         armed = [due.value > ARMED for due in before]
         leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
-        length = self.duration / PIECES * (FIRST if leaves else 1.0)
+        length = self.longest * (FIRST if leaves else 1.0)
         while self.duration - self.now > SHORTEST * self.duration:
-            length = min(length, self.duration / PIECES, self.duration - self.now)
+            length = min(length, self.longest, self.duration - self.now)
             last = self.record.last
             tried = extrapolated(acting.rate, last.time, last.values, last.rates, length, TOLERANCE)
             self._count(length)
