@@ -15,6 +15,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.constant_force_puller import ConstantForcePuller
 from sim2reason.entities.slider_mass import SliderMass
 from sim2reason.figures.drawing import drawing
+from sim2reason.figures.shapes import LineShape
 from sim2reason.prose.writer import describe
 from sim2reason.simulation.scenes import certify
 from told import check_told, check_whole
@@ -96,4 +97,9 @@ def test_it_is_told_read_back_certified_and_drawn(towed: Scene) -> None:
     check_whole(towed, 0)
     assert not certify(towed, 1.5)[1].reason  # before the carriage gets to the hand
     without = Scene(entities=towed.entities, connections=towed.connections[1:], world=towed.world)
-    assert len(drawing(towed).shapes) > len(drawing(without).shapes)
+    assert strings(towed) == strings(without) + 1
+
+
+def strings(made: Scene) -> int:
+    """How many lines are drawn as strings are."""
+    return sum(isinstance(shape, LineShape) and shape.weight == "string" for shape in drawing(made).shapes)
