@@ -53,7 +53,7 @@ def patterns(count: int) -> tuple[tuple[int, ...], ...]:
     """The signs with which that many numbers are shifted, each time they are.
 
     A few are shifted one by one. Of more, all are shifted at once with signs at random: for changes Δᵢ the square of
-    Σ±Δᵢ is ΣΔᵢ² on average, and no two numbers have the same signs, or opposite ones, in all of the patterns.
+    Σ±Δᵢ is ΣΔᵢ² on average; no two of up to 32 numbers have the same signs, or opposite ones, in all of the patterns.
     """
     if count <= AT_ONCE:
         return tuple(tuple(int(i == k) for i in range(count)) for k in range(count))
