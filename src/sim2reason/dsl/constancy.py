@@ -60,10 +60,11 @@ def _parallel(one: Vector, other: Vector) -> bool:
 
 def _bending(line: Line, frames: Frames) -> str:
     """A line that turns as its sites move."""
-    for first, last in pairwise(line.through):
-        if frames.site(first).place == frames.site(last).place:
-            continue
-        run = frames.distance(first, last)
+    try:
+        pieces = frames.pieces(line)
+    except ZeroDivisionError:  # two sites coincide, which engines refuse for themselves
+        return ""
+    for run in pieces:
         for number, moved in run.moved.items():
             if hypot(*minus(moved, times(run.along[number], run.way))) > ALIGNED:
                 return f"{line.name} bends"

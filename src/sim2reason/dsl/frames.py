@@ -8,9 +8,9 @@ coordinate, and how it would move if a body rose from the face that it lies on.
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
-from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import ZERO, Coordinate, Line, Mechanism, RigidBody
 from sim2reason.dsl.points import Distance, Gradient, Point, distance
@@ -20,7 +20,8 @@ from sim2reason.dsl.vectors import Vector
 Rotation = tuple[Triple, Triple, Triple]  # rows
 
 
-class Turning(NamedTuple):
+@dataclass(slots=True)
+class Turning:
     """How a body turns: all in room axes."""
 
     velocity: Triple  # rad/s
@@ -28,7 +29,8 @@ class Turning(NamedTuple):
     gradient: Gradient
 
 
-class Step(NamedTuple):
+@dataclass(slots=True)
+class Step:
     """One coordinate on the way from the room to a body, at its present direction."""
 
     number: int
@@ -36,7 +38,8 @@ class Step(NamedTuple):
     pivot: Triple | None  # a point of the axis of a hinge; None of a slide
 
 
-class BodyFrame(NamedTuple):
+@dataclass(slots=True)
+class BodyFrame:
     """The frame of a body at one instant, or at all."""
 
     origin: Triple
@@ -45,8 +48,8 @@ class BodyFrame(NamedTuple):
     bias: Triple
     spin: Triple | None  # angular velocity; None: it never turns
     spin_bias: Triple
-    steps: tuple[Step, ...] = ()
-    lift: Gradient = MappingProxyType({})
+    steps: tuple[Step, ...]
+    lift: Gradient
 
     def turned(self, vector: Triple) -> Triple:
         """A vector of this frame in room axes."""
@@ -77,7 +80,7 @@ class BodyFrame(NamedTuple):
 
     def carried(self, arm: Triple) -> tuple[Triple, Triple]:
         """Velocity and bias of what lies at `arm`, in room axes, from the origin."""
-        if self.spin is None:
+        if self.spin is None or self.spin is ZERO:
             return self.velocity, self.bias
         swing = cross(self.spin, arm)
         return plus(self.velocity, swing), plus(self.bias, plus(cross(self.spin_bias, arm), cross(self.spin, swing)))
@@ -94,7 +97,7 @@ class BodyFrame(NamedTuple):
         return Turning(self.spin or ZERO, self.spin_bias, gradient)
 
 
-ROOM = BodyFrame(ZERO, None, ZERO, ZERO, None, ZERO)
+ROOM = BodyFrame(ZERO, None, ZERO, ZERO, None, ZERO, (), MappingProxyType({}))
 
 
 class Frames:
@@ -104,15 +107,16 @@ class Frames:
         self, mechanism: Mechanism, q: Sequence[Number], v: Sequence[Number], maths: Maths, *, still: bool = False
     ) -> None:
         """`q` and `v` hold a number for each coordinate, in the mechanism's order; `still` says that all are zero."""
-        self._mechanism, self._q, self._v, self._maths, self._still = mechanism, q, v, maths, still
+        self._mechanism, self._q, self._v, self._maths = mechanism, q, v, maths
         self._faces = {face.subject: (number, face) for number, face in enumerate(mechanism.faces)}
         self._frames: dict[str | None, BodyFrame] = {None: ROOM}
         self._centers: dict[str, Point] = {}
         self._sites: dict[str, Point] = {}
         self._distances: dict[tuple[str, str], Distance] = {}
-        first = 0
+        self._pieces: dict[str, tuple[Distance, ...]] = {}
+        first, of = 0, self._at_rest if still else self._of
         for body in mechanism.bodies:
-            self._frames[body.name] = self._of(body, first)
+            self._frames[body.name] = of(body, first)
             first += len(body.coordinates)
 
     def __getitem__(self, body: str | None) -> BodyFrame:
@@ -141,6 +145,14 @@ class Frames:
             found = self._distances[first, last] = distance(self.site(first), self.site(last), self._maths)
         return found
 
+    def pieces(self, line: Line) -> tuple[Distance, ...]:
+        """The straight pieces of a line, from end to end; ZeroDivisionError as `distance` has."""
+        found = self._pieces.get(line.name)
+        if found is None:
+            found = tuple([self.distance(first, last) for first, last in pairwise(line.through)])
+            self._pieces[line.name] = found
+        return found
+
     def length(self, line: Line) -> Number:
         """The sum of the distances between the sites of a line, m."""
         total: Number = 0.0
@@ -154,6 +166,22 @@ class Frames:
         face = self._faces[subject][1]
         carrier = subject if face.turning else self._mechanism.body[subject].parent
         return self._frames[carrier].turned(face.normal)
+
+    def _at_rest(self, body: RigidBody, first: int) -> BodyFrame:
+        """The frame of a body where nothing has moved yet, so that it has the axes of the room."""
+        carrier = self._frames[body.parent]
+        origin = carrier.origin if body.at is ZERO else plus(carrier.origin, body.at)
+        steps, spin, lift = carrier.steps, carrier.spin, carrier.lift
+        for number, coordinate in enumerate(body.coordinates, start=first):
+            if coordinate.kind == "slide":
+                steps = (*steps, Step(number, coordinate.axis, None))
+            else:
+                steps, spin = (*steps, Step(number, coordinate.axis, origin)), ZERO
+        found = self._faces.get(body.name)
+        if found is not None:
+            number, face = found
+            lift = {**lift, number: face.normal}
+        return BodyFrame(origin, None, ZERO, ZERO, spin, ZERO, steps, lift)
 
     def _of(self, body: RigidBody, first: int) -> BodyFrame:
         frame = self._frames[body.parent]
@@ -183,8 +211,6 @@ class Frames:
 
     def _slid(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
-        if self._still:
-            return _stepped(frame, Step(number, axis, None), frame.spin)
         frame = _shifted(frame, times(self._q[number], axis))
         velocity = plus(frame.velocity, times(self._v[number], axis))
         bias = frame.bias
@@ -195,8 +221,6 @@ class Frames:
 
     def _hinged(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
-        if self._still:
-            return _stepped(frame, Step(number, axis, frame.origin), ZERO)
         whirl = times(self._v[number], axis)
         if frame.spin is None:
             spin, spin_bias = whirl, frame.spin_bias
@@ -205,12 +229,6 @@ class Frames:
         rotation = rotated(frame.rotation, coordinate.axis, self._q[number], self._maths)
         steps = (*frame.steps, Step(number, axis, frame.origin))
         return BodyFrame(frame.origin, rotation, frame.velocity, frame.bias, spin, spin_bias, steps, frame.lift)
-
-
-def _stepped(frame: BodyFrame, step: Step, spin: Triple | None) -> BodyFrame:
-    """The frame after a coordinate that is zero."""
-    steps = (*frame.steps, step)
-    return BodyFrame(frame.origin, frame.rotation, frame.velocity, frame.bias, spin, frame.spin_bias, steps, frame.lift)
 
 
 def _shifted(frame: BodyFrame, arm: Triple) -> BodyFrame:

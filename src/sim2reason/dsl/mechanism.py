@@ -7,7 +7,7 @@ reader, z up. All numbers are in one coherent system of units, SI unless `units`
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
-from typing import Literal
+from typing import ClassVar, Literal
 
 from sim2reason.dsl.fields import Law
 from sim2reason.dsl.regions import Region
@@ -88,6 +88,8 @@ class Wheel:
 class Inextensible:
     """A string: its length may not exceed that at the start + `slack` − `reel`·t; it pulls or is slack."""
 
+    row: ClassVar[str] = "string"  # what an equation that it gives is called; empty where it gives a force
+
     slack: float = 0.0  # m to spare at the start
     reel: float = 0.0  # m/s at which it is taken in
 
@@ -96,10 +98,14 @@ class Inextensible:
 class Rigid:
     """A light rod: its length never changes; it pulls or pushes."""
 
+    row: ClassVar[str] = "rod"
+
 
 @dataclass(frozen=True, slots=True)
 class Prop:
     """A light strut that may be left: its length may not fall below that at the start; it pushes or is idle."""
+
+    row: ClassVar[str] = "prop"
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +114,8 @@ class Elastic:
 
     One that only pushes is a buffer, that may be left; one that only pulls is an elastic cord, that may go slack.
     """
+
+    row: ClassVar[str] = ""
 
     stiffness: float  # N/m
     length: float  # natural, m
@@ -123,6 +131,8 @@ class Elastic:
 @dataclass(frozen=True, slots=True)
 class Drawn:
     """A string drawn in with a constant force, its tension."""
+
+    row: ClassVar[str] = ""
 
     force: float  # N, at least 0
 
@@ -250,6 +260,11 @@ class Mechanism:
     def line(self) -> dict[str, Line]:
         """Lines by name."""
         return {line.name: line for line in self.lines}
+
+    @cached_property
+    def constraints(self) -> tuple[Line, ...]:
+        """The lines that give equations, not forces."""
+        return tuple(line for line in self.lines if line.law.row)
 
     @cached_property
     def strings(self) -> tuple[Line, ...]:

@@ -1,7 +1,7 @@
 """Points of bodies: how they move, how far apart two are, and how that changes; for any kind of number."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from dataclasses import dataclass
 
 from sim2reason.dsl.triples import Maths, Number, Triple, minus, product, times
 
@@ -9,7 +9,8 @@ Gradient = Mapping[int, Triple]  # by number of a coordinate, or of a face
 NONE: Triple = (0.0, 0.0, 0.0)
 
 
-class Point(NamedTuple):
+@dataclass(slots=True)
+class Point:
     """A point of a body; `gradient` by coordinate and `lift` by face hold what is not zero."""
 
     place: Triple  # m
@@ -19,7 +20,8 @@ class Point(NamedTuple):
     lift: Gradient
 
 
-class Distance(NamedTuple):
+@dataclass(slots=True)
+class Distance:
     """How far apart two points are; what does not move one relative to the other has no entry."""
 
     value: Number  # m
@@ -33,14 +35,16 @@ class Distance(NamedTuple):
 
 def distance(one: Point, other: Point, maths: Maths) -> Distance:
     """From one point to another; ZeroDivisionError where they coincide and can part."""
-    apart = minus(other.place, one.place)
-    value = maths.sqrt(product(apart, apart))
+    apart = x, y, z = minus(other.place, one.place)
+    value = maths.sqrt(x * x + y * y + z * z)
     moved, risen = relative(one.gradient, other.gradient), relative(one.lift, other.lift)
     if not moved and not risen:
         return Distance(value, 0.0, 0.0, NONE, {}, {}, {})
-    way = times(1.0 / value, apart)
-    along = {i: product(way, axis) for i, axis in moved.items()}
-    lift = {i: product(way, normal) for i, normal in risen.items()}
+    way = x, y, z = times(1.0 / value, apart)
+    along = {i: x * dx + y * dy + z * dz for i, (dx, dy, dz) in moved.items()}
+    lift = {i: product(way, normal) for i, normal in risen.items()} if risen else {}
+    if one.velocity is other.velocity and one.bias is other.bias:  # above all where nothing moves yet
+        return Distance(value, 0.0, 0.0, way, moved, along, lift)
     parting = minus(other.velocity, one.velocity)
     rate = product(way, parting)
     bend = product(way, minus(other.bias, one.bias))

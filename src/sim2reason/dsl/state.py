@@ -87,8 +87,11 @@ class State:
 
 def with_given_tensions(state: State) -> State:
     """The state with the tension of the lines whose own law gives it: of springs, and of what a hand draws."""
+    given = [line for line in state.mechanism.lines if not line.law.row]
+    if not given:
+        return state
     found = dict(state.tension)
-    for line in state.mechanism.lines:
+    for line in given:
         law = line.law
         if isinstance(law, Drawn):
             found[line.name] = np.full(len(state.times), law.force)
@@ -96,4 +99,4 @@ def with_given_tensions(state: State) -> State:
             length, rate = state.free_length(line)
             tension = law.stiffness * (length - law.length) + law.damping * rate
             found[line.name] = np.where(law.side * tension >= 0.0, tension, 0.0)
-    return replace(state, tension=found) if len(found) > len(state.tension) else state
+    return replace(state, tension=found)

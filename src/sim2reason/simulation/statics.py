@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Drawn, Elastic, Inextensible, Mechanism
+from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
@@ -211,7 +211,7 @@ class _Statics:
             kind.name: acting.get(number, 0.0) for number, kind in enumerate(self.system.kinds(self.system.phase))
         }
         for line in mechanism.lines:
-            if isinstance(line.law, Elastic | Drawn):
+            if not line.law.row:
                 tensions[line.name] = float(assembly.tension(line, assembly.length(line)))
         names = [coordinate.name for coordinate in mechanism.coordinates]
         places = dict(zip(names, map(float, q), strict=True))

@@ -1,7 +1,7 @@
 """When something happens next, in closed form, where every length is a quadratic of time."""
 
+from dataclasses import dataclass
 from math import hypot, inf, sqrt
-from typing import NamedTuple
 
 import numpy as np
 
@@ -34,7 +34,8 @@ def halt(speed: float, acceleration: float) -> float:
     return -speed / acceleration if speed * acceleration < 0.0 else inf
 
 
-class Approach(NamedTuple):
+@dataclass(slots=True)
+class Approach:
     """How two bodies move relative to each other at an instant: separation, velocity, acceleration."""
 
     apart: Vector

@@ -6,7 +6,6 @@ of the equations gives the normal force.
 """
 
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
 
 from sim2reason.dsl.frames import BodyFrame, Frames
 from sim2reason.dsl.mechanism import Drawn, Elastic, Force, Inextensible, Line, Mechanism, Meeting, Prop
@@ -19,7 +18,6 @@ from sim2reason.simulation.engines.exact.lengths import (
     Phase,
     RowTerms,
     Separation,
-    constraints,
     merge,
     point_row,
     projected,
@@ -117,7 +115,7 @@ class Assembly:
         halves = zip(mechanism.half_springs, self.phase.strained, strict=True)
         idle = {line.name for (line, _), strained in halves if not strained}
         for line in mechanism.lines:
-            if isinstance(line.law, Drawn | Elastic) and line.name not in idle:
+            if not line.law.row and line.name not in idle:
                 self._pull(line)
         for number, force in enumerate(mechanism.forces):
             if all(self.phase.inside[number]):
@@ -171,8 +169,7 @@ class Assembly:
             number, radius = self.mechanism.number[wheel.coordinate], float(wheel.radius)
             along[number] = along.get(number, 0.0) + radius
             value, rate = value + radius * self.q[number], rate + radius * self.v[number]
-        for first, last in pairwise(line.through):
-            run = self.frames.distance(first, last)
+        for run in self.frames.pieces(line):
             value = value + run.value
             if run.along or run.lift:
                 rate, bias = rate + run.rate, bias + run.bias
@@ -182,7 +179,7 @@ class Assembly:
 
     def rows(self, starts: Mapping[str, float]) -> list[RowTerms]:
         """All rows, in the order of `row_kinds`; `starts` has each line's length at the start."""
-        found = [self._line_row(line, starts[line.name]) for line in constraints(self.mechanism)]
+        found = [self._line_row(line, starts[line.name]) for line in self.mechanism.constraints]
         for foot in self.mechanism.feet:
             point = self.frames.site(foot.site)
             down = times(-1.0, foot.normal)

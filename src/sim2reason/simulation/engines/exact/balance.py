@@ -13,7 +13,7 @@ from sim2reason.simulation.engines.exact.system import Instant, System
 FAINT = 1e-9  # an entry of a force pattern that is not there
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Balance:
     """Acceleration, multipliers and mode; of all rows and all contacts."""
 
@@ -26,7 +26,7 @@ class Balance:
     loose: bool  # a massless part that no force holds
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Demand:
     """What may act: `tight` rows, `sliding` sides that no search may change, and the mode just before."""
 

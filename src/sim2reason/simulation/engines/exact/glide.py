@@ -2,9 +2,9 @@
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from itertools import repeat
 from math import hypot, inf
-from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import Inextensible, Meeting
 from sim2reason.dsl.points import relative
@@ -23,7 +23,8 @@ Steps = tuple[tuple[int, Vector], ...]  # (number of a coordinate or face, direc
 TIE = 1e-11  # s; events that are no further apart are simultaneous
 
 
-class _Pair(NamedTuple):
+@dataclass(slots=True)
+class _Pair:
     """A meeting whose separation is `apart` + Σ axis·q."""
 
     meeting: Meeting
@@ -75,8 +76,7 @@ class SteadyEquations:
         laws = [system.mechanism.line[kind.name].law for kind in system.kinds(system.phase)]
         self._reels = [law.reel if isinstance(law, Inextensible) else 0.0 for law in laws]
         self._pairs = tuple(self._pair(meeting) for meeting in system.mechanism.meetings)
-        runs = (system.frames.distance(*sites) for sites in system.runs)
-        self._runs = [(run.value, gradient(spread(run.along, self.size), [])) for run in runs]
+        self._runs = [(run.value, gradient(spread(run.along, self.size), [])) for run in system.runs.values()]
 
     def _pair(self, meeting: Meeting) -> _Pair:
         other = self.system.frames.center(meeting.b)

@@ -5,7 +5,7 @@ that are used up (inelastic, they only pull or push), contacts (the face does no
 with impulses in place of forces).
 """
 
-from typing import NamedTuple
+from dataclasses import dataclass
 
 from sim2reason.simulation.engines.exact.contact_modes import search
 from sim2reason.simulation.engines.exact.linear import Row, dot
@@ -16,7 +16,8 @@ from sim2reason.simulation.engines.exact.system import Instant, System
 ROUNDING = 1e-9  # of the largest impulse or momentum: a face that pulls by less does not pull
 
 
-class Struck(NamedTuple):
+@dataclass(slots=True)
+class Struck:
     """What an impact leaves."""
 
     v: Row  # the velocities just after
@@ -25,7 +26,8 @@ class Struck(NamedTuple):
     lifted: tuple[int, ...]  # the contacts that come apart; v then means nothing
 
 
-class Impact(NamedTuple):
+@dataclass(slots=True)
+class Impact:
     """What takes part: the numbers of rows, those that act at first, the numbers of pairs; and what rows are."""
 
     rows: list[int]

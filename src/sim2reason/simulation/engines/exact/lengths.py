@@ -1,9 +1,10 @@
 """Lengths, gaps and rows: what constrains a motion, for any kind of number."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import NamedTuple
 
-from sim2reason.dsl.mechanism import Inextensible, Line, Mechanism, Prop, Rigid
+from sim2reason.dsl.mechanism import Mechanism, Rigid
 from sim2reason.dsl.points import Gradient, Point, relative
 from sim2reason.dsl.triples import Number, Triple, product
 
@@ -17,7 +18,8 @@ class Phase(NamedTuple):
     strained: tuple[bool, ...] = ()  # of each spring that acts only one way
 
 
-class PathLength(NamedTuple):
+@dataclass(slots=True)
+class PathLength:
     """A length, its rate, its second derivative at q̈ = 0, and its gradient."""
 
     value: Number
@@ -30,7 +32,8 @@ class PathLength(NamedTuple):
 ORIGIN = Point((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), {}, {})
 
 
-class RowTerms(NamedTuple):
+@dataclass(slots=True)
+class RowTerms:
     """A constraint row: along·q̈ + Σ lift·rise ≤ target, or = where it acts both ways."""
 
     along: Mapping[int, Number]
@@ -40,7 +43,8 @@ class RowTerms(NamedTuple):
     target: Number
 
 
-class Separation(NamedTuple):
+@dataclass(slots=True)
+class Separation:
     """How the two of a meeting stand apart: the gap, and the gradient, rate and bias of its growth."""
 
     gap: Number
@@ -50,12 +54,8 @@ class Separation(NamedTuple):
     lift: Mapping[int, Number]
 
 
-def constraints(mechanism: Mechanism) -> list[Line]:
-    """The lines that are rows of their own."""
-    return [line for line in mechanism.lines if isinstance(line.law, Inextensible | Rigid | Prop)]
-
-
-class RowKind(NamedTuple):
+@dataclass(slots=True)
+class RowKind:
     """What a row is: ``string``, ``rod``, ``prop``, ``foot``, ``hold`` (of a foot) or ``stuck``, and whose."""
 
     kind: str
@@ -66,10 +66,7 @@ class RowKind(NamedTuple):
 
 def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
     """What the rows of a mechanism are, in order: lines, two for each foot, pairs that stick together."""
-    found: list[RowKind] = []
-    for line in constraints(mechanism):
-        kind = "string" if isinstance(line.law, Inextensible) else "prop" if isinstance(line.law, Prop) else "rod"
-        found.append(RowKind(kind, line.name, kind == "rod", -1))
+    found = [RowKind(line.law.row, line.name, isinstance(line.law, Rigid), -1) for line in mechanism.constraints]
     for foot in mechanism.feet:
         found.append(RowKind("foot", foot.name, both=False, follows=-1))
         found.append(RowKind("hold", foot.name, both=True, follows=len(found) - 1))

@@ -4,14 +4,15 @@ Plain lists beat arrays at this size, above all since most rows are nearly empty
 says what a library call hides: which unknowns the equations leave free.
 """
 
+from dataclasses import dataclass
 from operator import mul
-from typing import NamedTuple
 
 Row = list[float]
 NEGLIGIBLE = 1e-11  # of a row's largest entry: what rounding leaves of a pivot that should be zero
 
 
-class Solved(NamedTuple):
+@dataclass(slots=True)
+class Solved:
     """All solutions of a linear system: `x` + any combination of `nulls`."""
 
     x: Row
@@ -37,8 +38,9 @@ def solve(rows: list[Row]) -> Solved:
     for column in range(size):
         best, largest = None, NEGLIGIBLE
         for row in pending:
-            if abs(row[column]) > largest:
-                best, largest = row, abs(row[column])
+            entry = abs(row[column])
+            if entry > largest:
+                best, largest = row, entry
         if best is None:
             free.append(column)
             continue
@@ -64,13 +66,12 @@ def _reduced(rows: list[Row], pivot: Row, column: int) -> list[Row]:
     for row in rows:
         if row is pivot:
             continue
-        if row[column] != 0.0:
+        if row[column]:
             factor = row[column] / pivot[column]
-            scale = max(abs(row[-1]), abs(factor * pivot[-1]))
-            reduced.append([a - factor * b for a, b in zip(row, pivot, strict=True)])
-            reduced[-1][column], reduced[-1][-1] = 0.0, scale
-        else:
-            reduced.append(row)
+            scale, other = abs(row[-1]), abs(factor * pivot[-1])
+            row = [a - factor * b for a, b in zip(row, pivot, strict=True)]  # noqa: PLW2901 - of the same equation
+            row[column], row[-1] = 0.0, max(scale, other)
+        reduced.append(row)
     return reduced
 
 

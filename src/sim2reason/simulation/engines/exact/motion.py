@@ -15,7 +15,7 @@ from sim2reason.simulation.engines.exact.linear import Row
 from sim2reason.simulation.trace import Event
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Segment:
     """From `start` on one mode: q + vτ + aτ²/2 with constant multipliers (NaN where they are not determined).
 
@@ -90,7 +90,8 @@ class Motion:
         table = self._table[at]
         since = (times - starts[at])[:, None]
         q0, v0, a = table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n]
-        q, v = q0 + since * (v0 + 0.5 * since * a), v0 + since * a
+        gained = since * a
+        q, v = q0 + since * (v0 + 0.5 * gained), v0 + gained
         forces = table[:, 3 * n :].T
         for number, segment in enumerate(self.segments):
             if segment.flow is not None and segment.flow.steps:

@@ -11,7 +11,6 @@ contact. A mode says which rows act and which contacts stick; it makes the probl
 """
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from math import inf
 from typing import NamedTuple
 
@@ -19,7 +18,7 @@ from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.linear import Row
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Gradient:
     """How a length changes with the coordinates, and with the rises of the contacts."""
 
@@ -37,7 +36,7 @@ class Gradient:
 
 def gradient(along: Row, lift: Row) -> Gradient:
     """A gradient with its terms."""
-    return Gradient(along, lift, tuple((number, part) for number, part in enumerate(along) if part != 0.0))
+    return Gradient(along, lift, tuple([(number, part) for number, part in enumerate(along) if part]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +66,7 @@ class Mode(NamedTuple):
     rubbing: tuple[int, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(slots=True)
 class Problem:
     """One instant's loads, rows and rough contacts."""
 
@@ -83,11 +82,11 @@ class Problem:
     follows: tuple[int, ...]  # the row with which each row acts or not, or −1
     guided: tuple[int, ...]  # the contacts that hold both ways
     budget: Budget = field(default_factory=Budget)  # of the motion that it is an instant of
+    load: float = field(init=False)  # the largest of what is given to act
 
-    @cached_property
-    def load(self) -> float:
-        """The largest of what is given to act."""
-        return max(max(map(abs, self.force), default=0.0), max(map(abs, self.press), default=0.0))
+    def __post_init__(self) -> None:
+        """Find the largest load."""
+        self.load = max(map(abs, (*self.force, *self.press)), default=0.0)
 
 
 class Forces(NamedTuple):
@@ -98,7 +97,7 @@ class Forces(NamedTuple):
     normal: Row
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Solution:
     """x and what acts, for one mode; `spare` are force patterns that could be added without effect."""
 

@@ -70,11 +70,13 @@ def nonnegative(matrix: Array, right: Array) -> tuple[Array, float]:
     """The x ≥ 0 that minimises |matrix·x − right|, and the largest entry of that residual.
 
     The active-set method of Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: let in the
-    unknown that helps most; go back to the border if another would turn negative, and put that one out.
+    unknown that helps most; go back to the border if another would turn negative, and put that one out. It begins with
+    all unknowns inside, of which more stay than turn negative.
     """
     columns = matrix.shape[1]
     x = np.zeros(columns)
-    inside = np.zeros(columns, dtype=bool)
+    inside = np.ones(columns, dtype=bool)
+    _descend(matrix, right, x, inside)
     for _ in range(3 * columns):
         gain = np.where(inside, -np.inf, matrix.T @ (right - matrix @ x))
         if inside.all() or gain.max() <= ROUNDING:

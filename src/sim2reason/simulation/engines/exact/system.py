@@ -10,6 +10,7 @@ from math import inf
 from sim2reason.dsl.constancy import ALIGNED, changing
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Line, Mechanism, Meeting, Rigid
+from sim2reason.dsl.points import Distance
 from sim2reason.dsl.start_speeds import check_speeds
 from sim2reason.dsl.triples import Number, minus, product
 from sim2reason.errors import SceneError, UnsupportedError
@@ -32,7 +33,7 @@ class Limit:
     sign: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Near:
     """How the two of a meeting stand: gap, its rate, its second derivative at q̈ = 0, and its gradient if it touches."""
 
@@ -136,16 +137,17 @@ class System:
             raise SceneError(meeting.a or meeting.b, f"it overlaps {other} at the start", "move them apart")
 
     @cached_property
-    def runs(self) -> dict[tuple[str, str], float]:
-        """The straight pieces of lines whose ends move towards or away from each other, with their lengths, m."""
-        found: dict[tuple[str, str], float] = {}
+    def runs(self) -> dict[tuple[str, str], Distance]:
+        """The straight pieces of lines whose ends move towards or away from each other."""
+        found: dict[tuple[str, str], Distance] = {}
         for line in self.mechanism.lines:
             if isinstance(line.law, Rigid):
                 continue
-            for first, last in pairwise(line.through):
-                run = self.frames.distance(first, last)
-                if run.lift or any(math.hypot(*way) > ALIGNED for way in run.moved.values()):
-                    found[first, last] = run.value
+            found |= {
+                ends: run
+                for ends, run in zip(pairwise(line.through), self.frames.pieces(line), strict=True)
+                if run.lift or any(math.hypot(*way) > ALIGNED for way in run.moved.values())
+            }
         return found
 
     @cached_property

@@ -43,7 +43,7 @@ class HardModel:
         self._still, self._mass = np.zeros(3), np.zeros((self.size, self.size))
         self._straight = bool((self._model.jnt_type == mujoco.mjtJoint.mjJNT_SLIDE).all())
         self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
-        self._rowed = [line for line in mechanism.lines if isinstance(line.law, Inextensible | Rigid | Prop)]
+        self._rowed = mechanism.constraints
         self._pulls = Pulls(mechanism.lines, self._site_id, self.index, self._model, straight=self._straight)
         self.slips = self._slips()
         self._light = [burn.body for burn in mechanism.burns]

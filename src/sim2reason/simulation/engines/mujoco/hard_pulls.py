@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Drawn, Elastic, Line
+from sim2reason.dsl.mechanism import Line
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.specification import mujoco
@@ -24,7 +24,7 @@ class Pulls:
         straight: bool,
     ) -> None:
         """`sites` and `index` number the sites and joints of the compiled `model`; `straight`: nothing turns."""
-        self.lines = [line for line in lines if isinstance(line.law, Drawn | Elastic)]
+        self.lines = [line for line in lines if not line.law.row]
         names = sorted({name for line in self.lines for name in line.through})
         place = {name: number for number, name in enumerate(names)}
         pieces = [(owner, piece) for owner, line in enumerate(self.lines) for piece in pairwise(line.through)]

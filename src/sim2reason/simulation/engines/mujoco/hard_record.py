@@ -9,7 +9,7 @@ import numpy as np
 
 from sim2reason.dsl.constancy import straight
 from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Inextensible, Prop, Rigid
+from sim2reason.dsl.mechanism import Rigid
 from sim2reason.dsl.state import Array, State, with_given_tensions
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.hard_forces import Found, HardInstant, Way, solved
@@ -163,7 +163,7 @@ class HardRecord:
     def state(self, times: Array) -> State:
         """The motion at `times`, s; forces are found anew there. After the end the last knot stays."""
         model, mechanism = self._model, self._model.mechanism
-        lines = [line.name for line in mechanism.lines if isinstance(line.law, Inextensible | Rigid | Prop)]
+        lines = [line.name for line in mechanism.constraints]
         n, m = model.size, len(times)
         q, v, a = (np.zeros((m, len(model.coordinates))) for _ in range(3))
         tension, normal = np.zeros((len(lines), m)), np.zeros((len(mechanism.faces), m))
