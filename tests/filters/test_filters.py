@@ -1,6 +1,7 @@
 """Each filter drops what it should and keeps what it should."""
 
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -140,14 +141,22 @@ def test_a_body_that_stops_is_vouched_for() -> None:
     assert not reason("agreement", replace(found, certificate=witnessed(found.study.trace)[1]))
 
 
-@pytest.mark.parametrize("count", [1, 6, 7, 24, 31])
-def test_shifts_measure_the_changes_of_all_numbers(count: int) -> None:
-    """ΣΔᵢ² is what the squares of shifts of single numbers add up to, or of many the mean; no two numbers cancel."""
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_a_few_numbers_are_shifted_one_by_one(count: int) -> None:
+    assert (np.array(patterns(count)) == np.eye(count)).all()
+
+
+@pytest.mark.parametrize(("count", "least"), [(4, 0.6), (7, 0.5), (16, 0.25), (24, 0.19)])
+def test_shifts_of_all_numbers_measure_their_changes(count: int, least: float) -> None:
+    """Of one number that counts nothing is lost, of two that cancel each other three shifts see a share at least."""
     shifts = np.array(patterns(count))
-    assert len(shifts) == min(count, precision.AT_ONCE)
-    gram = abs(shifts.T @ shifts)
-    assert (gram.diagonal() == (1 if count <= precision.AT_ONCE else precision.AT_ONCE)).all()
-    assert (gram - np.diag(gram.diagonal()) < precision.AT_ONCE).all()
+    assert shifts.shape == (precision.ALL, count)
+    singles = np.eye(count)
+    pairs = [(one + side * other) / 2.0**0.5 for one, other in combinations(singles, 2) for side in (1.0, -1.0)]
+    for times in (precision.FIRST, precision.ALL):
+        of_one, of_two = (np.mean((np.array(each) @ shifts[:times].T) ** 2, axis=1) ** 0.5 for each in (singles, pairs))
+        assert of_one == pytest.approx(1.0)
+        assert (of_two > (least if times == precision.FIRST else 0.33)).all()
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -156,11 +165,11 @@ def test_precision_of_many_numbers_is_about_that_of_each_by_itself(seed: int, mo
     scene = RECIPES["springs"]("hard", np.random.default_rng(seed))
     subject = next(c.subject for c, q in channels(scene.mechanism) if c.quantity == "velocity")
     found = candidate(scene, AtTime(0.3), Target("velocity", subject))
-    assert sum(shiftable(scene, parameter) for parameter in scene.parameters) > precision.AT_ONCE
+    assert sum(shiftable(scene, parameter) for parameter in scene.parameters) > precision.FEW
     monkeypatch.setattr(precision, "WORST", 1e-9)
     conditions = list[float]()
-    for at_once in (precision.AT_ONCE, 100):
-        monkeypatch.setattr(precision, "AT_ONCE", at_once)
+    for few in (precision.FEW, 100):
+        monkeypatch.setattr(precision, "FEW", few)
         patterns.cache_clear()
         conditions.append(float(reason("precision", found).rpartition(" ")[2]))
     patterns.cache_clear()

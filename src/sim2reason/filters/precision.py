@@ -3,8 +3,7 @@
 from collections.abc import Mapping
 from functools import cache
 from hashlib import sha256
-from itertools import cycle, islice
-from math import sqrt
+from math import cos, pi, sin, sqrt
 
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
@@ -15,8 +14,9 @@ from sim2reason.questions.study import BEYOND
 from sim2reason.simulation.trace import Trace
 
 SHIFT = 1e-3  # relative
-AT_ONCE = 6  # shifts: with more numbers than that, all of them are shifted each time
-WORST = 20.0  # the condition number κ = √Σ(Δa/a)² / SHIFT
+FEW = 3  # numbers that are shifted one by one; of more, all are shifted each time
+FIRST, ALL = 3, 6  # times that these are: a condition number below SURE · WORST after the first of them is believed
+WORST, SURE = 20.0, 0.25  # the condition number κ = √Σ(Δa/a)² / SHIFT
 
 
 class Precision:
@@ -35,31 +35,51 @@ class Precision:
         before = _story(study.trace, time)
         until = None if time is None else BEYOND * time
         paths = [parameter.path for parameter in study.scene.parameters if shiftable(study.scene, parameter)]
-        total = 0.0
-        for signs in patterns(len(paths)):
-            moved = {path: sign for path, sign in zip(paths, signs, strict=True) if sign}
+        squares = list[float]()
+        for factors in patterns(len(paths)):
+            moved = {path: factor for path, factor in zip(paths, factors, strict=True) if factor}
             other = shifted(study, moved, until)
             new = kind.answer(query, other) if other is not None else None
             if other is None or new is None or _story(other.trace, kind.time(query, other)) != before:
                 told = next(iter(moved)) if len(moved) == 1 else "the stated numbers"
                 return f"a small shift of {told} changes the order of events"
-            total += ((new - answer) / answer) ** 2
-        condition = sqrt(total / AT_ONCE if len(paths) > AT_ONCE else total) / SHIFT
+            squares.append(((new - answer) / answer) ** 2)
+            if len(paths) > FEW and len(squares) == FIRST and _condition(squares, len(paths)) <= SURE * WORST:
+                return ""
+        condition = _condition(squares, len(paths))
         return f"the condition number is {condition:.1f}" if not condition <= WORST else ""
 
 
-@cache
-def patterns(count: int) -> tuple[tuple[int, ...], ...]:
-    """The signs with which that many numbers are shifted, each time they are.
+def _condition(squares: list[float], count: int) -> float:
+    """The condition number that the squares of some changes of the answer make."""
+    return sqrt(sum(squares) / (len(squares) if count > FEW else 1)) / SHIFT
 
-    A few are shifted one by one. Of more, all are shifted at once with signs at random: for changes Δᵢ the square of
-    Σ±Δᵢ is ΣΔᵢ² on average; no two of up to 32 numbers have the same signs, or opposite ones, in all of the patterns.
+
+@cache
+def patterns(count: int) -> tuple[tuple[float, ...], ...]:
+    """By how much that many numbers are shifted, in units of `SHIFT`, each time they are.
+
+    A few are shifted one by one. Of more, all are shifted at once by factors fᵢ of either sign: for changes Δᵢ of the
+    answer the mean square of ΣfᵢΔᵢ is ΣΔᵢ² where one number counts most, and about that where many do.
     """
-    if count <= AT_ONCE:
-        return tuple(tuple(int(i == k) for i in range(count)) for k in range(count))
-    columns = sorted(range(2 ** (AT_ONCE - 1)), key=lambda number: sha256(bytes([number])).digest())
-    signs = [[1 if number >> k & 1 else -1 for k in range(AT_ONCE)] for number in islice(cycle(columns), count)]
-    return tuple(zip(*signs, strict=True))
+    if count <= FEW:
+        return tuple(tuple(float(i == k) for i in range(count)) for k in range(count))
+    return tuple(shift for turn in range(ALL // FIRST) for shift in _three(count, turn))
+
+
+def _three(count: int, turn: int) -> list[tuple[float, ...]]:
+    """Three shifts of all numbers: the factors of each are a vector of length √3.
+
+    Their lines are spread evenly, along the golden spiral of a half sphere, so that no two numbers whose changes cancel
+    each other do so in all three. Another turn deals them out in another order.
+    """
+    keys = [sha256(bytes([number % 256, turn])).digest() for number in range(count)]
+    vectors: list[tuple[float, float, float]] = []
+    for place, key in zip(sorted(range(count), key=keys.__getitem__), keys, strict=True):
+        height, angle = (place + 0.5) / count, place * pi * (3.0 - sqrt(5.0))
+        side, width = sqrt(3.0) * (-1) ** key[0], sqrt(1.0 - height * height)
+        vectors.append((side * width * cos(angle), side * width * sin(angle), side * height))
+    return list(zip(*vectors, strict=True))
 
 
 def shiftable(scene: Scene, parameter: Parameter) -> bool:
@@ -71,10 +91,10 @@ def shiftable(scene: Scene, parameter: Parameter) -> bool:
     return not (body is not None and body.told_by_word(name))
 
 
-def shifted(study: Study, signs: Mapping[str, int], until: float | None = None) -> Study | None:
+def shifted(study: Study, factors: Mapping[str, float], until: float | None = None) -> Study | None:
     """The motion with numbers shifted, to a time, or None if there is none; the other way if this one is not valid."""
     for way in (1, -1):
-        values = {path: study.scene.value(path) * (1.0 + way * sign * SHIFT) for path, sign in signs.items()}
+        values = {path: study.scene.value(path) * (1.0 + way * factor * SHIFT) for path, factor in factors.items()}
         try:
             scene = study.scene.having_all(values)
         except (SceneError, ValueError):
