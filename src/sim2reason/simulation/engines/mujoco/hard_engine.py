@@ -6,7 +6,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
-from sim2reason.simulation.engines.mujoco.hard_events import ARMED, TOLERANCE, EventSearch, knot
+from sim2reason.simulation.engines.mujoco.hard_events import ARMED, TOLERANCE, EventSearch
 from sim2reason.simulation.engines.mujoco.hard_forces import Found
 from sim2reason.simulation.engines.mujoco.hard_margins import ActingModel, Due
 from sim2reason.simulation.engines.mujoco.hard_record import Knot
@@ -63,8 +63,8 @@ class HardMotion(HardSettling):
         """Step to the next event; False at the end."""
         acting = ActingModel(self.model, self.record, self.situation, found.way)
         self.record.start(found.way, found, self.situation)
-        self.record.add(knot(acting, self.now, np.concatenate([self.q, self.v])))
-        before = acting.margins()
+        begun, before = acting.knot(self.now, np.concatenate([self.q, self.v]))
+        self.record.add(begun)
         armed = [due.value > ARMED for due in before]
         leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
         length = self.longest * (FIRST if leaves else 1.0)
@@ -76,8 +76,7 @@ class HardMotion(HardSettling):
             if not tried.error <= 1.0:
                 length *= min(0.7, tried.factor) if np.isfinite(tried.error) else 0.1
                 continue
-            here = knot(acting, self.now + length, tried.values)
-            after = acting.margins()
+            here, after = acting.knot(self.now + length, tried.values)
             event = EventSearch(acting, (last, here), (before, after), armed).due(self.duration)
             if event is not None:
                 self._keep(event[0])

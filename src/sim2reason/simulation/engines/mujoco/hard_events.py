@@ -1,8 +1,9 @@
 """Where within a step something is due: foreseen by the curve between its ends, found by steps of their own."""
 
+from math import sqrt
+
 import numpy as np
 
-from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
 from sim2reason.simulation.engines.mujoco.hard_margins import DISTANCES, ActingModel, Due
 from sim2reason.simulation.engines.mujoco.hard_record import Knot, Quintic
@@ -15,12 +16,8 @@ SOUGHT = 12  # tries to end a step where something is due
 CLOSE = 1e-13  # of the duration: how well an event is located
 WIDTH = 1e-4  # of a step, over which a slope is taken
 NARROW = 1e-7  # of a step, over which it is told on which side of its bottom a dip is
+FORESEEN = 1e-5  # of a step: how well its end is foreseen before it is found
 HALVINGS = 30  # tries to find a point of a step at which a distance is less than nothing
-
-
-def knot(acting: ActingModel, time: float, values: Array) -> Knot:
-    """The end of a step."""
-    return Knot(time, values, acting.rate(time, values))
 
 
 def _room(margin: float, ready: bool) -> float:  # noqa: FBT001 - one of a pair
@@ -54,8 +51,7 @@ class EventSearch:
         here, margins = start, before
         for _ in range(SOUGHT):
             tried = extrapolated(self._acting.rate, start.time, start.values, start.rates, x * self._span, TOLERANCE)
-            here = knot(self._acting, start.time + x * self._span, tried.values)
-            margins = self._acting.margins()
+            here, margins = self._acting.knot(start.time + x * self._span, tried.values)
             slope = (self._left(x + WIDTH) - self._left(x - WIDTH)) / (2.0 * WIDTH)
             change = -self._worst(margins) / slope if slope else 0.0
             if abs(change) * self._span <= CLOSE * duration or not 0.0 < x + change <= 1.2:
@@ -87,10 +83,25 @@ class EventSearch:
             if dip is None:
                 return None
             high = dip
-        low = 0.0
-        while high - low > 1e-5:
+        return self._crossing(0.0, high)
+
+    def _crossing(self, low: float, high: float) -> float:
+        """The end of a short piece of the step in which the last is used up; each piece is halved at least.
+
+        Guesses are those of C. Ridders, A new algorithm for computing a single root, IEEE Trans. Circuits Syst. 26
+        (1979), and are bracketed at once.
+        """
+        left, over = self._left(low), self._left(high)
+        while high - low > FORESEEN:
             middle = 0.5 * (low + high)
-            low, high = (middle, high) if self._left(middle) > 0.0 else (low, middle)
+            value = self._left(middle)
+            root = sqrt(max(value * value - left * over, 0.0))
+            guess = middle + (middle - low) * (value / root if root else 0.0)
+            low, high, left, over = (middle, high, value, over) if value > 0.0 else (low, middle, left, value)
+            for x in (guess - 0.4 * FORESEEN, guess + 0.4 * FORESEEN):
+                if low < x < high:
+                    value = self._left(x)
+                    low, high, left, over = (x, high, value, over) if value > 0.0 else (low, x, left, value)
         return high
 
     def _dip(self) -> float | None:

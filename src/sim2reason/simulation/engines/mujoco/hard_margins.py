@@ -9,7 +9,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.hard_forces import LARGE, NEVER, Faces, Found, Way, acting, quick, system
 from sim2reason.simulation.engines.mujoco.hard_model import HardModel
 from sim2reason.simulation.engines.mujoco.hard_parts import Situation
-from sim2reason.simulation.engines.mujoco.hard_record import HardRecord
+from sim2reason.simulation.engines.mujoco.hard_record import HardRecord, Knot
 
 DISTANCES = frozenset({"gap", "reach", "border", "strain"})
 """Margins that can dip below zero and rise again within a step."""
@@ -31,6 +31,7 @@ class ActingModel:
         """Nothing is computed before it is asked for."""
         self.model, self.record, self.situation, self.way = model, record, situation, way
         self.rate = self._rate()
+        self._unbound = not (way.rows or way.faces)  # nothing constrains it: no force is looked for
 
     def _rate(self) -> Callable[[float, Array], Array]:
         """The rate of (q, v)."""
@@ -42,7 +43,7 @@ class ActingModel:
             model.stand(time, values[:n], values[n:], situation)
             if free:
                 x = model.unheld(model.loads())
-                return np.concatenate([values[n:], x if abs(x).max(initial=0.0) < LARGE else self.forces().x])
+                return np.concatenate([values[n:], x if x @ x < LARGE**2 else self.forces().x])
             rows = [model.row(number) for number in acts.rows]
             held, targets = [row.gradient for row in rows], [row.target for row in rows]
             matrix, wanted = system(model.inertia(), model.loads(), held, targets, faces, way, acts)
@@ -56,9 +57,20 @@ class ActingModel:
         """All forces of the state at which the model stands."""
         return self.record.forces(self.way)
 
+    def knot(self, time: float, values: Array) -> tuple[Knot, list[Due]]:
+        """The end of a step, and all margins there."""
+        n = self.model.size
+        if self._unbound:
+            return Knot(time, values, self.rate(time, values)), self.margins()
+        self.model.stand(time, values[:n], values[n:], self.situation)
+        forces = self.forces()
+        return Knot(time, values, np.concatenate([values[n:], forces.x])), self._margins(forces)
+
     def margins(self) -> list[Due]:
         """All margins of the state at which the model stands."""
-        forces = self.forces()
+        return [*self._places(), *self._switches()] if self._unbound else self._margins(self.forces())
+
+    def _margins(self, forces: Found) -> list[Due]:
         return [*self._rows(forces), *self._faces(forces), *self._places(), *self._switches()]
 
     def distances(self) -> list[Due]:
