@@ -72,8 +72,10 @@ class EventSearch:
         return [due for due, r, close in zip(margins, self._room, near, strict=True) if due.value + r <= close]
 
     def _worst(self, margins: list[Due]) -> float:
-        """What is left of the margin that has least."""
-        return min((due.value + r for due, r in zip(margins, self._room, strict=True)), default=1.0)
+        """What is left of the margin that has least; once two points of a line have met, forces there mean nothing."""
+        left = [(due.value + r, due.kind) for due, r in zip(margins, self._room, strict=True)]
+        met = min((value for value, kind in left if kind == "reach"), default=1.0)
+        return met if met < 0.0 else min(left, default=(1.0, ""))[0]
 
     def _foreseen(self) -> float | None:
         """The fraction of the step at which something is due, by the curve between its ends; None if nothing is."""
