@@ -43,9 +43,12 @@ class ActingModel:
             model.stand(time, values[:n], values[n:], situation)
             if free:
                 x = model.unheld(model.loads())
-                return np.concatenate([values[n:], x if x @ x < LARGE**2 else self.forces().x])
+                return np.concatenate([values[n:], x if abs(x).max(initial=0.0) < LARGE else self.forces().x])
             rows = [model.row(number) for number in acts.rows]
             held, targets = [row.gradient for row in rows], [row.target for row in rows]
+            if not acts.closed:
+                x = model.held(model.loads(), np.array(held), np.array(targets))
+                return np.concatenate([values[n:], x if x is not None else self.forces().x])
             matrix, wanted = system(model.inertia(), model.loads(), held, targets, faces, way, acts)
             found = quick(matrix, wanted)
             x = found[:n] if found is not None else self.forces().x

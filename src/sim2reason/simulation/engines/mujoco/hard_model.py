@@ -4,19 +4,18 @@ What acts beyond gravity (lines, forces, attraction, engines) is added here from
 Jacobians; nothing of the library's own soft constraints is used.
 """
 
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Inextensible, Line, Mechanism, Meeting, Prop, Rigid
+from sim2reason.dsl.mechanism import Inextensible, Mechanism, Meeting, Prop, Rigid
 from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import Triple
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.budget import OPERATIONS, Budget
-from sim2reason.simulation.engines.mujoco.hard_forces import NEVER
+from sim2reason.simulation.engines.mujoco.hard_forces import NEVER, quick
+from sim2reason.simulation.engines.mujoco.hard_lines import Lengths, Lines, Pulls
 from sim2reason.simulation.engines.mujoco.hard_parts import Moving, Row, Situation
-from sim2reason.simulation.engines.mujoco.hard_pulls import Pulls
 from sim2reason.simulation.engines.mujoco.hard_specification import HardSpecification
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
@@ -43,8 +42,10 @@ class HardModel:
         self._still, self._mass = np.zeros(3), np.zeros((self.size, self.size))
         self._straight = bool((self._model.jnt_type == mujoco.mjtJoint.mjJNT_SLIDE).all())
         self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
-        self._rowed = mechanism.constraints
-        self._pulls = Pulls(mechanism.lines, self._site_id, self.index, self._model, straight=self._straight)
+        compiled_in = self._site_id, self.index, self._model
+        pulls = tuple(line for line in mechanism.lines if not line.law.row)
+        self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight)
+        self._pulls = Pulls(pulls, *compiled_in, straight=self._straight)
         self.slips = self._slips()
         self._light = [burn.body for burn in mechanism.burns]
         self.begin()
@@ -65,13 +66,14 @@ class HardModel:
         burns, meetings, halves = self.mechanism.burns, self.mechanism.meetings, self.mechanism.half_springs
         start = Situation([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
         self.stand(0.0, rest, rest, start)
-        self.starts = {line.name: self._length(line)[0] for line in self.mechanism.lines}
+        self._starts = self._lines()[0].values
 
     def stand(self, time: float, q: Array, v: Array, situation: Situation) -> None:
         """Go to a state of the joints."""
         self.budget.spend(STAND + JOINT * self.size)
         self.time, self.q, self.v, self._situation = time, q, v, situation
         self._points: dict[tuple[str, str], Moving] = {}
+        self._measured: tuple[Lengths, Array] | None = None
         self._data.qpos[:] = q
         self._data.qvel[:] = v
         if self._light:
@@ -105,6 +107,18 @@ class HardModel:
         found = np.zeros((1, self.size))
         mujoco.mj_solveM(self._model, self._data, found, loads[None])
         return np.asarray(found[0], dtype=np.float64)
+
+    def held(self, loads: Array, gradients: Array, targets: Array) -> Array | None:
+        """The accelerations under `loads` where some rows (rows, joints) act and no face does; None if that is not so.
+
+        They are those without rows, less what the pulls of the rows give, of which there are few: M⁻¹Jᵀλ.
+        """
+        sides = np.concatenate([loads[None], gradients])
+        found = np.zeros_like(sides)
+        mujoco.mj_solveM(self._model, self._data, found, sides)
+        given = found[1:]
+        pulls = quick(gradients @ given.T, gradients @ found[0] - targets)
+        return None if pulls is None else np.asarray(found[0] - pulls @ given, dtype=np.float64)
 
     def _moving(self, kind: str, name: str) -> Moving:
         """A site or a centre of mass."""
@@ -176,18 +190,12 @@ class HardModel:
 
     # ---- lengths and rows
 
-    def _length(self, line: Line) -> tuple[float, float, Array, float]:
-        """Length, rate, gradient, and second derivative at q̈ = 0."""
-        gradient = np.zeros(self.size)
-        length = bias = 0.0
-        for wheel in line.wheels:
-            gradient[self.index[wheel.coordinate]] += wheel.radius
-            length += wheel.radius * float(self.q[self.index[wheel.coordinate]])
-        for first, last in pairwise(line.through):
-            distance, _, run, bend = _run(self.site(first), self.site(last))
-            length, bias = length + distance, bias + bend
-            gradient += run
-        return length, float(gradient @ self.v), gradient, bias
+    def _lines(self) -> tuple[Lengths, Array]:
+        """How long the lines are that are rows, and the second derivatives of that at q̈ = 0."""
+        if self._measured is None:
+            found = self._rowed.lengths(self._data, self.q)
+            self._measured = found, self._rowed.bends(self._data, self.v, found.pieces)
+        return self._measured
 
     def rows(self) -> list[Row]:
         """All rows: lines, two for each foot, pairs that stick together."""
@@ -196,13 +204,13 @@ class HardModel:
     @property
     def count(self) -> int:
         """How many rows there are."""
-        return len(self._rowed) + 2 * len(self.mechanism.feet) + sum(self._situation.stuck)
+        return len(self._rowed.lines) + 2 * len(self.mechanism.feet) + sum(self._situation.stuck)
 
     def row(self, number: int) -> Row:
         """One row."""
-        lines, feet = len(self._rowed), 2 * len(self.mechanism.feet)
+        lines, feet = len(self._rowed.lines), 2 * len(self.mechanism.feet)
         if number < lines:
-            return self._line_row(self._rowed[number])
+            return self._line_row(number)
         if number < lines + feet:
             return self._foot_row((number - lines) // 2, number)
         stuck = [m for m, held in zip(self.mechanism.meetings, self._situation.stuck, strict=True) if held]
@@ -215,16 +223,17 @@ class HardModel:
         foot = self.mechanism.feet[index]
         point, normal = self.site(foot.site), np.array(foot.normal)
         gap = float(normal @ point.place) - foot.height
-        if number % 2 == len(self._rowed) % 2:
+        if number % 2 == len(self._rowed.lines) % 2:
             down = -normal @ point.jacobian
             return Row("foot", foot.name, down, gap, float(down @ self.v), float(normal @ point.bias))
         along = np.array(foot.along)
         aside = along @ point.jacobian
         return Row("hold", foot.name, aside, gap, float(aside @ self.v), -float(along @ point.bias), number - 1)
 
-    def _line_row(self, line: Line) -> Row:
-        length, rate, gradient, bias = self._length(line)
-        over = length - self.starts[line.name]
+    def _line_row(self, number: int) -> Row:
+        line, (found, bends) = self._rowed.lines[number], self._lines()
+        gradient, bias = found.gradients[number], float(bends[number])
+        rate, over = float(gradient @ self.v), float(found.values[number] - self._starts[number])
         if isinstance(line.law, Prop):
             return Row("prop", line.name, -gradient, over, -rate, bias)
         if isinstance(line.law, Rigid):
@@ -257,7 +266,9 @@ class HardModel:
     def strain(self, number: int) -> tuple[float, float]:
         """How far a spring that acts one way is on the side where it does, m, and the rate of that."""
         line, law = self.mechanism.half_springs[number]
-        length, rate, _, _ = self._length(line)
+        place = self._pulls.lines.index(line)
+        found = self._pulls.lengths(self._data, self.q)
+        length, rate = float(found.values[place]), float(found.gradients[place] @ self.v)
         return law.side * (length - law.length), law.side * rate
 
     @property

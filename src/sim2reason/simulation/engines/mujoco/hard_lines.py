@@ -1,0 +1,127 @@
+"""Lines of a changing mechanism, all at once: how long they are, how that changes, and what springs pull with."""
+
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Line
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.specification import mujoco
+
+
+class Pieces(NamedTuple):
+    """The straight pieces of lines: their ends, lengths, directions, and how those move apart (pieces, 3, joints)."""
+
+    places: Array  # of all sites
+    runs: Array
+    ways: Array
+    moved: Array
+
+
+class Lengths(NamedTuple):
+    """Of each line: its length, m, and gradient (lines, joints); and their pieces."""
+
+    values: Array
+    gradients: Array
+    pieces: Pieces
+
+
+class Lines:
+    """Some lines, as arrays over their straight pieces."""
+
+    def __init__(
+        self,
+        lines: tuple[Line, ...],
+        sites: dict[str, int],
+        index: dict[str, int],
+        model: Any,  # noqa: ANN401 - MuJoCo's
+        *,
+        straight: bool,
+    ) -> None:
+        """`sites` and `index` number the sites and joints of the compiled `model`; `straight`: nothing turns."""
+        self.lines = lines
+        names = sorted({name for line in lines for name in line.through})
+        place = {name: number for number, name in enumerate(names)}
+        pieces = [(owner, ends) for owner, line in enumerate(lines) for ends in pairwise(line.through)]
+        self._model, self._straight = model, straight
+        self._sites = np.array([sites[name] for name in names], dtype=np.intp)
+        self._carriers = [int(model.site_bodyid[site]) for site in self._sites]
+        self._first = np.array([place[first] for _, (first, _) in pieces], dtype=np.intp)
+        self._last = np.array([place[last] for _, (_, last) in pieces], dtype=np.intp)
+        self._owned, self._wound = np.zeros((len(lines), len(pieces))), np.zeros((len(lines), int(model.nv)))
+        for number, (owner, _) in enumerate(pieces):
+            self._owned[owner, number] = 1.0
+        for owner, line in enumerate(lines):
+            for wheel in line.wheels:
+                self._wound[owner, index[wheel.coordinate]] += wheel.radius
+        self._apart: Array | None = None  # how the Jacobians of the ends of each piece differ, where nothing turns
+        self._jacobians = np.zeros((len(names), 3, int(model.nv)))
+        self._dots = np.zeros_like(self._jacobians)
+
+    def lengths(self, data: Any, q: Array) -> Lengths:  # noqa: ANN401 - MuJoCo's
+        """How long the lines are, and how that changes with the joints."""
+        places = data.site_xpos[self._sites]
+        apart = places[self._last] - places[self._first]
+        runs = np.sqrt(np.einsum("ij,ij->i", apart, apart))
+        if not runs.all():
+            raise SimulationError("two points of a line have come together")
+        ways, moved = apart / runs[:, None], self._moved(data, places)
+        gradients = self._owned @ np.einsum("ij,ijk->ik", ways, moved) + self._wound
+        return Lengths(self._owned @ runs + self._wound @ q, gradients, Pieces(places, runs, ways, moved))
+
+    def bends(self, data: Any, v: Array, pieces: Pieces) -> Array:  # noqa: ANN401 - MuJoCo's
+        """The second derivatives of their lengths at q̈ = 0, m/s²."""
+        places, runs, ways, moved = pieces
+        parting = moved @ v
+        along = np.einsum("ij,ij->i", ways, parting)
+        found = (np.einsum("ij,ij->i", parting, parting) - along * along) / runs
+        if not self._straight:
+            for number, carrier in enumerate(self._carriers):
+                if carrier:
+                    mujoco.mj_jacDot(self._model, data, self._dots[number], None, places[number], carrier)
+            biases = self._dots @ v
+            found += np.einsum("ij,ij->i", ways, biases[self._last] - biases[self._first])
+        return np.asarray(self._owned @ found, dtype=np.float64)
+
+    def _moved(self, data: Any, places: Array) -> Array:  # noqa: ANN401 - MuJoCo's
+        """How the ends of each piece move apart, (pieces, 3, joints); always the same where nothing turns."""
+        if self._apart is not None:
+            return self._apart
+        for number, carrier in enumerate(self._carriers):
+            if carrier:
+                mujoco.mj_jac(self._model, data, self._jacobians[number], None, places[number], carrier)
+        moved = self._jacobians[self._last] - self._jacobians[self._first]
+        self._apart = moved if self._straight else None
+        return moved
+
+
+class Pulls(Lines):
+    """The lines whose tension follows from their length and its rate: springs, and strings that a hand draws."""
+
+    def __init__(
+        self,
+        lines: tuple[Line, ...],
+        sites: dict[str, int],
+        index: dict[str, int],
+        model: Any,  # noqa: ANN401 - MuJoCo's
+        *,
+        straight: bool,
+    ) -> None:
+        """As `Lines` has it."""
+        super().__init__(lines, sites, index, model, straight=straight)
+        laws = [line.law for line in lines]
+        self._given, self._stiffness, self._natural, self._damping = (
+            np.array([getattr(law, name, 0.0) for law in laws]) for name in ("force", "stiffness", "length", "damping")
+        )
+
+    def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
+        """The load on the joints, (joints,), of all lines but those that are `idle`."""
+        values, gradients, _ = self.lengths(data, q)
+        tension = self._given + self._stiffness * (values - self._natural)
+        if self._damping.any():
+            tension += self._damping * (gradients @ v)
+        if idle:
+            tension *= [line not in idle for line in self.lines]
+        return np.asarray(-tension @ gradients, dtype=np.float64)
