@@ -1,6 +1,6 @@
 """Neighbours on a straight track: what joins them, what is between them, how they bounce; and the lines that tell it."""
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from math import ceil, inf
 from typing import Annotated, Self, TypeVar
 
@@ -14,8 +14,7 @@ from sim2reason.dsl.model import field_types, rebuilt
 
 Index = Annotated[int, Ge(0), Le(5), Member("gliders")]
 Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "x", decimals=2)]
-ROOM = 0.3  # m, at least, between neighbours that are drawn
-HARDEST = 2000.0  # N/m, of springs that are drawn
+ROOM, SPRUNG = 0.3, 0.9  # m, at least, between neighbours that are drawn, and between those that a spring joins
 
 
 class Pair(Part):
@@ -50,23 +49,25 @@ def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
 
 
 Sprung = TypeVar("Sprung", Joined, Buffered)
+HARDEST = {Buffered: 2000.0, Joined: 500.0}  # N/m, of springs that are drawn: those that join swing on and on
 
 
 def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:
     """What was drawn, from left to right with room between neighbours, and on firm springs."""
-    ordered = _apart(sorted(gliders, key=lambda glider: glider.x))
+    ordered = _apart(sorted(gliders, key=lambda glider: glider.x), {pair.first for pair in joined})
     return {"gliders": ordered, "joined": _firm(joined, ordered), "buffers": _firm(buffers, ordered)}
 
 
-def _apart(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
+def _apart(gliders: Sequence[Glider], joined: Container[int]) -> tuple[Glider, ...]:
     """Neighbours too near each other are moved to the right, and back to the left from where no place is drawn."""
     drawn = field_types(Glider)["x"].drawn
-    end = drawn.high if drawn is not None else inf
+    last = drawn.high if drawn is not None else inf
     places = [glider.x for glider in gliders]
-    for index in range(1, len(places)):
-        places[index] = max(places[index], places[index - 1] + ROOM)
+    rooms = [SPRUNG if index in joined else ROOM for index in range(len(places) - 1)]
+    for index, room in enumerate(rooms):
+        places[index + 1] = max(places[index + 1], places[index] + room)
     for index in reversed(range(len(places))):
-        places[index] = min(places[index], end - ROOM * (len(places) - 1 - index))
+        places[index] = min(places[index], last - sum(rooms[index:]))
     return tuple(rebuilt(glider, x=round(x, 2)) for glider, x in zip(gliders, places, strict=True))
 
 
@@ -81,7 +82,7 @@ def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, .
         room = pair.buffer.length if isinstance(pair, Buffered) else other.x - one.x
         spring = pair.buffer if isinstance(pair, Buffered) else pair.spring
         least = one.mass * other.mass / (one.mass + other.mass) * (fastest / (0.6 * room)) ** 2
-        if least <= HARDEST:
+        if least <= HARDEST[type(pair)]:
             stiff = rebuilt(spring, stiffness=max(spring.stiffness, 10.0 * ceil(0.1 * least)))
             found.append(rebuilt(pair, **{"buffer" if isinstance(pair, Buffered) else "spring": stiff}))
     return tuple(found)
