@@ -162,13 +162,10 @@ def _is_regular(matrix: Array) -> bool:
 
 def quick(matrix: Array, wanted: Array) -> Array | None:
     """The solution of a system that plainly has one."""
-    if len(wanted) == 1:
-        found = wanted / matrix[0] if matrix[0, 0] else wanted
-    else:
-        try:
-            found = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
-        except np.linalg.LinAlgError:
-            return None
+    try:
+        found: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
+    except np.linalg.LinAlgError:
+        return None
     scale = np.abs(matrix).max(axis=1, initial=1e-300)
     large = float(np.abs(found).max(initial=0.0))
     sound = np.isfinite(large) and np.abs((matrix @ found - wanted) / scale).max(initial=0.0) <= 1e-9 * (1.0 + large)

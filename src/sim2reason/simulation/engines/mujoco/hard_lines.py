@@ -56,34 +56,41 @@ class Lines:
         for owner, line in enumerate(lines):
             for wheel in line.wheels:
                 self._wound[owner, index[wheel.coordinate]] += wheel.radius
+        self._wheels, self._single = bool(self._wound.any()), len(pieces) == len(lines)
         self._apart: Array | None = None  # how the Jacobians of the ends of each piece differ, where nothing turns
         self._jacobians = np.zeros((len(names), 3, int(model.nv)))
         self._dots = np.zeros_like(self._jacobians)
 
     def lengths(self, data: Any, q: Array) -> Lengths:  # noqa: ANN401 - MuJoCo's
         """How long the lines are, and how that changes with the joints."""
-        places = data.site_xpos[self._sites]
-        apart = places[self._last] - places[self._first]
-        runs = np.sqrt(np.einsum("ij,ij->i", apart, apart))
+        places = data.site_xpos.take(self._sites, axis=0)
+        apart = places.take(self._last, axis=0) - places.take(self._first, axis=0)
+        runs = np.sqrt(np.vecdot(apart, apart))
         if not runs.all():
             raise SimulationError("two points of a line have come together")
         ways, moved = apart / runs[:, None], self._moved(data, places)
-        gradients = self._owned @ np.einsum("ij,ijk->ik", ways, moved) + self._wound
-        return Lengths(self._owned @ runs + self._wound @ q, gradients, Pieces(places, runs, ways, moved))
+        values, gradients = self._summed(runs), self._summed(np.vecmat(ways, moved))
+        if self._wheels:
+            values, gradients = values + self._wound @ q, gradients + self._wound
+        return Lengths(values, gradients, Pieces(places, runs, ways, moved))
 
     def bends(self, data: Any, v: Array, pieces: Pieces) -> Array:  # noqa: ANN401 - MuJoCo's
         """The second derivatives of their lengths at q̈ = 0, m/s²."""
         places, runs, ways, moved = pieces
         parting = moved @ v
-        along = np.einsum("ij,ij->i", ways, parting)
-        found = (np.einsum("ij,ij->i", parting, parting) - along * along) / runs
+        along = np.vecdot(ways, parting)
+        found = (np.vecdot(parting, parting) - along * along) / runs
         if not self._straight:
             for number, carrier in enumerate(self._carriers):
                 if carrier:
                     mujoco.mj_jacDot(self._model, data, self._dots[number], None, places[number], carrier)
             biases = self._dots @ v
-            found += np.einsum("ij,ij->i", ways, biases[self._last] - biases[self._first])
-        return np.asarray(self._owned @ found, dtype=np.float64)
+            found += np.vecdot(ways, biases.take(self._last, axis=0) - biases.take(self._first, axis=0))
+        return self._summed(found)
+
+    def _summed(self, parts: Array) -> Array:
+        """What pieces have, line by line."""
+        return parts if self._single else self._owned @ parts
 
     def _moved(self, data: Any, places: Array) -> Array:  # noqa: ANN401 - MuJoCo's
         """How the ends of each piece move apart, (pieces, 3, joints); always the same where nothing turns."""
@@ -92,7 +99,7 @@ class Lines:
         for number, carrier in enumerate(self._carriers):
             if carrier:
                 mujoco.mj_jac(self._model, data, self._jacobians[number], None, places[number], carrier)
-        moved = self._jacobians[self._last] - self._jacobians[self._first]
+        moved = self._jacobians.take(self._last, axis=0) - self._jacobians.take(self._first, axis=0)
         self._apart = moved if self._straight else None
         return moved
 

@@ -13,7 +13,8 @@ from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import Triple
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.budget import OPERATIONS, Budget
-from sim2reason.simulation.engines.mujoco.hard_forces import NEVER, quick
+from sim2reason.simulation.engines.mujoco.hard_attractions import Attractions
+from sim2reason.simulation.engines.mujoco.hard_forces import LARGE, NEVER, quick
 from sim2reason.simulation.engines.mujoco.hard_lines import Lengths, Lines, Pulls
 from sim2reason.simulation.engines.mujoco.hard_parts import Moving, Row, Situation
 from sim2reason.simulation.engines.mujoco.hard_specification import HardSpecification
@@ -46,6 +47,7 @@ class HardModel:
         pulls = tuple(line for line in mechanism.lines if not line.law.row)
         self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight)
         self._pulls = Pulls(pulls, *compiled_in, straight=self._straight)
+        self._attracted = Attractions(mechanism.attractions, self._body_id, self._model, straight=self._straight)
         self.slips = self._slips()
         self._light = [burn.body for burn in mechanism.burns]
         self.begin()
@@ -92,10 +94,6 @@ class HardModel:
             self._model.body_mass[self._body_id[burn.body]] = left
         mujoco.mj_setConst(self._model, self._data)
 
-    def mass(self, body: str) -> float:
-        """The mass of a body now, kg."""
-        return float(self._model.body_mass[self._body_id[body]])
-
     def inertia(self) -> Array:
         """The library's mass matrix, (joints, joints)."""
         if self.size:
@@ -116,9 +114,16 @@ class HardModel:
         sides = np.concatenate([loads[None], gradients])
         found = np.zeros_like(sides)
         mujoco.mj_solveM(self._model, self._data, found, sides)
-        given = found[1:]
-        pulls = quick(gradients @ given.T, gradients @ found[0] - targets)
-        return None if pulls is None else np.asarray(found[0] - pulls @ given, dtype=np.float64)
+        free, given = found[0], found[1:]
+        if len(targets) > 1:
+            pulls = quick(gradients @ given.T, gradients @ free - targets)
+            return None if pulls is None else np.asarray(free - pulls @ given, dtype=np.float64)
+        gradient, answer = gradients[0], given[0]
+        yielding = float(gradient @ answer)
+        if not yielding > 0.0:
+            return None
+        x = free - (float(gradient @ free) - float(targets[0])) / yielding * answer
+        return x if abs(x).max(initial=0.0) < LARGE else None
 
     def _moving(self, kind: str, name: str) -> Moving:
         """A site or a centre of mass."""
@@ -173,14 +178,8 @@ class HardModel:
                 point = self.center(force.body)
                 pushed = force.law.force(_triple(point.place), _triple(point.velocity), self.time, np)
                 total += np.array([float(part) for part in pushed]) @ point.jacobian
-        for pair in mechanism.attractions:
-            one, other = self.center(pair.a), self.center(pair.b)
-            apart = other.place - one.place
-            distance = float(np.linalg.norm(apart))
-            if distance == 0.0:
-                raise SimulationError(f"{pair.a} and {pair.b} are at one place at {self.time:.6g} s")
-            pull = pair.constant * self.mass(pair.a) * self.mass(pair.b) / distance ** (pair.power + 1.0) * apart
-            total += pull @ (one.jacobian - other.jacobian)
+        if mechanism.attractions:
+            total += self._attracted.load(self._data)
         for burn, burning in zip(mechanism.burns, self._situation.burning, strict=True):
             if burning:
                 frame = np.array(self._data.xmat[self._body_id[burn.body]]).reshape(3, 3)

@@ -1,0 +1,54 @@
+"""What bodies attract each other with, all pairs at once: the load that it puts on the joints."""
+
+from typing import Any
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Attraction
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.specification import mujoco
+
+
+class Attractions:
+    """Pairs of bodies, as arrays."""
+
+    def __init__(
+        self,
+        pairs: tuple[Attraction, ...],
+        bodies: dict[str, int],
+        model: Any,  # noqa: ANN401 - MuJoCo's
+        *,
+        straight: bool,
+    ) -> None:
+        """`bodies` numbers those of the compiled `model`; `straight`: nothing turns."""
+        self._pairs, self._model, self._straight = pairs, model, straight
+        self._first = np.array([bodies[pair.a] for pair in pairs], dtype=np.intp)
+        self._last = np.array([bodies[pair.b] for pair in pairs], dtype=np.intp)
+        self._constants = np.array([pair.constant for pair in pairs])
+        self._exponents = np.array([-0.5 * (pair.power + 1.0) for pair in pairs])
+        self._bodies = sorted({*self._first.tolist(), *self._last.tolist()})
+        self._jacobians = np.zeros((int(model.nbody), 3, int(model.nv)))
+        self._apart: Array | None = None  # how the Jacobians of each pair differ, where nothing turns
+
+    def load(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
+        """The load on the joints, (joints,): constant·m·m′/rᵖ between centres of mass; masses are those of now."""
+        places = data.xipos
+        apart = places.take(self._last, axis=0) - places.take(self._first, axis=0)
+        squares = np.vecdot(apart, apart)
+        if not squares.all():
+            pair = self._pairs[int(squares.argmin())]
+            raise SimulationError(f"{pair.a} and {pair.b} are at one place")
+        masses = self._model.body_mass
+        pulls = self._constants * masses[self._first] * masses[self._last] * squares**self._exponents
+        return (pulls[:, None] * apart).ravel() @ self._moved(data)
+
+    def _moved(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
+        """How the two of each pair come together, (3·pairs, joints)."""
+        if self._apart is not None:
+            return self._apart
+        for body in self._bodies:
+            mujoco.mj_jacBodyCom(self._model, data, self._jacobians[body], None, body)
+        moved = (self._jacobians[self._first] - self._jacobians[self._last]).reshape(-1, self._jacobians.shape[2])
+        self._apart = moved if self._straight else None
+        return moved
