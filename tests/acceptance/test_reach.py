@@ -2,13 +2,15 @@
 
 from collections import defaultdict
 from collections.abc import Iterator
+from importlib import import_module
 
 import pytest
 
 from cells import drawn
 from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.model import Model, field_types
-from sim2reason.recipes import DIFFICULTIES, RECIPES, hybrid, incline, pulley
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
+from sim2reason.recipes.parts.grow import Tier
 
 SCENES = 70  # of each difficulty: some 200 of a recipe
 
@@ -40,7 +42,6 @@ ON_PURPOSE: dict[str, dict[str, tuple[str, ...]]] = {
 }
 """What a recipe fixes, by the reason: which aspect, in which recipes or cells."""
 
-POOLS = {"pulley": pulley.TIERS, "incline": incline.TIERS, "hybrid": hybrid.TIERS}
 Aspect = tuple[str, str, str]  # class, field, and what of it varies
 
 
@@ -87,5 +88,19 @@ def test_nothing_that_is_declared_stays_constant(recipe: str) -> None:
     found = reached(recipe)
     constant = {aspect for aspect, values in found.items() if len(values) >= OFTEN and len(set(values)) == 1}
     assert not [aspect for aspect in sorted(constant) if not on_purpose(aspect, recipe)]
-    for tier in POOLS.get(recipe, {}).values():
-        assert set(tier.pool) <= {owner for owner, _, _ in found}
+
+
+GROWN = [
+    (name, difficulty, tier)
+    for name in sorted(RECIPES)
+    for difficulty, tier in getattr(import_module(f"sim2reason.recipes.{name}"), "TIERS", {}).items()
+    if isinstance(tier, Tier)
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("recipe", "difficulty", "tier"), GROWN, ids=[f"{cell[0]} {cell[1]}" for cell in GROWN])
+def test_every_entity_of_a_pool_is_drawn(recipe: str, difficulty: Difficulty, tier: Tier) -> None:
+    """None is always too long to tell, or never fits the others."""
+    scenes = drawn(recipe, difficulty, SCENES, seed=41)
+    assert set(tier.pool) <= {type(named.entity).__name__ for scene in scenes for named in scene.entities}

@@ -35,14 +35,14 @@ class MassBoxPlane(Entity):
             "friction on the top, static and kinetic, has the coefficient {box.friction}.",
         ),
         either(
-            "a light string from {blocks.first} runs to the left, over a light pulley at the edge of the top and down to {left}, which slides in a smooth vertical guide fixed to that side of {box}.",
-            "over a light pulley at the left edge of the top a light string joins {blocks.first} to {left}, which can move only in a smooth vertical guide fixed to that side of {box}.",
-            "in a smooth vertical guide fixed to the left side of {box} slides {left}, from which a light string runs up and over a light pulley at the edge of the top to {blocks.first}.",
+            "a light string from {blocks.first} runs to the left, over a light pulley at the edge and down to {left}, which slides in a smooth vertical guide on that side.",
+            "over a light pulley at the left edge a light string joins {blocks.first} to {left}, which can only slide in a smooth vertical guide on that side.",
+            "in a smooth vertical guide on the left side slides {left}, from which a light string runs up and over a light pulley at the edge to {blocks.first}.",
         ),
         either(
-            "a light string from {blocks.last} runs to the right, over a light pulley at the edge of the top and down to {right}, which slides in a smooth vertical guide fixed to that side of {box}.",
-            "over a light pulley at the right edge of the top a light string joins {blocks.last} to {right}, which can move only in a smooth vertical guide fixed to that side of {box}.",
-            "in a smooth vertical guide fixed to the right side of {box} slides {right}, from which a light string runs up and over a light pulley at the edge of the top to {blocks.last}.",
+            "a light string from {blocks.last} runs to the right, over a light pulley at the edge and down to {right}, which slides in a smooth vertical guide on that side.",
+            "over a light pulley at the right edge a light string joins {blocks.last} to {right}, which can only slide in a smooth vertical guide on that side.",
+            "in a smooth vertical guide on the right side slides {right}, from which a light string runs up and over a light pulley at the edge to {blocks.last}.",
         ),
     )
     left_end = End(

@@ -20,9 +20,14 @@ class SpringMassIncline(Entity):
     words = {"stop": Word("plane.angle", {0.0: "a wall on its left"}, "a stop at the foot of the slope")}
     says = (
         either(
-            "{block} lies on {plane} and is joined to {stop} by {spring}.",
-            "on {plane} lies {block}, which {spring} joins to {stop}.",
-            "{plane} carries {block}; {spring} leads from it to {stop}.",
+            "{block} lies on {plane}.",
+            "on {plane} lies {block}.",
+            "{plane} carries {block}.",
+        ),
+        either(
+            "{spring} joins {block} to {stop}.",
+            "{block} is joined to {stop} by {spring}.",
+            "{spring} leads from {block} to {stop}.",
         ),
         FRICTION_ON_PLANE,
         AT_FIRST,

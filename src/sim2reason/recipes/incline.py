@@ -6,10 +6,10 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import Tier, grow
-from sim2reason.recipes.parts.ranges import NUMBERS, PRISM, WORDS
+from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
 
 ON_FACES = {"system": ("OnPlane", "OnWedge", "OnWedge")}
-SIMPLE = ({"TwoSideMassPlane": 2.0, "MassPrismPlane": 1.5},)
+SIMPLE = ({"TwoSideMassPlane": 1.0},)
 WIDE = ({"TwoSideMassPlane": 2.0, "MassPrismPlane": 1.5, "MassWithFixedPulley": 1.5, "StackedMassPlane": 1.5},)
 STACK = {"StackedMassPlane.friction": Range(0.1, 0.6), "top_friction": Range(0.1, 0.6), "StackedMassPlane.speed?": 0.3}
 TALL = {**STACK, "top?": 0.4, "top_friction?": 0.4}
@@ -23,7 +23,7 @@ TIERS = {
         spread=6.0,
         rough=0.5,
         more=0.3,
-        words=WORDS["easy"] + PRISM,
+        words=WORDS["easy"],
     ),
     "medium": Tier(
         Count(1, 2),

@@ -8,9 +8,9 @@ from sim2reason.recipes import Difficulty
 
 WORDS: Mapping[Difficulty, int] = {"easy": 75, "medium": 135, "hard": 205}
 """The longest text of a scene, without its question."""
-PRISM = 10
+PRISM = 25
 """Words more for scenes that else have no room for a prism."""
-TWO = 9
+TWO = 15
 """Words more for easy scenes that are always of two entities."""
 
 NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
