@@ -20,9 +20,9 @@ from sim2reason.figures.labels import placed
 from sim2reason.figures.layout_cost import Layout
 from sim2reason.figures.paths import Paths, Strand, flat, has_faces, is_pulley, whole
 from sim2reason.figures.pieces import PIECES, DrawingPlan, Piece, Sizes
-from sim2reason.figures.scaled.lines import coil
 from sim2reason.figures.scaled.piece import ScaledPiece
 from sim2reason.figures.shapes import SMALL, Drawing, LineShape, Shape, Sketch, Wanted, outline, width
+from sim2reason.figures.springs import spring
 from sim2reason.figures.vectors import box, mirrored
 from sim2reason.prose.writer import Description, describe
 
@@ -104,17 +104,19 @@ def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
             sketch.shapes[1:1] = _mounted(layout, name, piece)  # over the disc, to its axle
         found.extend(sketch)
     for strand, a, b in layout.strands:
-        found.shapes.append(_stroke(plan.scene, strand.string, a, b))
+        found.shapes += _strokes(plan.scene, strand.string, a, b)
     _speeds(layout, plan, found)
     return found
 
 
-def _stroke(scene: Scene, name: str, a: complex, b: complex) -> LineShape:
+def _strokes(scene: Scene, name: str, a: complex, b: complex) -> Iterator[LineShape]:
     """A strand as its connection looks."""
     look = scene.joints[name].connection.look if name in scene.joints else "string"
     if look == "spring":
-        return LineShape(coil(a, b), "thin")
-    return LineShape((a, b), "rod" if look == "rod" else "string")
+        line = next((line for line in scene.mechanism.lines if line.whole == name), None)
+        yield from (LineShape(part, "thin") for part in spring(a, b, line))
+    else:
+        yield LineShape((a, b), "rod" if look == "rod" else "string")
 
 
 def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:

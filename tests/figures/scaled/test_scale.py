@@ -114,12 +114,16 @@ def test_strings_run_from_an_arranged_machine_to_the_port_of_what_is_to_scale() 
     assert degrees((rod.points[1] - rod.points[0]) / -1j) == pytest.approx(LEANING * 180.0 / pi)
 
 
-def test_a_spring_between_a_block_and_a_hook_is_a_coil() -> None:
+def test_a_spring_between_a_block_and_a_hook_is_a_coil_with_its_dashpot_beside_it() -> None:
     plane = TwoSideMassPlane(plane=Plane(angle=30.0, friction=0.0), blocks=(Block(mass=1.0),))
     links = (Link(entity="p", port="right"), Link(entity="h", port="end"))
-    spring = CONNECTIONS["spring"](links=links, stiffness=40.0)  # type: ignore[call-arg]
-    drawn = drawing(scene_of(spring, p=plane, h=FixedSupport()))
-    assert any(isinstance(s, LineShape) and len(s.points) > 6 for s in drawn.shapes)
+    strokes = list[int]()
+    for damping in (0.0, 2.0):
+        spring = CONNECTIONS["spring"](links=links, stiffness=40.0, damping=damping)  # type: ignore[call-arg]
+        drawn = drawing(scene_of(spring, p=plane, h=FixedSupport()))
+        assert any(isinstance(s, LineShape) and len(s.points) > 6 for s in drawn.shapes)
+        strokes.append(sum(isinstance(s, LineShape) for s in drawn.shapes))
+    assert strokes[1] > strokes[0] + 4
 
 
 class Shaped(Body):

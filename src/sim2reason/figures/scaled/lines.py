@@ -13,11 +13,12 @@ from sim2reason.figures.scaled.rails import rides
 from sim2reason.figures.scaled.setting import Setting, vector
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Shape, Sketch, Wanted, dot_at, width
 from sim2reason.figures.shapes import LineShape as Stroke
-from sim2reason.figures.vectors import RIGHT, UP, Polygon, cross, dot, rectangle, unit
+from sim2reason.figures.springs import spring
+from sim2reason.figures.vectors import RIGHT, UP, cross, dot, rectangle, unit
 
-COIL, LOOPS, LEAD = 0.17, 0.26, 0.25  # of a spring: half its width, how long a loop is, the straight part at each end
 NAIL, PIVOT, PLATE = 0.07, 0.09, 0.25  # radius of a nail and of a pivot, and how far behind it a wall is
 ARROW = 1.2
+FINE = 0.2  # how long the straight pieces of an arc are
 NEAR = 1e-6
 
 
@@ -73,17 +74,36 @@ def _around(setting: Setting, line: Line, ends: tuple[str, str], found: Sketch) 
     whole = Arc(middle, round(abs(a), 6), weight="thin")  # rounded, since all bodies are on the same one
     if whole not in found.shapes:
         found.shapes.append(whole)
+        _radius(setting, ends, middle, found)
     turn = phase(b / a) % (2.0 * pi)
     clear = min(setting.radius(ends[0]) / abs(a), 0.3 * turn)
-    straight = coil(0j, complex(abs(a) * (turn - 2.0 * clear)))
-    bent = (middle + (abs(a) + p.imag) * unit(a) * rect(1.0, clear + p.real / abs(a)) for p in straight)
-    found.shapes.append(Stroke(tuple(bent), "thin"))
+    for straight in spring(0j, complex(abs(a) * (turn - 2.0 * clear)), line):
+        along = (p + share * (q - p) for p, q in pairwise(straight) for share in (*_shares(abs(q - p)), 1.0))
+        bent = (middle + (abs(a) + p.imag) * unit(a) * rect(1.0, clear + p.real / abs(a)) for p in along)
+        found.shapes.append(Stroke(tuple(bent), "thin"))
     body = setting.bodies.get(line.whole)
     if body is not None and body.letters:
         half, text = unit(a) * rect(1.0, 0.5 * turn), setting.plan.name(line.whole)
         places = (middle + (abs(a) + far) * half for far in (0.5, -0.5, 0.8, -0.8))
         found.labels.append(Wanted(text, tuple(places), line.whole))
     setting.drawn.add(line.whole)
+
+
+def _shares(long: float) -> Iterator[float]:
+    """Where a straight stroke that becomes an arc is divided."""
+    count = 1 + int(long / FINE)
+    return (n / count for n in range(count))
+
+
+def _radius(setting: Setting, ends: tuple[str, str], middle: complex, found: Sketch) -> None:
+    """The radius of a circle on which bodies turn, half way between two of them, if it is stated."""
+    a, b = (setting.at(end) - middle for end in ends)
+    owner = ends[0].split(".", maxsplit=1)[0]
+    text = setting.stated(owner, setting.mechanism.units.length, abs(a) / setting.view.scale)
+    if text:
+        rim = middle + a * rect(1.0, 0.5 * (phase(b / a) % (2.0 * pi)))
+        found.shapes.append(Stroke((middle, rim), "hair", arrow=True))
+        found.labels.append(Wanted(text, tuple(beside(middle, rim, text, SMALL)), owner, SMALL, name=False))
 
 
 def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
@@ -94,20 +114,9 @@ def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> I
         way, (first, last) = unit(b - a), line.through[number : number + 2]
         start, stop = setting.edge(first, way), setting.edge(last, -way)
         if look == "spring":
-            yield Stroke(coil(start, stop), "thin")
+            yield from (Stroke(part, "thin") for part in spring(start, stop, line))
         else:
             yield Stroke((start, stop), "rod" if look == "rod" else "string")
-
-
-def coil(a: complex, b: complex) -> Polygon:
-    """A zigzag from `a` to `b`."""
-    way, long = unit(b - a), abs(b - a)
-    lead = min(LEAD, 0.15 * long)
-    count = max(4, min(14, round((long - 2.0 * lead) / LOOPS)))
-    step = (long - 2.0 * lead) / count
-    across = COIL * way * 1j
-    zigzag = (a + way * (lead + (n + 0.5) * step) + across * (1.0 if n % 2 else -1.0) for n in range(count))
-    return (a, a + lead * way, *zigzag, b - lead * way, b)
 
 
 def _named(setting: Setting, address: str, points: list[complex]) -> list[Wanted]:
