@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
 from sim2reason.simulation.engines.mujoco.hard_margins import DISTANCES, ActingModel, Due
-from sim2reason.simulation.engines.mujoco.hard_record import Knot, Quintic
+from sim2reason.simulation.engines.mujoco.hard_record import TOGETHER, Knot, Quintic
 
 TOLERANCE = 2e-8  # of a step, relative
 DRIFT = 1e-5  # how far below zero a margin may begin, as steps and impacts leave it
@@ -52,12 +52,24 @@ class EventSearch:
         for _ in range(SOUGHT):
             tried = extrapolated(self._acting.rate, start.time, start.values, start.rates, x * self._span, TOLERANCE)
             here, margins = self._acting.knot(start.time + x * self._span, tried.values)
-            slope = (self._left(x + WIDTH) - self._left(x - WIDTH)) / (2.0 * WIDTH)
-            change = -self._worst(margins) / slope if slope else 0.0
+            change = self._change(x, margins)
             if abs(change) * self._span <= CLOSE * duration or not 0.0 < x + change <= 1.2:
                 break
             x += change
         return here, self._simultaneous(margins, duration)
+
+    def _change(self, x: float, margins: list[Due]) -> float:
+        """By how much of the step to go on, or back, to where nothing is left: by Newton's method.
+
+        How fast two points come together is known; once they part they have met, and that was on the other side.
+        """
+        short = self._worst(margins)
+        for due, room in zip(margins, self._room, strict=True):
+            if due.kind == "reach" and due.value + room == short:
+                rate = self._acting.record.run_rate(due.number) * self._span
+                return -(short + (2.0 * TOGETHER if rate > 0.0 else 0.0)) / rate if rate else 0.0
+        slope = (self._left(x + WIDTH) - self._left(x - WIDTH)) / (2.0 * WIDTH)
+        return -short / slope if slope else 0.0
 
     def _arm(self, x: float) -> bool:
         """Whether margins that began as nothing were more than that at a fraction of the step: such count from zero."""

@@ -147,6 +147,15 @@ class HardRecord:
         apart, way = self._model.place(last) - self._model.place(first), self._ways[number]
         return float(np.linalg.norm(apart) - TOGETHER if way is None else apart @ np.array(way) - MEET)
 
+    def run_rate(self, number: int) -> float:
+        """How fast the ends of a piece part, m/s, in the state at which the model stands."""
+        first, last = (self._model.site(name) for name in self.runs[number])
+        apart, parting = last.place - first.place, last.velocity - first.velocity
+        way, far = self._ways[number], float(np.linalg.norm(apart))
+        if way is None and far == 0.0:
+            return -float(np.linalg.norm(parting))
+        return float((apart / far if way is None else np.array(way)) @ parting)
+
     @property
     def last(self) -> Knot:
         """The latest knot."""
