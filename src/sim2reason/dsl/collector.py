@@ -26,7 +26,7 @@ from sim2reason.dsl.mechanism import (
     Wheel,
 )
 from sim2reason.dsl.units import SI, UnitSystem
-from sim2reason.dsl.vectors import Vector, add, scale
+from sim2reason.dsl.vectors import Vector, add
 from sim2reason.errors import SceneError
 
 Axes = tuple[Vector, Vector, Vector]
@@ -94,7 +94,8 @@ class Collector:
 
     def relative(self, body: str | None, where: Vector) -> Vector:
         """A point of the room as seen from a body's centre of mass at the start."""
-        return add(where, scale(-1.0, self._origin[body]))
+        origin = self._origin[body]
+        return (where[0] - origin[0], where[1] - origin[1], where[2] - origin[2])
 
     def add_body(self, body: RigidBody) -> None:
         """Enter a body; its name must be new."""
@@ -105,12 +106,18 @@ class Collector:
     def add_coordinate(self, coordinate: Coordinate) -> None:
         """Give a body one more way to move, unless it is glued; SceneError for one that is welded and told to move."""
         found = self._bodies[coordinate.body]
-        if self._is_welded(found) and coordinate.speed != 0.0:
+        welded = self._is_welded(found)
+        if welded and coordinate.speed != 0.0:
             raise SceneError(coordinate.body, "it is welded and can not move at the start", "leave out how it starts")
-        if coordinate.body not in self._glued and not self._is_welded(found):
-            self._bodies[coordinate.body] = replace(found, coordinates=(*found.coordinates, coordinate))
+        if coordinate.body not in self._glued and not welded:
+            ways = (*found.coordinates, coordinate)
+            self._bodies[coordinate.body] = RigidBody(
+                found.name, found.parent, found.at, found.mass, found.center, found.inertia, ways
+            )
 
     def _is_welded(self, body: RigidBody) -> bool:
+        if not self.welded:
+            return False
         owner = body.name.split(".", maxsplit=1)[0]
         return owner in self.welded and body.parent == self.welded[owner]
 

@@ -17,6 +17,9 @@ def unit(vector: Vector) -> Vector:
 
 def add(*vectors: Vector) -> Vector:
     """The sum of vectors."""
+    if len(vectors) == 2:  # as nearly always
+        a, b = vectors
+        return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
     x = y = z = 0.0
     for vector in vectors:
         x, y, z = x + vector[0], y + vector[1], z + vector[2]
