@@ -116,11 +116,11 @@ RELEASES = (
     "at first everything is held at rest{taut}, then released.",
     "the motion starts from rest{taut}.",
     "the system is let go from rest{taut}.",
-    "all bodies are at rest at first{taut}.",
+    "all bodies are held at rest at first{taut}.",
     "until t = 0 everything is held at rest{taut}.",
     "the system starts from rest{taut}.",
     "the bodies are held at rest{taut}, and then let go.",
-    "to begin with, everything is at rest{taut}.",
+    "to begin with, everything is held at rest{taut}.",
 )
 LONE_RELEASES = (
     "the motion starts from rest{taut}.",

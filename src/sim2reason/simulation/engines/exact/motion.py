@@ -63,8 +63,8 @@ class Motion:
     @cached_property
     def _widths(self) -> tuple[int, int, int]:
         """How many coordinates, lines that are rows, and contacts there are."""
-        kinds = self.segments[0].kinds
-        return len(self.mechanism.coordinates), sum(_is_line(kind) for kind in kinds), len(self.mechanism.faces)
+        mechanism = self.mechanism
+        return len(mechanism.coordinates), len(mechanism.constraints), len(mechanism.faces)
 
     @cached_property
     def _table(self) -> Array:
@@ -99,7 +99,7 @@ class Motion:
                 if here.any():
                     self._fill(segment, times[here], here, (q, v, a, forces))
         contacts = list(self.mechanism.contacts)
-        names = [kind.name for kind in self.segments[0].kinds if _is_line(kind)]
+        names = [line.name for line in self.mechanism.constraints]
         tension = dict(zip(names, forces[:lines], strict=True))
         state = State(
             mechanism=self.mechanism,
@@ -130,7 +130,3 @@ class Motion:
         known = [*segment.found.rows[:lines], *segment.found.normal, *segment.found.friction]
         found_forces[np.isnan(known)] = nan
         forces[:, here] = found_forces
-
-
-def _is_line(kind: RowKind) -> bool:
-    return kind.kind in ("string", "rod", "prop")

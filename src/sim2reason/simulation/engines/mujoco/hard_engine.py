@@ -25,7 +25,7 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
     """The motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
     motion: HardMotion | None = None
     try:
-        with np.errstate(over="raise", invalid="ignore"):
+        with np.errstate(over="raise"):
             motion = HardMotion(mechanism, times)
             while motion.advance():
                 if len(motion.record.stretches) > SEGMENTS:

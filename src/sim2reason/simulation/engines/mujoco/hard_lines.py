@@ -104,31 +104,23 @@ class Lines:
         return moved
 
 
-class Pulls(Lines):
-    """The lines whose tension follows from their length and its rate: springs, and strings that a hand draws."""
+class Pulls:
+    """What lines pull with whose tension follows from their length and its rate: springs, and what a hand draws."""
 
-    def __init__(
-        self,
-        lines: tuple[Line, ...],
-        sites: dict[str, int],
-        index: dict[str, int],
-        model: Any,  # noqa: ANN401 - MuJoCo's
-        *,
-        straight: bool,
-    ) -> None:
-        """As `Lines` has it."""
-        super().__init__(lines, sites, index, model, straight=straight)
-        laws = [line.law for line in lines]
+    def __init__(self, lines: Lines) -> None:
+        """Their laws, as arrays."""
+        self._lines = lines
+        laws = [line.law for line in lines.lines]
         self._given, self._stiffness, self._natural, self._damping = (
             np.array([getattr(law, name, 0.0) for law in laws]) for name in ("force", "stiffness", "length", "damping")
         )
 
     def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
         """The load on the joints, (joints,), of all lines but those that are `idle`."""
-        values, gradients, _ = self.lengths(data, q)
+        values, gradients, _ = self._lines.lengths(data, q)
         tension = self._given + self._stiffness * (values - self._natural)
         if self._damping.any():
             tension += self._damping * (gradients @ v)
         if idle:
-            tension *= [line not in idle for line in self.lines]
+            tension *= [line not in idle for line in self._lines.lines]
         return np.asarray(-tension @ gradients, dtype=np.float64)

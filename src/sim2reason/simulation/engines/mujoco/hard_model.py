@@ -46,7 +46,8 @@ class HardModel:
         compiled_in = self._site_id, self.index, self._model
         pulls = tuple(line for line in mechanism.lines if not line.law.row)
         self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight)
-        self._pulls = Pulls(pulls, *compiled_in, straight=self._straight)
+        self._drawn = Lines(pulls, *compiled_in, straight=self._straight)
+        self._pulls = Pulls(self._drawn)
         self._attracted = Attractions(mechanism.attractions, self._body_id, self._model, straight=self._straight)
         self.slips = self._slips()
         self._light = [burn.body for burn in mechanism.burns]
@@ -115,6 +116,8 @@ class HardModel:
         found = np.zeros_like(sides)
         mujoco.mj_solveM(self._model, self._data, found, sides)
         free, given = found[0], found[1:]
+        if not np.isfinite(found).all():  # a part without mass
+            return None
         if len(targets) > 1:
             pulls = quick(gradients @ given.T, gradients @ free - targets)
             return None if pulls is None else np.asarray(free - pulls @ given, dtype=np.float64)
@@ -170,7 +173,7 @@ class HardModel:
         """All that acts but constraints, (joints,): gravity and inertia by the library, the rest by its Jacobians."""
         total = -np.array(self._data.qfrc_bias)
         mechanism = self.mechanism
-        if self._pulls.lines:
+        if self._drawn.lines:
             halves = zip(mechanism.half_springs, self._situation.strained, strict=True)
             total += self._pulls.load(self._data, self.q, self.v, [line for (line, _), on in halves if not on])
         for number, force in enumerate(mechanism.forces):
@@ -234,12 +237,12 @@ class HardModel:
         gradient, bias = found.gradients[number], float(bends[number])
         rate, over = float(gradient @ self.v), float(found.values[number] - self._starts[number])
         if isinstance(line.law, Prop):
-            return Row("prop", line.name, -gradient, over, -rate, bias)
+            return Row(line.law.row, line.name, -gradient, over, -rate, bias)
         if isinstance(line.law, Rigid):
-            return Row("rod", line.name, gradient, -over, rate, -bias)
+            return Row(line.law.row, line.name, gradient, -over, rate, -bias)
         assert isinstance(line.law, Inextensible)
         spare = line.law.slack - over - line.law.reel * self.time
-        return Row("string", line.name, gradient, spare, rate + line.law.reel, -bias)
+        return Row(line.law.row, line.name, gradient, spare, rate + line.law.reel, -bias)
 
     def separation(self, meeting: Meeting) -> tuple[float, float, Array, float]:
         """The gap of a meeting, its rate, gradient and second derivative at q̈ = 0."""
@@ -265,8 +268,8 @@ class HardModel:
     def strain(self, number: int) -> tuple[float, float]:
         """How far a spring that acts one way is on the side where it does, m, and the rate of that."""
         line, law = self.mechanism.half_springs[number]
-        place = self._pulls.lines.index(line)
-        found = self._pulls.lengths(self._data, self.q)
+        place = self._drawn.lines.index(line)
+        found = self._drawn.lengths(self._data, self.q)
         length, rate = float(found.values[place]), float(found.gradients[place] @ self.v)
         return law.side * (length - law.length), law.side * rate
 
