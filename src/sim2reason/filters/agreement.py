@@ -2,8 +2,6 @@
 
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.questions import KINDS
-from sim2reason.simulation.certify import Certificate
-from sim2reason.simulation.channels import Channel
 
 
 class Agreement:
@@ -13,33 +11,9 @@ class Agreement:
     order = 0
 
     def reason(self, candidate: Candidate) -> str:
-        """The asked channels must be certified at the asked moment; at an event, up to and beyond it."""
-        certificate, query = candidate.certificate, candidate.question.query
-        kind, moment = KINDS[query.kind], query.moment
-        time = kind.time(query, candidate.study)
-        if certificate is None or time is None:
-            return "the engines do not agree that the moment comes"
-        at_event = moment is not None and moment.event
-        if time >= certificate.stable_until and time > 0.0 and not (at_event and _seen_by_both(certificate, time)):
-            return certificate.reason or "the moment comes after the certified stretch"
-        for channel in moment.channels if moment is not None else ():
-            if not certificate.covers(channel, time):
-                return f"the engines disagree on the {channel.quantity} that the moment hangs on"
-        agreed = all(_agreed(certificate, channel, time, at_event=at_event) for channel in kind.channels(query))
-        return "" if agreed else "the engines disagree on what is asked"
-
-
-def _seen_by_both(certificate: Certificate, time: float) -> bool:
-    """Whether an event, such as the one that ends the description, is among those that both engines saw."""
-    return any(match.event.time == time for match in certificate.matched)
-
-
-def _agreed(certificate: Certificate, channel: Channel, time: float, *, at_event: bool) -> bool:
-    """Whether both engines vouch for a channel; samples right at an event are not compared, those around it are."""
-    if not at_event:
-        return certificate.covers(channel, time)
-    until = certificate.until.get(channel, -1.0)
-    return until > time or (_seen_by_both(certificate, time) and until >= certificate.stable_until)
+        """What the kind of question doubts."""
+        query = candidate.question.query
+        return KINDS[query.kind].doubt(query, candidate.study, candidate.certificate)
 
 
 FILTERS.add("agreement", Agreement())

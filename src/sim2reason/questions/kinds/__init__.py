@@ -10,6 +10,7 @@ import numpy as np
 
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import at
+from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then
 from sim2reason.questions.query import Query
@@ -17,6 +18,7 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
 from sim2reason.registry import Registry
+from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 
 SAME = 2e-3  # relative: what rounds to the same three digits
@@ -69,6 +71,14 @@ class Kind(ABC):
     def channels(self, query: Query) -> tuple[Channel, ...]:
         """What both engines must agree on at that time; by default what is asked about."""
         return (Channel(query.target.subject, query.target.quantity),) if query.target is not None else ()
+
+    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+        """Why both engines don't vouch for the answer, in a few words; empty if they do.
+
+        By default its channels must be certified from the start to its time. The certificate is None if no second
+        engine was heard.
+        """
+        return doubt(certificate, self.time(query, study), query.moment, self.channels(query))
 
     def measured(self, query: Query) -> Measured:
         """What the answer is; by default the quantity that is asked about."""
