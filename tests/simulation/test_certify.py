@@ -90,7 +90,9 @@ def test_a_force_of_the_wrong_sign_is_noticed_at_once() -> None:
     assert certificate.stable_until == 0.0
     assert certificate.reason == "the engines disagree on the friction force of block"
     assert not certificate.covers(Channel("block", "friction force"), 0.01)
-    certificate = against(machines.atwood(2.0, 2.2), lambda s: replace(s, tension={"rope": -s.tension["rope"]}))
+    certificate = against(
+        machines.atwood(2.0, 2.2), lambda s: replace(s, constraint_tension={"rope": -s.tension["rope"]})
+    )
     assert certificate.reason == "the engines disagree on the tension of rope"
 
 
@@ -175,7 +177,7 @@ def test_a_witness_that_ends_sooner_ends_the_certificate() -> None:
 
 def test_what_one_engine_leaves_open_is_not_compared() -> None:
     def unknown(state: State) -> State:
-        return replace(state, tension={"rope": np.where(state.times > 0.4, np.nan, state.tension["rope"])})
+        return replace(state, constraint_tension={"rope": np.where(state.times > 0.4, np.nan, state.tension["rope"])})
 
     certificate = against(machines.atwood(2.0, 2.2), unknown)
     assert certificate.stable_until == 2.0

@@ -24,12 +24,36 @@ def ramp(mass: float = 2.0, angle: float = 30.0, friction: float = 0.0, speed: f
 
 def atwood(left: float = 3.0, right: float = 2.0) -> Scene:
     """Two hanging blocks on a string over light fixed pulleys."""
-    ends = tuple(
-        Named(name=name, entity=MassWithFixedPulley(system=Hanging(blocks=(Block(mass=mass),)), pulley=FixedPulley()))
-        for name, mass in (("one", left), ("other", right))
+    return _over_pulleys((left, right), (None, None))
+
+
+def massive(mass: float) -> Scene:
+    """Blocks of 3 kg and 2 kg on a string over a uniform disc of some mass and a light pulley."""
+    return _over_pulleys((3.0, 2.0), (mass, None))
+
+
+def _over_pulleys(blocks: tuple[float, float], pulleys: tuple[float | None, float | None]) -> Scene:
+    ends = tuple(_hanging(name, *sizes) for name, *sizes in zip(("one", "other"), blocks, pulleys, strict=True))
+    return _joined(*ends)
+
+
+def half_atwood() -> Scene:
+    """A block of 2 kg on a smooth slope of 30°, and one of 3 kg that hangs from a string to it."""
+    entity = TwoSideMassPlane(plane=Plane(angle=30.0, friction=0.0), blocks=(Block(mass=2.0),))
+    return _joined(Named(name="ramp", entity=entity), _hanging("other", 3.0, None))
+
+
+def _hanging(name: str, mass: float, pulley: float | None) -> Named:
+    disc = FixedPulley() if pulley is None else FixedPulley(mass=pulley)
+    return Named(name=name, entity=MassWithFixedPulley(system=Hanging(blocks=(Block(mass=mass),)), pulley=disc))
+
+
+def _joined(one: Named, other: Named) -> Scene:
+    links = (
+        Link(entity=one.name, port="right" if one.name == "ramp" else "tail"),
+        Link(entity=other.name, port="tail"),
     )
-    links = tuple(Link(entity=end.name, port="tail") for end in ends)
-    return Scene(entities=ends, connections=(CONNECTIONS["tendon"](links=links),))
+    return Scene(entities=(one, other), connections=(CONNECTIONS["tendon"](links=links),))
 
 
 def table(restitution: float = 0.5, speed: float = 2.0, tilt: float = 0.0) -> Scene:

@@ -22,6 +22,16 @@ class Answer(Record):
     tolerance: float = 0.05
 
 
+class Distractor(Record):
+    """A wrong answer that somebody could give, in the unit of the right one."""
+
+    value: FiniteFloat
+    simplification: str
+    """The slip that leads to it, by its registered name."""
+    reason: str
+    """What is wrong about it."""
+
+
 class QueryRecord(Record):
     """What the question asks for: a quantity of a subject, at a time (s) or an event."""
 
@@ -58,6 +68,10 @@ class Item(Record):
     entities: tuple[str, ...]
     """The types of the scene's entities, in the scene's order."""
     asked: QueryRecord
+    distractors: tuple[Distractor, ...] = ()
+    """Wrong answers with their reasons, each beyond the tolerance."""
+    idle: tuple[str, ...] = ()
+    """What of the scene has no bearing on the answer, as the prompt calls it."""
     scene: str
     """The scene as YAML."""
     certificate: dict[str, JsonValue]

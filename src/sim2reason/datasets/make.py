@@ -6,6 +6,7 @@ from collections import Counter
 
 from pydantic import JsonValue
 
+from sim2reason.datasets.distractors import distractors, idle_parts
 from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
 from sim2reason.datasets.plan import Made, Request, versions
 from sim2reason.datasets.question_search import (
@@ -36,7 +37,7 @@ def make(request: Request) -> Made:
         rng = generator(request.recipe, request.difficulty, request.mode, request.seed, request.index, attempt)
         try:
             scene = recipe(difficulty, rng)
-            found = QuestionSearch(scene, int(rng.random() * 2**31)).ask(mode, rng, rejected)
+            found = QuestionSearch(scene, int(rng.random() * 2**31), difficulty).ask(mode, rng, rejected)
         except (SceneError, SimulationError, UnsupportedError) as error:
             rejected[type(error).__name__.removesuffix("Error").lower()] += 1
             continue
@@ -52,7 +53,9 @@ def item_of(request: Request, scene: Scene, found: CertifiedQuestion) -> Item:
     return Item(
         id=request.id,
         prompt=found.prompt,
-        answer=Answer(value=question.answer, unit=question.unit, sign=question.sign),
+        answer=Answer(
+            value=question.answer, unit=question.unit, sign=question.sign, tolerance=found.candidate.tolerance
+        ),
         mode=request.mode,
         kind=query.kind,
         recipe=request.recipe,
@@ -64,6 +67,8 @@ def item_of(request: Request, scene: Scene, found: CertifiedQuestion) -> Item:
             time=kind.time(query, found.study),
             event=query.moment.label if query.moment is not None else None,
         ),
+        distractors=distractors(found.candidate, found.description),
+        idle=idle_parts(found.candidate, found.description),
         scene=dump(scene),
         certificate=summary(found.certificate),
         provenance=Provenance(

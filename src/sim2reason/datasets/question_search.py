@@ -12,6 +12,7 @@ from sim2reason.prose.writer import Description, describe
 from sim2reason.questions import KINDS, Mode, Query, Question, Study, Words
 from sim2reason.questions.prompt import prompt, words_of
 from sim2reason.questions.study import BEYOND
+from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
 
 SAMPLES = 41
@@ -23,10 +24,20 @@ QUESTIONS = 4  # tries
 class CertifiedQuestion:
     """A question that passed, with its text and what vouches for its answer."""
 
-    question: Question
-    prompt: str
+    candidate: Candidate
     study: Study  # its motion is recorded beyond what is asked, and cut where the engines part
     certificate: Certificate
+    description: Description
+
+    @property
+    def question(self) -> Question:
+        """The question with its answer."""
+        return self.candidate.question
+
+    @property
+    def prompt(self) -> str:
+        """The whole text."""
+        return self.candidate.prompt
 
 
 class QuestionSearch:
@@ -36,8 +47,9 @@ class QuestionSearch:
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
 
-    def __init__(self, scene: Scene, wording: int) -> None:
+    def __init__(self, scene: Scene, wording: int, difficulty: Difficulty = "medium") -> None:
         """`wording` is the seed of the text."""
+        self._difficulty: Difficulty = difficulty
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._wording = wording
         self._vouched: tuple[Study, Certificate] | None = None
@@ -74,12 +86,18 @@ class QuestionSearch:
             if question is None:
                 refused["nothing to ask"] += 1
                 continue
-            candidate = Candidate(self.study, question, prompt(description, question, rng), description.sentences)
+            candidate = Candidate(
+                self.study,
+                question,
+                prompt(description, question, rng),
+                description.sentences,
+                difficulty=self._difficulty,
+            )
             verdict = sift(candidate, witnessed=False)
             if verdict.keep:
                 study, certificate = self._certified(question.query)
                 verdict = sift(replace(candidate, certificate=certificate), witnessed=True)
                 if verdict.keep:
-                    return CertifiedQuestion(question, candidate.prompt, study, certificate)
-            refused[verdict.filter] += 1
+                    return CertifiedQuestion(candidate, study, certificate, description)
+            refused[verdict.counted] += 1
         return None

@@ -28,6 +28,8 @@ SCHEMA = pa.schema(
         "difficulty": TEXT,
         "entities": pa.list_(TEXT),
         "asked": pa.struct({"subject": TEXT, "quantity": TEXT, "time": REAL, "event": TEXT}),
+        "distractors": pa.list_(pa.struct({"value": REAL, "simplification": TEXT, "reason": TEXT})),
+        "idle": pa.list_(TEXT),
         "scene": TEXT,
         "certificate": TEXT,
         "provenance": pa.struct(

@@ -1,14 +1,17 @@
 """What a mechanism can do from where it stands, with every string taut and every face in touch."""
 
 from itertools import pairwise
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import Inextensible, Mechanism, Rigid
+from sim2reason.dsl.frames import BodyFrame, Frames, start
+from sim2reason.dsl.mechanism import ZERO, Inextensible, Mechanism, Rigid
+from sim2reason.dsl.points import Point
 
 SMALL = 1e-9  # of a velocity of 1 m/s or 1 rad/s
+EVEN = 1e-9  # what is vertical in a level direction
 
 
 def stuck_bodies(mechanism: Mechanism) -> tuple[str, ...]:
@@ -62,3 +65,24 @@ def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
         return np.eye(size)
     _, sizes, ways = np.linalg.svd(np.array(rows))
     return ways[int((sizes > SMALL).sum()) :]
+
+
+def weighs(mechanism: Mechanism) -> bool:
+    """Whether g can matter: something presses on a face, or rises and falls as it slides or turns."""
+    if mechanism.gravity == ZERO:
+        return False
+    if mechanism.contacts:
+        return True
+    frames = start(mechanism)
+    return any(_rises(frames[body.name], frames.center(body.name)) for body in mechanism.bodies if body.mass > 0.0)
+
+
+def _rises(frame: BodyFrame, center: Point) -> bool:
+    """Whether some coordinate can move a point up or down, now or once others have turned it."""
+    for step in frame.steps:
+        if step.pivot is None:
+            if abs(step.axis[2]) > EVEN or any(abs(hinge.axis[2]) < 1.0 - EVEN for hinge in frame.hinges):
+                return True
+        elif abs(step.axis[2]) < 1.0 - EVEN and hypot(*center.gradient[step.number]) > EVEN:
+            return True
+    return False

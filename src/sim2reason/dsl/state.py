@@ -1,7 +1,7 @@
 """What a motion looks like to whoever reads it: arrays over time, the same from every engine."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
@@ -29,7 +29,7 @@ class State:
     q: Array  # m or rad
     v: Array
     a: Array
-    tension: Mapping[str, Array]  # by line, N; of a rod or a spring negative where it pushes
+    constraint_tension: Mapping[str, Array]  # N, by line that gives an equation; of a rod negative where it pushes
     normal: Mapping[str, Array]  # by the body that rests, N, ≥ 0 unless its face holds both ways
     friction: Mapping[str, Array]  # by the body that rests, N, on that body, positive along its slip
 
@@ -47,6 +47,21 @@ class State:
     def known(self) -> "dict[tuple[str, str], Array]":
         """What quantities have been read off it, by quantity and subject, for those that build on them."""
         return {}
+
+    @cached_property
+    def tension(self) -> Mapping[str, Array]:
+        """By line, N; of a rod or a spring negative where it pushes. Springs and hands give theirs by their own law."""
+        given = [line for line in self.mechanism.lines if not line.law.row]
+        return {**self.constraint_tension, **{line.name: self._given(line) for line in given}}
+
+    def _given(self, line: Line) -> Array:
+        law = line.law
+        if isinstance(law, Drawn):
+            return np.full(len(self.times), law.force)
+        assert isinstance(law, Elastic)
+        length, rate = self.free_length(line)
+        tension = law.stiffness * (length - law.length) + law.damping * rate
+        return np.where(law.side * tension >= 0.0, tension, 0.0)
 
     def mass(self, body: str) -> Array | float:
         """The mass of a body: of one that burns, what is left at each instant, (n,)."""
@@ -83,20 +98,3 @@ class State:
             number = self.mechanism.number[wheel.coordinate]
             length, rate = length + wheel.radius * self.q[:, number], rate + wheel.radius * self.v[:, number]
         return length, rate
-
-
-def with_given_tensions(state: State) -> State:
-    """The state with the tension of the lines whose own law gives it: of springs, and of what a hand draws."""
-    given = [line for line in state.mechanism.lines if not line.law.row]
-    if not given:
-        return state
-    found = dict(state.tension)
-    for line in given:
-        law = line.law
-        if isinstance(law, Drawn):
-            found[line.name] = np.full(len(state.times), law.force)
-        elif isinstance(law, Elastic):
-            length, rate = state.free_length(line)
-            tension = law.stiffness * (length - law.length) + law.damping * rate
-            found[line.name] = np.where(law.side * tension >= 0.0, tension, 0.0)
-    return replace(state, tension=found)

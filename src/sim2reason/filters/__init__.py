@@ -1,11 +1,18 @@
 """Filters: each drops questions for one reason, which the manifest of a dataset counts."""
 
 from dataclasses import dataclass
+from functools import cached_property
+from math import inf, isfinite
 from typing import Protocol
 
-from sim2reason.questions import Question, Study
+from sim2reason.questions import KINDS, Kind, Question, Study
+from sim2reason.questions.study import BEYOND
+from sim2reason.recipes import Difficulty
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
+
+TOLERANCE = 0.05
+"""The relative error that an answer may have, by default: that of the paper."""
 
 
 @dataclass(frozen=True)
@@ -17,6 +24,42 @@ class Candidate:
     prompt: str
     sentences: tuple[str, ...] = ()  # of the scene's text
     certificate: Certificate | None = None  # once the witness has been heard
+    difficulty: Difficulty = "medium"
+    tolerance: float = TOLERANCE
+
+    @property
+    def kind(self) -> Kind:
+        """The kind of the question."""
+        return KINDS[self.question.query.kind]
+
+    @cached_property
+    def time(self) -> float | None:
+        """When all that the answer depends on has happened, s."""
+        return self.kind.time(self.question.query, self.study)
+
+    @property
+    def until(self) -> float | None:
+        """How far motions of scenes like this one are followed, s."""
+        return None if self.time is None else BEYOND * self.time
+
+    def response(self, other: Study | None) -> float | None:
+        """The answer to the same question about a changed scene; None if it has none there."""
+        if other is None:
+            return None
+        query = self.question.query
+        time = self.kind.time(query, other)
+        if time is None or time > other.trace.stable_until:
+            return None
+        found = self.kind.answer(query, other)
+        return found if found is not None and isfinite(found) else None
+
+    def change(self, other: Study | None) -> float:
+        """The relative change of the answer in a changed scene; infinite if it has none there."""
+        return self.change_to(self.response(other))
+
+    def change_to(self, answer: float | None) -> float:
+        """The relative change of the answer to another one; infinite to none."""
+        return inf if answer is None else abs(answer / self.question.answer - 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +70,12 @@ class Verdict:
     filter: str
     reason: str = ""
 
+    @property
+    def counted(self) -> str:
+        """Under which name a manifest counts it: the filter's, and the cause if the reason names one."""
+        cause, colon, _ = self.reason.partition(": ")
+        return f"{self.filter}: {cause}" if colon else self.filter
+
 
 class Filter(Protocol):
     """One reason to drop a question. `needs_witness` filters run last, since the witness costs most."""
@@ -35,7 +84,10 @@ class Filter(Protocol):
     order: int
 
     def reason(self, candidate: Candidate) -> str:
-        """Why the question must go, in a few words; empty if it may stay."""
+        """Why the question must go, in a few words; empty if it may stay.
+
+        Where a manifest should count several causes apart, the cause stands first, before a colon.
+        """
         ...
 
 

@@ -15,7 +15,7 @@ class HiddenNumbers:
     """With every free length at the low end of its range, the moment comes later than the motion goes."""
 
     needs_witness = False
-    order = 1
+    order = 5
 
     def reason(self, candidate: Candidate) -> str:
         """Solve the scene with its strings as short as they may be drawn, and ask again."""

@@ -2,13 +2,10 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import hypot
 
-from sim2reason.dsl.frames import BodyFrame, Point, start
-from sim2reason.dsl.mechanism import ZERO, Inextensible
+from sim2reason.dsl.mechanism import Inextensible
+from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.scene import Scene
-
-EVEN = 1e-9  # what is vertical in a level direction
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,27 +83,6 @@ def _has_faces(scene: Scene) -> bool:
 
 def _has_both(scene: Scene) -> bool:
     return _turns(scene) > 0 and _has_edges(scene)
-
-
-def _weighs(scene: Scene) -> bool:
-    """Whether g can matter: something presses on a face, or rises and falls as it slides or turns."""
-    mechanism, frames = scene.mechanism, start(scene.mechanism)
-    if mechanism.gravity == ZERO:
-        return False
-    return bool(mechanism.contacts) or any(
-        _rises(frames[body.name], frames.center(body.name)) for body in mechanism.bodies if body.mass > 0.0
-    )
-
-
-def _rises(frame: BodyFrame, center: Point) -> bool:
-    """Whether some coordinate can move a point up or down, now or once others have turned it."""
-    for step in frame.steps:
-        if step.pivot is None:
-            if abs(step.axis[2]) > EVEN or any(abs(hinge.axis[2]) < 1.0 - EVEN for hinge in frame.hinges):
-                return True
-        elif abs(step.axis[2]) < 1.0 - EVEN and hypot(*center.gradient[step.number]) > EVEN:
-            return True
-    return False
 
 
 RELEASES = (
@@ -221,7 +197,7 @@ CLOSINGS: tuple[Closing, ...] = (
     ),
     Closing(
         "g",
-        _weighs,
+        lambda scene: weighs(scene.mechanism),
         (
             "take g = {world.gravity}.",
             "use g = {world.gravity}.",

@@ -1,6 +1,6 @@
 """A scene under study: its recorded motion, and those of scenes like it."""
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from typing import Protocol, Self
 
 import numpy as np
@@ -13,6 +13,7 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, Trace
 
 SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
+ENOUGH = 1e-8  # relative: what a step may err by in a motion that is only compared with this one
 BEYOND = 1.1  # times the moment that is asked about, to which variants and the witness follow a motion
 
 
@@ -31,7 +32,7 @@ class Study:
         """`trace` is the motion of `scene`, as the recorded engine has it."""
         self.scene, self.trace = scene, trace
         self._times: dict[Timed, float | None] = {}
-        self._variants: dict[Scene, tuple[Study | None, float]] = {}  # and until when they are known
+        self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
 
     @classmethod
     def of(cls, scene: Scene, times: Array) -> Self:
@@ -55,13 +56,28 @@ class Study:
 
     def variant(self, scene: Scene, until: float | None = None) -> "Study | None":
         """A changed scene with its motion until a time, s, by default as long as this one's; None if there is none."""
+        return self._followed(scene, lambda: (scene, scene.mechanism), until)
+
+    def changed(self, change: Hashable, make: Callable[[], Mechanism], until: float | None = None) -> "Study | None":
+        """The scene with a changed mechanism, as `make` gives it, and its motion; `change` names it among all."""
+        return self._followed(change, lambda: (self.scene, make()), until)
+
+    def _followed(
+        self, key: object, make: Callable[[], tuple[Scene, Mechanism]], until: float | None
+    ) -> "Study | None":
         end = float(self.trace.state.times[-1])
         until = end if until is None else min(max(until, SHORTEST * end), end)
-        known, reaches = self._variants.get(scene, (None, -1.0))
+        known, reaches = self._variants.get(key, (None, -1.0))
         if reaches < until:
             try:
-                known = Study.of(scene, np.array([0.0, until]))
+                known = _made(*make(), until)
             except (SceneError, SimulationError, UnsupportedError):
                 known = None
-            self._variants[scene] = known, until
+            self._variants[key] = known, until
         return known
+
+
+def _made(scene: Scene, mechanism: Mechanism, until: float) -> Study | None:
+    if not mechanism.coordinates:
+        return None
+    return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), ENOUGH))

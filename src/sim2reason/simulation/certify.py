@@ -241,7 +241,7 @@ def _joined(a: State, b: State) -> State:
         np.concatenate([a.q, b.q]),
         np.concatenate([a.v, b.v]),
         np.concatenate([a.a, b.a]),
-        forces(a.tension, b.tension),
+        forces(a.constraint_tension, b.constraint_tension),
         forces(a.normal, b.normal),
         forces(a.friction, b.friction),
     )

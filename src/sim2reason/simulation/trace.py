@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 
@@ -89,5 +90,18 @@ def _unsampled() -> State:
     raise ValueError("this trace was read from a file: it holds only its samples")
 
 
-Engine = Callable[[Mechanism, Array], Trace]  # times, strictly increasing from 0, in seconds
+FINEST = 1e-11  # relative: what a step of an integrator errs by, unless a caller is content with less
+
+
+class Engine(Protocol):
+    """What simulates a mechanism."""
+
+    def __call__(self, mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
+        """The motion at `times` (m,), strictly increasing from 0, in seconds.
+
+        `tolerance` is what a step may err by, relative to the state; an engine that can't choose does its best.
+        """
+        ...
+
+
 ENGINES: Registry[Engine] = Registry("simulation.engines")

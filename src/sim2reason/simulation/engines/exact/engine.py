@@ -15,29 +15,29 @@ from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.engines.exact.settling import REST, Settling
 from sim2reason.simulation.engines.exact.system import Instant
-from sim2reason.simulation.trace import ENGINES, Trace
+from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
 SEGMENTS = 500
 SETTLING = 5_000  # operations that an event costs for each coordinate
 
 
 @ENGINES.register("exact")
-def simulate(mechanism: Mechanism, times: Array) -> Trace:
-    """The motion at `times` (m,), in seconds, increasing from 0.
+def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
+    """The motion at `times` (m,), in seconds, increasing from 0; `tolerance` is of an integrator's step, relative.
 
     Raises:
         UnsupportedError: the mechanism has a part that this engine does not model.
         SimulationError: no consistent forces, a singular motion, more than 500 events or operations than `budget` has.
     """
-    found = motion(mechanism, float(times[-1]))
+    found = motion(mechanism, float(times[-1]), tolerance)
     return Trace("exact", found.state(times), found.events, found.end, found.cut, found.state, lambda: found.knots)
 
 
-def motion(mechanism: Mechanism, duration: float) -> Motion:
+def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> Motion:
     """The motion from 0 to `duration` seconds, or to the event that ends it; raises as `simulate` does."""
     run: _Run | None = None
     try:
-        run = _Run(mechanism, duration)
+        run = _Run(mechanism, duration, tolerance)
         while run.step():
             run.system.budget.spend(SETTLING * (1 + run.system.size))
             if len(run.segments) > SEGMENTS:
@@ -107,7 +107,7 @@ class _Run(Settling):
 
     def _flow(self, instant: Instant, found: Balance, left: float) -> StopReason:
         assert self.curved is not None
-        flow = Flow(self.curved, instant, self.phase, found)
+        flow = Flow(self.curved, instant, self.phase, found, self.tolerance)
         stop = flow.advance(left, self.duration)
         self.append(found, flow)
         n = self.system.size

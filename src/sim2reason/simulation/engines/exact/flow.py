@@ -17,7 +17,7 @@ from sim2reason.simulation.engines.exact.mode_code import Formulas
 from sim2reason.simulation.engines.exact.roots import first_root
 from sim2reason.simulation.engines.exact.system import Instant
 
-TOLERANCE = (1e-13, 1e-11)  # of a step, absolute and relative
+ABSOLUTE = 1e-2  # times the relative error that a step may have, in m or rad and their rates
 SHORTEST = 1e-13  # of the duration: a step below that is a singularity
 OFF = 1e-6  # m; a row that acts is no longer kept
 TIE = 1e-10  # of the duration: events that are no further apart are simultaneous
@@ -62,8 +62,11 @@ class FlowStep:
 class Flow:
     """The integration of one mode, from where it begins to what ends it."""
 
-    def __init__(self, equations: CurvedEquations, instant: Instant, phase: Phase, found: Balance) -> None:
-        """Write the code of the mode, if it is new."""
+    def __init__(
+        self, equations: CurvedEquations, instant: Instant, phase: Phase, found: Balance, tolerance: float
+    ) -> None:
+        """Write the code of the mode, if it is new; `tolerance` is the relative error that a step may have."""
+        self._tolerance = ABSOLUTE * tolerance, tolerance
         self._equations, self._phase, self._mode = equations, phase, found.mode
         self.formulas = equations.formulas(instant, phase, found.mode)
         self.start = self.time = instant.time
@@ -91,14 +94,14 @@ class Flow:
         first = rate(self.time, self.values)
         before = self.formulas.margins(self.time, self.values)
         self._watch = Watch(before)
-        length = dop853.first_step(rate, self.time, self.values, first, TOLERANCE)
+        length = dop853.first_step(rate, self.time, self.values, first, self._tolerance)
         while self.time < end:
             length = min(length, end - self.time)
             if not length >= SHORTEST * longest and end - self.time > SHORTEST * longest:  # or it is no number
                 return self._singular()
             self._equations.system.budget.spend(self.formulas.cost)
             try:
-                tried = dop853.advance(rate, self.time, self.values, first, length, TOLERANCE)
+                tried = dop853.advance(rate, self.time, self.values, first, length, self._tolerance)
             except (ZeroDivisionError, OverflowError, ValueError):  # somewhere ahead; nearer, a pivot is lost before
                 length *= 0.1
                 continue
@@ -187,13 +190,13 @@ class Flow:
         for _ in range(POLISHES):
             if length <= 0.0:
                 return 0.0
-            tried = dop853.advance(rate, step.time, step.values, first, length, TOLERANCE)
+            tried = dop853.advance(rate, step.time, step.values, first, length, self._tolerance)
             missed = self.formulas.margins(step.time + length, tried.values)[number] + room
             change = -missed / slope if slope else 0.0
             if abs(change) <= 1e-15 * (step.time + length) or not 0.0 < length + change <= 1.5 * step.length:
                 break
             length += change
-        tried = dop853.advance(rate, step.time, step.values, first, length, TOLERANCE)
+        tried = dop853.advance(rate, step.time, step.values, first, length, self._tolerance)
         self._keep(FlowStep(self.formulas, step.time, length, step.values, tried))
         return length
 

@@ -7,7 +7,7 @@ from math import nan
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State, with_given_tensions
+from sim2reason.dsl.state import Array, State
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.flow import Flow, sampled
 from sim2reason.simulation.engines.exact.lengths import RowKind
@@ -101,17 +101,16 @@ class Motion:
         contacts = list(self.mechanism.contacts)
         names = [line.name for line in self.mechanism.constraints]
         tension = dict(zip(names, forces[:lines], strict=True))
-        state = State(
+        return State(
             mechanism=self.mechanism,
             times=times,
             q=q,
             v=v,
             a=a,
-            tension=tension,
+            constraint_tension=tension,
             normal=dict(zip(contacts, forces[lines : lines + faces], strict=True)),
             friction=dict(zip(contacts, forces[lines + faces :], strict=True)),
         )
-        return with_given_tensions(state)
 
     def _fill(
         self, segment: Segment, times: Array, here: np.ndarray, arrays: tuple[Array, Array, Array, Array]
@@ -121,7 +120,8 @@ class Motion:
         assert flow is not None
         within = np.minimum(times, flow.time)
         values = sampled(flow, within)
-        found = flow.formulas.forces(np)(within, list(values.T))
+        with np.errstate(divide="ignore", invalid="ignore"):  # what has no value is not a number
+            found = flow.formulas.forces(np)(within, list(values.T))
         columns = np.array([np.broadcast_to(column, within.shape) for column in found])
         q, v, a, forces = arrays
         q[here], v[here], a[here] = values[:, :n], values[:, n:], columns[:n].T

@@ -21,8 +21,9 @@ DRIFT = 1e-7  # m or m/s; what integration may leave of a constraint
 class Settling:
     """A motion in the making: the present state, what is behind it, and what acts now."""
 
-    def __init__(self, mechanism: Mechanism, duration: float) -> None:
+    def __init__(self, mechanism: Mechanism, duration: float, tolerance: float) -> None:
         """Stand at the start; raises as `System` does."""
+        self.tolerance = tolerance
         self.system = System(mechanism)
         self.steady = None if self.system.changing else SteadyEquations(self.system)
         self.curved = CurvedEquations(self.system) if self.steady is None else None

@@ -15,14 +15,14 @@ from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism
 from sim2reason.dsl.start_speeds import check_speeds
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.trace import ENGINES, Trace
+from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
 __all__ = ["simulate"]
 
 
 @ENGINES.register("mujoco")
-def simulate(mechanism: Mechanism, times: Array) -> Trace:
-    """The motion at `times` (m,), in seconds, increasing from 0.
+def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
+    """The motion at `times` (m,), in seconds, increasing from 0; its tolerance is its own.
 
     Raises:
         UnsupportedError: a string bends as it moves.
@@ -30,6 +30,7 @@ def simulate(mechanism: Mechanism, times: Array) -> Trace:
         SimulationError: no consistent forces, more than 500 events, more operations than its
             budget has, or any warning of the library.
     """
+    del tolerance
     check_speeds(mechanism)
     soft = is_simple(mechanism) and not changing(mechanism, start(mechanism))
     with import_module(f"{__name__}.specification").overheard() as said:

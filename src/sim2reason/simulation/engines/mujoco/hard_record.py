@@ -10,7 +10,7 @@ import numpy as np
 from sim2reason.dsl.constancy import straight
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Rigid
-from sim2reason.dsl.state import Array, State, with_given_tensions
+from sim2reason.dsl.state import Array, State
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.hard_forces import Found, HardInstant, Way, solved
 from sim2reason.simulation.engines.mujoco.hard_model import HardModel
@@ -187,7 +187,7 @@ class HardRecord:
             normal[:, number] = np.where(unknown[rows : rows + faces] > 0.0, nan, found.normal)
             friction[:, number] = np.where(unknown[rows + faces :] > 0.0, nan, found.friction)
         names = list(mechanism.contacts)
-        state = State(
+        return State(
             mechanism,
             times,
             q,
@@ -197,7 +197,6 @@ class HardRecord:
             dict(zip(names, normal, strict=True)),
             dict(zip(names, friction, strict=True)),
         )
-        return with_given_tensions(state)
 
     def _joints(self, times: Array) -> Iterator[tuple[Stretch, Array]]:
         """For each time the stretch that it belongs to, and the joints then: on the curve through three knots."""

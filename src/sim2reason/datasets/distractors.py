@@ -1,0 +1,46 @@
+"""Wrong answers that an item carries, and what of its scene it marks as having no bearing."""
+
+from sim2reason.datasets.item import Distractor
+from sim2reason.filters import Candidate
+from sim2reason.filters.parts.effects import Effect, effects
+from sim2reason.prose.writer import Description
+
+APART = 1e-2  # relative: wrong answers that differ by less are one
+SMALLEST, LARGEST = 1e-2, 1e3  # times the right answer: nobody would believe less or more
+
+
+def distractors(candidate: Candidate, description: Description) -> tuple[Distractor, ...]:
+    """What the slips lead to that change the answer beyond the tolerance, each value once, the nearest first."""
+    answer = candidate.question.answer
+    found: list[Distractor] = []
+    every = [*effects(candidate, part=False), *effects(candidate, part=True)]
+    for effect in sorted((e for e in every if _misleads(e, answer)), key=lambda e: (e.change, e.simplification.name)):
+        value = effect.answer
+        assert value is not None
+        if all(abs(value - other.value) > APART * abs(value) for other in found):
+            found.append(
+                Distractor(value=value, simplification=effect.simplification.name, reason=_reason(effect, description))
+            )
+    return tuple(found)
+
+
+def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...]:
+    """The parts that could be held or left out, as the text calls them."""
+    idle = dict.fromkeys(effect.subject for effect in effects(candidate, part=True) if effect.close)
+    return tuple(_called(subject, description) for subject in idle)
+
+
+def _misleads(effect: Effect, answer: float) -> bool:
+    """Whether somebody could give this answer, and would be wrong."""
+    if effect.answer is None or effect.close or not effect.simplification.misleads:
+        return False
+    return SMALLEST < abs(effect.answer / answer) < LARGEST
+
+
+def _reason(effect: Effect, description: Description) -> str:
+    said = effect.simplification.reason.format(subject=_called(effect.subject, description))
+    return said[0].upper() + said[1:] + "."
+
+
+def _called(subject: str, description: Description) -> str:
+    return description.mention(subject) if subject in description.scene.bodies else subject

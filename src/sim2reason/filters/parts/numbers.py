@@ -1,0 +1,126 @@
+"""How much an answer moves with each stated number."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from sim2reason.dsl.model import Parameter
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError
+from sim2reason.filters import Candidate
+from sim2reason.questions import Study
+from sim2reason.simulation.trace import Trace
+
+SHIFT = 1e-3  # relative
+TURN = 10.0  # deg: how far an angle is moved either way, where other numbers are halved and doubled
+ENOUGH = 3.0  # times the tolerance: a number with such an elasticity moves the answer beyond it when it is doubled
+VECTORS = "position", "velocity"  # measures whose numbers, where one thing has two, are components of one vector
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """A stated number, or a vector stated by its components, at one or more addresses."""
+
+    parameters: tuple[Parameter, ...]
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Where the numbers stand."""
+        return tuple(parameter.path for parameter in self.parameters)
+
+    @property
+    def unit(self) -> str:
+        """Of all of them."""
+        return self.parameters[0].measure.unit
+
+    @property
+    def owner(self) -> str:
+        """The address of what they belong to."""
+        return self.paths[0].rpartition(".")[0]
+
+    def at(self, scene: Scene, factors: tuple[float, float], turn: float = 0.0) -> dict[str, float]:
+        """Their values with components times two factors in turn, or angles turned by some degrees."""
+        values = [float(scene.value(path)) for path in self.paths]
+        if self.unit == "deg" and turn:
+            return {path: value + turn for path, value in zip(self.paths, values, strict=True)}
+        return {path: factors[n % 2] * value for n, (path, value) in enumerate(zip(self.paths, values, strict=True))}
+
+
+@dataclass(frozen=True, slots=True)
+class Elasticity:
+    """What a small relative shift of what is given does to an answer."""
+
+    given: Given
+    size: float  # |d ln answer/d ln number|
+    reordered: bool  # whether the shift changes what happens on the way, or the answer is gone
+
+
+def givens(scene: Scene) -> list[Given]:
+    """What the text says in numbers; zeros and what a word tells are not among it."""
+    found: dict[tuple[str, str], list[Parameter]] = {}
+    for parameter in scene.parameters:
+        if _is_said(scene, parameter):
+            name = parameter.measure.name
+            owner = parameter.path.rpartition(".")[0]
+            found.setdefault((owner, name) if name in VECTORS else (parameter.path, ""), []).append(parameter)
+    return [Given(tuple(parameters)) for parameters in found.values()]
+
+
+def _is_said(scene: Scene, parameter: Parameter) -> bool:
+    if parameter.hidden or not parameter.value:
+        return False
+    owner, _, name = parameter.path.rpartition(".")
+    body = scene.bodies.get(owner)
+    return not (body is not None and body.told_by_word(name))
+
+
+def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
+    """That of the answer to all that is given, each shifted by one part in a thousand."""
+    study = candidate.study
+    before = _story(study.trace, candidate.time)
+    for given in givens(study.scene):
+        other = _shifted(study, given, candidate.until)
+        answer = candidate.response(other)
+        if other is None or answer is None:
+            yield Elasticity(given, 0.0, reordered=True)
+            continue
+        time = candidate.kind.time(candidate.question.query, other)
+        size = candidate.change_to(answer) / SHIFT
+        yield Elasticity(given, size, reordered=_story(other.trace, time) != before)
+
+
+def matters(candidate: Candidate, found: Elasticity) -> bool:
+    """Whether the answer moves beyond the tolerance when a number is halved or doubled (an angle turned either way)."""
+    if found.reordered or found.size >= ENOUGH * candidate.tolerance:
+        return True
+    study, given = candidate.study, found.given
+    for factor, turn in ((2.0, TURN), (0.5, -TURN)):
+        other = _with(study, given.at(study.scene, (factor, factor), turn), candidate.until)
+        if other is not None and candidate.change(other) > candidate.tolerance:
+            return True
+    return False
+
+
+def _shifted(study: Study, given: Given, until: float | None) -> Study | None:
+    """The motion with a number shifted, or None if there is none; the other way if this one is not valid.
+
+    The components of a vector are shifted to opposite sides, so that it turns.
+    """
+    for factors in ((1.0 + SHIFT, 1.0 - SHIFT), (1.0 - SHIFT, 1.0 + SHIFT)):
+        other = _with(study, given.at(study.scene, factors), until)
+        if other is not None:
+            return other
+    return None
+
+
+def _with(study: Study, values: Mapping[str, float], until: float | None) -> Study | None:
+    try:
+        scene = study.scene.having_all(values)
+    except (SceneError, ValueError):
+        return None
+    return study.variant(scene, until)
+
+
+def _story(trace: Trace, time: float | None) -> list[tuple[str, tuple[str, ...]]]:
+    """What happens before a moment, in order; turns change nothing and are left out."""
+    end = time if time is not None else trace.stable_until
+    return [(e.kind, e.subjects) for e in trace.events if e.time < end * (1.0 - 1e-9) and e.kind != "turn"]

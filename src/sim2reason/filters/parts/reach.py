@@ -1,0 +1,31 @@
+"""How much of a scene must move an answer, for a problem of its difficulty."""
+
+from collections.abc import Sequence
+
+from sim2reason.filters import Candidate
+from sim2reason.filters.parts.numbers import Given
+
+ALONE = {"easy": 2, "medium": 3, "hard": 3}  # numbers that must matter where one body moves
+TOGETHER = {"easy": 3, "medium": 3, "hard": 4}  # and where several do
+PARTS = 2  # of several bodies, what so many have must matter
+MASS = "kg"
+
+
+def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
+    """What those that move the answer fall short of, in a few words; empty if they are enough.
+
+    The numbers that the question itself states count as well, g does not.
+    """
+    mechanism, moment = candidate.study.mechanism, candidate.question.query.moment
+    bodies = [body for body in mechanism.bodies if body.mass > 0.0 and body.coordinates]
+    count = len(moving) + len(moment.stated if moment is not None else ())
+    if len(bodies) < 2:
+        return "" if count >= ALONE[candidate.difficulty] else f"{count} numbers matter"
+    masses = sum(given.parameters[0].measure.unit == mechanism.units.spell(MASS) for given in moving)
+    if candidate.difficulty == "easy" and masses >= 2:
+        return ""
+    if candidate.difficulty == "easy" and not any(given.parameters[0].measure.name == "friction" for given in moving):
+        return f"{masses} masses matter"
+    parts = len({given.owner for given in moving})
+    enough = count >= TOGETHER[candidate.difficulty] and (parts >= PARTS or candidate.difficulty == "easy")
+    return "" if enough else f"{count} numbers of {parts} parts matter"

@@ -1,0 +1,43 @@
+"""Drops a question that too few of the stated numbers matter for, or too many do not."""
+
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.filters.parts.effects import effects
+from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters
+from sim2reason.filters.parts.reach import shortfall
+
+IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # of what is given: how much may have no bearing, unmarked
+
+
+class Sensitivity:
+    """Too few numbers move the answer, or too many do not.
+
+    What belongs to a part without bearing is told apart: the item marks it as a distraction. So is the mass of what is
+    asked about, which may well cancel.
+    """
+
+    needs_witness = False
+    order = 6
+
+    def reason(self, candidate: Candidate) -> str:
+        """Count those that move it beyond the tolerance when they are halved or doubled."""
+        scene, query = candidate.study.scene, candidate.question.query
+        given = [given for given in givens(scene) if given.owner != "world"]
+        aside = [effect.subject for effect in effects(candidate, part=True) if effect.close]
+        excused = [g for g in given if f"{query.subject}.mass" in g.paths or any(_belongs(g, name) for name in aside)]
+        moving, idle = list[Given](), list[Given]()
+        for found in elasticities(candidate):
+            if found.given in given:
+                (moving if matters(candidate, found) else idle).append(found.given)
+            unmarked = [g for g in idle if g not in excused]
+            if len(unmarked) > IDLE[candidate.difficulty] * len(given) or 2 * len(idle) > len(given):
+                return f"idle numbers: {', '.join(path for g in unmarked for path in g.paths)}"
+        short = shortfall(candidate, moving)
+        return f"reach: {short}" if short else ""
+
+
+def _belongs(given: Given, name: str) -> bool:
+    """Whether it is a number of the part of that name."""
+    return any(path.startswith(f"{name}.") for path in given.paths)
+
+
+FILTERS.add("sensitivity", Sensitivity())

@@ -1,0 +1,32 @@
+"""Drops a question on which too much of the scene has no bearing."""
+
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.filters.parts.effects import Effect, effects
+
+ALLOWED = {"easy": 0, "medium": 1, "hard": 1}
+
+
+class Shortcut:
+    """A part of the scene can be held or left out, and the answer stays within the tolerance, or nearly.
+
+    An easy problem has no such part; of others one may have none, and is recorded as a distraction. What changes the
+    answer a little, but might be forgotten, would be paid for.
+    """
+
+    needs_witness = False
+    order = 3
+
+    def reason(self, candidate: Candidate) -> str:
+        """Hold and leave out what can be, part by part."""
+        idle = dict[str, Effect]()
+        for effect in effects(candidate, part=True):
+            if not effect.close:
+                continue
+            idle.setdefault(effect.subject, effect)
+            forgiven = effect.simplification.misleads and not effect.same
+            if forgiven or len(idle) > ALLOWED[candidate.difficulty]:
+                return f"{effect.simplification.name}: {effect.subject} changes the answer by {effect.change:.2g}"
+        return ""
+
+
+FILTERS.add("shortcut", Shortcut())

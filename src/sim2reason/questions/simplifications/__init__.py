@@ -1,0 +1,64 @@
+"""What a reader may wrongly leave out of a motion, or take to be simpler than it is; one file each.
+
+A question whose answer such a slip hardly changes pays for it; one whose answer it changes has a wrong answer to offer,
+with its reason.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from typing import ClassVar, TypeVar
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.registry import Registry
+
+
+class Simplification(ABC):
+    """One slip. All that the library knows of it stands on its class.
+
+    Class data:
+        name: under which it is registered and reported.
+        reason: what is wrong, a sentence about ``{subject}``.
+        part: whether it takes a part of the scene away, so that an answer which stays shows a part without bearing;
+            else it is a mistake about the physics of a part that bears.
+        misleads: whether anybody would make it, so that the answer it leads to is one that a student could give.
+    """
+
+    name: ClassVar[str]
+    reason: ClassVar[str]
+    part: ClassVar[bool] = False
+    misleads: ClassVar[bool] = True
+
+    @abstractmethod
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """What it can be about where a query asks about a motion: names of the mechanism's parts.
+
+        An empty name stands for the whole.
+        """
+
+    @abstractmethod
+    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+        """The scene as the slip has it, with its motion until a time, s; None if there is none."""
+
+
+class ChangedMechanism(Simplification):
+    """A slip that amounts to another mechanism."""
+
+    @abstractmethod
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """The mechanism as the slip has it."""
+
+    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+        """The motion of that mechanism."""
+        return study.changed((self.name, subject), lambda: self.changed(study.mechanism, subject), until)
+
+
+S = TypeVar("S", bound=Simplification)
+SIMPLIFICATIONS: Registry[Simplification] = Registry("questions.simplifications")
+
+
+def simplification(cls: type[S]) -> type[S]:
+    """Enter a slip under its name."""
+    SIMPLIFICATIONS.add(cls.name, cls())
+    return cls

@@ -1,0 +1,33 @@
+"""A body is left out."""
+
+from collections.abc import Iterable
+
+from sim2reason.dsl.ablation import left_out
+from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications.parts.which import others
+from sim2reason.questions.study import Study
+
+
+@simplification
+class BodyLeftOut(ChangedMechanism):
+    """A body is left out: it has no mass, and nothing meets it."""
+
+    name = "body left out"
+    reason = "{subject} is left out"
+    part = True
+    misleads = False
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """All of several with mass but those that a spring pulls at: without mass they would tremble with it."""
+        del query
+        mechanism = study.mechanism
+        elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
+        sprung = {mechanism.site[site].body for line in elastic for site in line.through}
+        sprung |= {body for line in elastic for body in line.circle or ()}
+        return [name for name in others(mechanism) if name not in sprung]
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """All but without it."""
+        return left_out(mechanism, subject)

@@ -1,0 +1,40 @@
+"""Bodies with a size are taken as points."""
+
+from collections.abc import Iterable
+
+from sim2reason.dsl.ablation import inertialess, with_bodies
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications.parts.which import massive
+from sim2reason.questions.study import Study
+
+
+@simplification
+class PointMass(ChangedMechanism):
+    """Bodies with a size are taken as points at their centres of mass; what rolls then only slides."""
+
+    name = "point mass"
+    reason = "the moment of inertia about the centre of mass is left out"
+
+    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+        """The whole, where anything with inertia about its centre of mass can turn."""
+        del query
+        return [""] if _solid(study.mechanism) else []
+
+    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
+        """Without that inertia."""
+        del subject
+        return with_bodies(mechanism, _solid(mechanism), inertialess)
+
+
+def _solid(mechanism: Mechanism) -> list[str]:
+    return [name for name in massive(mechanism) if any(mechanism.body[name].inertia) and _turns(mechanism, name)]
+
+
+def _turns(mechanism: Mechanism, name: str) -> bool:
+    """Whether it, or what carries it, has a hinge."""
+    body = mechanism.body[name]
+    if any(coordinate.kind == "hinge" for coordinate in body.coordinates):
+        return True
+    return body.parent is not None and _turns(mechanism, body.parent)

@@ -1,0 +1,166 @@
+"""Each slip leads where a textbook says it leads, and each applies to some scene of the catalogue."""
+
+from collections.abc import Iterable
+from math import log, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+from plain_scenes import G, atwood, half_atwood, massive, ramp, table
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError
+from sim2reason.questions import Query, Study, Target
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
+
+BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
+ASKED = Query("start", Target("acceleration", BLOCK), AtStart())
+
+
+def studied(scene: Scene, until: float = 1.0) -> Study:
+    return Study.of(scene, np.linspace(0.0, until, 41))
+
+
+def size(name: str, scene: Scene, quantity: str, body: str, time: float = 0.0, about: str | None = None) -> float:
+    """The size of a quantity after the first slip of a name, or the one about some subject."""
+    study, slip = studied(scene), SIMPLIFICATIONS[name]
+    subjects = list(slip.subjects(ASKED, study))
+    assert about is None or about in subjects
+    found = slip.simplified(study, about if about is not None else subjects[0], 1.0)
+    assert found is not None
+    return Target(quantity, body).value(found.trace.sample(np.array([time])))
+
+
+def test_a_body_held_leaves_what_the_other_does_alone() -> None:
+    """A block tied to one that is held hangs still."""
+    assert size("body held", atwood(), "acceleration", BLOCK, about=OTHER) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_without_the_other_body_a_block_falls_freely() -> None:
+    assert size("body left out", atwood(), "acceleration", BLOCK, about=OTHER) == pytest.approx(G, rel=1e-5)
+
+
+def test_a_light_pulley() -> None:
+    """Atwood's machine: (m₁ − m₂)g/(m₁ + m₂)."""
+    assert size("massless pulley", massive(2.0), "acceleration", BLOCK) == pytest.approx(G / 5.0, rel=1e-5)
+
+
+def test_no_friction() -> None:
+    found = size("no friction", ramp(friction=0.2), "acceleration", "ramp.blocks.0")
+    assert found == pytest.approx(G * sin(radians(30.0)))
+
+
+def test_from_rest() -> None:
+    assert size("from rest", ramp(speed=3.0), "velocity", "ramp.blocks.0", 1.0) == pytest.approx(4.9)
+
+
+def test_weight_left_out() -> None:
+    assert size("gravity left out", half_atwood(), "acceleration", "ramp.blocks.0") == pytest.approx(0.0, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("name", "speed"), [("elastic collisions", 2.0 / 3.0), ("perfectly inelastic collisions", 2.0 / 3.0)]
+)
+def test_collisions_of_another_kind(name: str, speed: float) -> None:
+    """(m₁ − e m₂)v/(m₁ + m₂), for m₂ = 2m₁: −v/3 for e = 1, v/3 for e = 0."""
+    assert size(name, table(), "velocity", "table.pucks.0", 0.9) == pytest.approx(speed)
+
+
+@pytest.mark.parametrize("name", ["no collisions", "no events"])
+def test_what_happens_is_overlooked(name: str) -> None:
+    assert size(name, table(), "velocity", "table.pucks.0", 0.9) == pytest.approx(2.0)
+
+
+def test_the_later_root() -> None:
+    """Up a smooth slope and back: s = v²/4a is passed at v/a·(1 ∓ √½)."""
+    study = studied(ramp(speed=3.0), 2.0)
+    moment = Away("ramp.blocks.0", 3.0**2 / (4 * 4.9))
+    later = SIMPLIFICATIONS["later root"]
+    assert list(later.subjects(Query("time_to_event", None, moment), study)) == [""]
+    assert not list(later.subjects(Query("state", None, AtTime(1.0)), study))
+    found = later.simplified(study, "", 2.0)
+    assert found is not None
+    assert study.time(moment) == pytest.approx(3.0 / 4.9 * (1.0 - sqrt(0.5)))
+    assert found.time(moment) == pytest.approx(3.0 / 4.9 * (1.0 + sqrt(0.5)))
+
+
+def first_of(recipe: str, difficulties: Iterable[Difficulty], name: str) -> tuple[Study, str]:
+    """The first drawn scene of a recipe to which a slip applies, and what it is about."""
+    for index in range(100):
+        for difficulty in difficulties:
+            try:
+                scene = RECIPES[recipe](difficulty, generator("slips", recipe, difficulty, index))
+                study = Study.of(scene, np.linspace(0.0, scene.horizon, 11))
+            except SceneError:
+                continue
+            if subjects := list(SIMPLIFICATIONS[name].subjects(ASKED, study)):
+                return study, subjects[0]
+    raise AssertionError(f"{name} applies to nothing that {recipe} draws")
+
+
+def test_a_rocket_that_keeps_its_mass() -> None:
+    """In empty space v = F t/m, not u ln(m/(m − μt))."""
+    study, subject = first_of("rocket", ["easy"], "constant mass")
+    burn, time = study.mechanism.burns[0], 0.5 * study.mechanism.burns[0].until
+    mass = study.mechanism.body[burn.body].mass
+    found = SIMPLIFICATIONS["constant mass"].simplified(study, subject, time)
+    assert found is not None
+    speed = Target("velocity", burn.body)
+    assert speed.value(found.trace.sample(np.array([time]))) == pytest.approx(
+        burn.rate * burn.exhaust * time / mass, rel=1e-5
+    )
+    left = mass - burn.rate * time
+    assert speed.value(study.trace.sample(np.array([time]))) == pytest.approx(burn.exhaust * log(mass / left))
+
+
+@pytest.mark.parametrize("name", SIMPLIFICATIONS)
+def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
+    where = {
+        "constant mass": "rocket",
+        "from rest": "chain",
+        "elastic collisions": "collision",
+        "perfectly inelastic collisions": "collision",
+        "no collisions": "collision",
+        "no events": "collision",
+        "fixed carrier": "box",
+        "force left out": "electromagnetic",
+        "hand left out": "incline",
+        "length as extension": "springs",
+        "spring left out": "springs",
+        "no damping": "springs",
+        "later root": "pendulum",
+        "no mutual attraction": "orbital",
+        "no slip": "rolling",
+        "point mass": "rotation",
+        "taut strings": "pendulum",
+        "uniform gravity": "rocket",
+    }
+    if name == "later root":
+        return  # it hangs on what is asked
+    study, subject = (
+        first_of(where.get(name, "pulley"), DIFFICULTIES, name)
+        if name != "no friction"
+        else (
+            studied(ramp(friction=0.2)),
+            "",
+        )
+    )
+    slip = SIMPLIFICATIONS[name]
+    slip.reason.format(subject="the block")
+    found = slip.simplified(study, subject, study.scene.horizon)
+    assert found is None or found.trace.mechanism.coordinates
+
+
+def test_gravity_that_is_the_same_everywhere() -> None:
+    """Then it is what it is at the start: g on the surface of the planet."""
+    study, subject = first_of("rocket", ["hard"], "uniform gravity")
+    found = SIMPLIFICATIONS["uniform gravity"].simplified(study, subject, study.scene.horizon)
+    assert found is not None
+    planet = study.scene.entities[0].entity
+    given = next(p.value for p in study.scene.parameters if p.measure.unit == "m/s^2" and p.path.startswith("rocket"))
+    assert given is not None, planet
+    assert -found.mechanism.gravity[0] == pytest.approx(given, rel=1e-9)
