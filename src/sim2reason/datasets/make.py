@@ -17,7 +17,6 @@ from sim2reason.datasets.question_search import (
     QuestionSearch,
 )
 from sim2reason.datasets.random_scenes import generator
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES, known
@@ -30,6 +29,12 @@ SETTINGS = hashlib.sha256(json.dumps([SCENES, QUESTIONS, SAMPLES, SHORTEST]).enc
 
 def make(request: Request) -> Made:
     """Draw scenes and questions until one passes every filter; UnknownNameError for a name that is not known."""
+    found, rejected = search(request)
+    return Made(item_of(request, found) if found is not None else None, dict(rejected))
+
+
+def search(request: Request) -> tuple[CertifiedQuestion | None, Counter[str]]:
+    """The first question that passes every filter, with all that is known of it, and what was refused before."""
     recipe, mode = RECIPES[request.recipe], MODES[request.mode]
     difficulty = known(request.difficulty)
     rejected: Counter[str] = Counter()
@@ -42,12 +47,13 @@ def make(request: Request) -> Made:
             rejected[type(error).__name__.removesuffix("Error").lower()] += 1
             continue
         if found is not None:
-            return Made(item_of(request, scene, found), dict(rejected))
-    return Made(None, dict(rejected))
+            return found, rejected
+    return None, rejected
 
 
-def item_of(request: Request, scene: Scene, found: CertifiedQuestion) -> Item:
+def item_of(request: Request, found: CertifiedQuestion) -> Item:
     """The record of a question that passed."""
+    scene = found.description.scene
     question, query = found.question, found.question.query
     kind = KINDS[query.kind]
     return Item(

@@ -1,9 +1,11 @@
 """Filters: each drops questions for one reason, which the manifest of a dataset counts."""
 
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf, isfinite
-from typing import Protocol
+from typing import ClassVar
 
 from sim2reason.questions import KINDS, Kind, Question, Study
 from sim2reason.questions.study import BEYOND
@@ -77,18 +79,28 @@ class Verdict:
         return f"{self.filter}: {cause}" if colon else self.filter
 
 
-class Filter(Protocol):
-    """One reason to drop a question. `needs_witness` filters run last, since the witness costs most."""
+class Filter(ABC):
+    """One reason to drop a question.
 
-    needs_witness: bool
-    order: int
+    Class data:
+        order: its place among the filters: what costs little comes first.
+        needs_witness: whether it runs last, with the certificate, since the witness costs most.
+    """
 
+    order: ClassVar[int]
+    needs_witness: ClassVar[bool] = False
+
+    @abstractmethod
     def reason(self, candidate: Candidate) -> str:
         """Why the question must go, in a few words; empty if it may stay.
 
         Where a manifest should count several causes apart, the cause stands first, before a colon.
         """
-        ...
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """What it finds on the way, line by line, for whoever wants to know; by default no more than its reason."""
+        del candidate
+        yield from ()
 
 
 FILTERS: Registry[Filter] = Registry("filters")
@@ -96,8 +108,12 @@ FILTERS: Registry[Filter] = Registry("filters")
 
 def sift(candidate: Candidate, *, witnessed: bool) -> Verdict:
     """The first verdict against a question among the filters that need a witness, or that need none."""
-    chosen = [(f.order, name, f) for name, f in FILTERS.items() if f.needs_witness == witnessed]
-    for _, name, found in sorted(chosen, key=lambda item: item[:2]):
-        if reason := found.reason(candidate):
+    for name, found in in_order():
+        if found.needs_witness == witnessed and (reason := found.reason(candidate)):
             return Verdict(keep=False, filter=name, reason=reason)
     return Verdict(keep=True, filter="")
+
+
+def in_order() -> list[tuple[str, Filter]]:
+    """All filters with their names, in the order in which they run."""
+    return sorted(FILTERS.items(), key=lambda item: (item[1].needs_witness, item[1].order, item[0]))

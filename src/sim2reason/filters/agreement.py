@@ -1,10 +1,10 @@
 """Drops a question whose answer only one engine vouches for."""
 
-from sim2reason.filters import FILTERS, Candidate
+from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.questions import KINDS
 
 
-class Agreement:
+class Agreement(Filter):
     """The two engines part, on what is asked or on what happens before it."""
 
     needs_witness = True

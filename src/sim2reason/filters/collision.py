@@ -1,14 +1,16 @@
 """Drops a question about bodies that may collide, asked before anything has."""
 
-from sim2reason.filters import FILTERS, Candidate
+from collections.abc import Iterator
+
+from sim2reason.filters import FILTERS, Candidate, Filter
 
 AT_ONCE = 1e-9  # of the time
+SHOWN = 5  # collisions
 
 
-class Collision:
+class Collision(Filter):
     """Something may collide, but nothing has when the question is asked, so that the collision has no bearing."""
 
-    needs_witness = False
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
@@ -20,6 +22,11 @@ class Collision:
         end = time * (1.0 + (AT_ONCE if just_after else -AT_ONCE))
         hit = any(event.kind == "collision" and event.time <= end for event in trace.events)
         return "" if hit else "nothing has collided before"
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """When the first collisions are."""
+        hits = [event for event in candidate.study.trace.events if event.kind == "collision"]
+        yield from (f"{' and '.join(hit.subjects)} collide at {hit.time:.4g} s" for hit in hits[:SHOWN])
 
 
 FILTERS.add("collision", Collision())

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.filters import FILTERS, Candidate
+from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.questions import KINDS
 
@@ -12,10 +12,9 @@ SMALLEST = 0.01  # of the scene's largest value of the quantity: two spoken digi
 SAME = 2e-3  # relative: what rounds to the same three digits
 
 
-class Degenerate:
+class Degenerate(Filter):
     """The answer is zero, too small to be told from zero, one of the stated numbers, or what it was at the start."""
 
-    needs_witness = False
     order = 0
 
     def reason(self, candidate: Candidate) -> str:

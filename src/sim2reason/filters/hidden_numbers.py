@@ -4,17 +4,16 @@ from typing import cast
 
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene
-from sim2reason.filters import FILTERS, Candidate
+from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.questions import KINDS
 from sim2reason.questions.study import BEYOND
 
 SAME = 1e-6  # relative
 
 
-class HiddenNumbers:
+class HiddenNumbers(Filter):
     """With every free length at the low end of its range, the moment comes later than the motion goes."""
 
-    needs_witness = False
     order = 5
 
     def reason(self, candidate: Candidate) -> str:

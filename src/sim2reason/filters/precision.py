@@ -1,17 +1,17 @@
 """Drops a question whose answer hangs on digits that the text does not give."""
 
+from collections.abc import Iterator
 from math import sqrt
 
-from sim2reason.filters import FILTERS, Candidate
+from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.numbers import elasticities
 
 WORST = 20.0  # the condition number, the root of the sum of the squares of all elasticities
 
 
-class Precision:
+class Precision(Filter):
     """A small shift of a stated number moves the answer too far, or changes the order of events: chaos."""
 
-    needs_witness = False
     order = 7
 
     def reason(self, candidate: Candidate) -> str:
@@ -24,6 +24,11 @@ class Precision:
             if squares > WORST**2:
                 return f"the condition number is at least {sqrt(squares):.1f}"
         return ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """The condition number."""
+        total = sqrt(sum(found.size**2 for found in elasticities(candidate)))
+        yield f"the condition number is {total:.2f}; up to {WORST:g} is allowed"
 
 
 FILTERS.add("precision", Precision())

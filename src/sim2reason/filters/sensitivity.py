@@ -1,6 +1,8 @@
 """Drops a question that too few of the stated numbers matter for, or too many do not."""
 
-from sim2reason.filters import FILTERS, Candidate
+from collections.abc import Iterator
+
+from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters
 from sim2reason.filters.parts.reach import shortfall
@@ -8,14 +10,13 @@ from sim2reason.filters.parts.reach import shortfall
 IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # of what is given: how much may have no bearing, unmarked
 
 
-class Sensitivity:
+class Sensitivity(Filter):
     """Too few numbers move the answer, or too many do not.
 
     What belongs to a part without bearing is told apart: the item marks it as a distraction. So is the mass of what is
     asked about, which may well cancel.
     """
 
-    needs_witness = False
     order = 6
 
     def reason(self, candidate: Candidate) -> str:
@@ -33,6 +34,12 @@ class Sensitivity:
                 return f"idle numbers: {', '.join(path for g in unmarked for path in g.paths)}"
         short = shortfall(candidate, moving)
         return f"reach: {short}" if short else ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """How the answer moves with each number."""
+        for found in elasticities(candidate):
+            moved = "matters" if matters(candidate, found) else "does not matter"
+            yield f"{', '.join(found.given.paths)}: |d ln answer / d ln number| = {found.size:.3g}; it {moved}"
 
 
 def _belongs(given: Given, name: str) -> bool:

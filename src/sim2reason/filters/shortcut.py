@@ -1,19 +1,20 @@
 """Drops a question on which too much of the scene has no bearing."""
 
-from sim2reason.filters import FILTERS, Candidate
+from collections.abc import Iterator
+
+from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import Effect, effects
 
 ALLOWED = {"easy": 0, "medium": 1, "hard": 1}
 
 
-class Shortcut:
+class Shortcut(Filter):
     """A part of the scene can be held or left out, and the answer stays within the tolerance, or nearly.
 
     An easy problem has no such part; of others one may have none, and is recorded as a distraction. What changes the
     answer a little, but might be forgotten, would be paid for.
     """
 
-    needs_witness = False
     order = 3
 
     def reason(self, candidate: Candidate) -> str:
@@ -27,6 +28,10 @@ class Shortcut:
             if forgiven or len(idle) > ALLOWED[candidate.difficulty]:
                 return f"{effect.simplification.name}: {effect.subject} changes the answer by {effect.change:.2g}"
         return ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """What each does to the answer."""
+        return (effect.told for effect in effects(candidate, part=True))
 
 
 FILTERS.add("shortcut", Shortcut())

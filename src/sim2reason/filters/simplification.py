@@ -1,13 +1,14 @@
 """Drops a question that pays for a wrong idea."""
 
-from sim2reason.filters import FILTERS, Candidate
+from collections.abc import Iterator
+
+from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import effects
 
 
-class Simplified:
+class Simplified(Filter):
     """A mistake about the physics changes the answer, but so little that it is paid, or nearly."""
 
-    needs_witness = False
     order = 4
 
     def reason(self, candidate: Candidate) -> str:
@@ -16,6 +17,10 @@ class Simplified:
             if effect.close and not effect.same:
                 return f"{effect.simplification.name}: the answer changes by {effect.change:.2g}"
         return ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """What each does to the answer."""
+        return (effect.told for effect in effects(candidate, part=False))
 
 
 FILTERS.add("simplification", Simplified())

@@ -30,11 +30,19 @@ class Effect:
         """Whether the answer would be paid, or nearly."""
         return self.change < CLOSE * self.tolerance
 
+    @property
+    def told(self) -> str:
+        """In a line."""
+        about = f" ({self.subject})" if self.subject else ""
+        if self.answer is None:
+            return f"{self.simplification.name}{about}: there is no answer any more"
+        return f"{self.simplification.name}{about}: {self.answer:.4g}, {self.change:.2g} of the answer away"
+
 
 def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
     """Those of all simplifications that take a `part` of the scene away, or of all that do not.
 
-    What the question itself speaks of is not taken away.
+    What the question itself speaks of stays as it is.
     """
     query, study = candidate.question.query, candidate.study
     asked = {query.subject, *(query.moment.subjects if query.moment is not None else ())}
@@ -43,6 +51,6 @@ def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
         if simplification.part != part:
             continue
         for subject in simplification.subjects(query, study):
-            if not (part and subject in asked):
+            if subject not in asked:
                 answer = candidate.response(simplification.simplified(study, subject, until))
                 yield Effect(simplification, subject, answer, candidate.change_to(answer), candidate.tolerance)

@@ -10,6 +10,7 @@ from sim2reason.dsl.frames import start
 from sim2reason.dsl.state import Array, State
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import Simplification, simplification
+from sim2reason.questions.simplifications.parts.asked import asked_until
 from sim2reason.questions.study import Study
 from sim2reason.simulation.trace import Trace
 
@@ -22,9 +23,9 @@ class NoEvents(Simplification):
     reason = "the motion is taken to go on as it begins"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where forces are constant and something happens."""
-        del query
-        happened = any(event.time > 0.0 and event.kind != "turn" for event in study.trace.events)
+        """The whole, where forces are constant and something happens before the moment."""
+        end = asked_until(query, study)
+        happened = any(0.0 < event.time < end and event.kind != "turn" for event in study.trace.events)
         return [""] if happened and not changing(study.mechanism, start(study.mechanism)) else []
 
     def simplified(self, study: Study, subject: str, until: float) -> Study:

@@ -7,6 +7,7 @@ from sim2reason.dsl.ablation import with_lines
 from sim2reason.dsl.mechanism import Inextensible, Line, Mechanism, Rigid
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications.parts.asked import asked_until
 from sim2reason.questions.study import Study
 
 
@@ -18,10 +19,11 @@ class TautStrings(ChangedMechanism):
     reason = "a string that goes slack is taken as taut"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where one is ever slack."""
-        del query
-        tension = study.trace.state.tension
-        return [""] if any((tension[line.name] <= 0.0).any() for line in _plain(study.mechanism)) else []
+        """The whole, where one is slack before the moment."""
+        state = study.trace.state
+        before = state.times <= asked_until(query, study)
+        slack = any((state.tension[line.name][before] <= 0.0).any() for line in _plain(study.mechanism))
+        return [""] if slack else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """With rods in their place."""

@@ -1,0 +1,56 @@
+"""``sim2reason explain`` tells how a problem came to be, and takes nothing in the file on trust."""
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from sim2reason.cli import main
+from sim2reason.datasets.build import build
+from sim2reason.datasets.plan import Config
+from sim2reason.filters import FILTERS
+
+
+def call(*args: object) -> Result:
+    return CliRunner().invoke(main, [str(arg) for arg in args])
+
+
+@pytest.fixture(scope="module")
+def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two problems."""
+    out = tmp_path_factory.mktemp("explained")
+    build(out, Config(items=2, recipes=("incline",), difficulties=("easy", "medium")), workers=1)
+    return out
+
+
+def test_every_filter_has_its_say(data: Path) -> None:
+    told = call("explain", data, "--id", "incline-medium-numeric-0-0")
+    assert told.exit_code == 0, told.output
+    for title in ("Problem", "Scene", "Certificate", "Refused before it", "Filters", "Wrong answers"):
+        assert f"{title}\n" in told.output
+    for name in FILTERS:
+        assert f"  {name}: keeps it\n" in told.output
+    assert "the condition number is" in told.output
+    assert "|d ln answer / d ln number|" in told.output
+
+
+def test_figure_and_trace_are_written(data: Path, tmp_path: Path) -> None:
+    figure, trace = tmp_path / "scene.svg", tmp_path / "trace.parquet"
+    told = call("explain", data, "--id", "incline-easy-numeric-0-0", "--figure", figure, "--trace", trace)
+    assert told.exit_code == 0, told.output
+    assert figure.stat().st_size > 1000
+    assert trace.stat().st_size > 1000
+
+
+def test_an_unknown_problem_is_one_line(data: Path) -> None:
+    told = call("explain", data, "--id", "nobody")
+    assert told.exit_code == 2
+    assert told.output.count("\n") == 1
+    assert "sim2reason show" in told.output
+
+
+def test_a_problem_of_another_version_is_said_to_be_one(data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sim2reason.datasets.make.search", lambda _: (None, {}))
+    told = call("explain", data, "--id", "incline-easy-numeric-0-0")
+    assert told.exit_code == 2
+    assert "another problem" in told.output
