@@ -12,7 +12,7 @@ from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.settling import Settling
 from sim2reason.simulation.engines.mujoco import hard_model
-from sim2reason.simulation.trace import ENGINES
+from sim2reason.simulation.trace import ENGINES, FINEST
 
 
 def singing() -> Mechanism:
@@ -35,8 +35,8 @@ def test_work_is_counted_alike_each_time() -> None:
     """No clock is looked at: the same motion costs the same."""
     spent: list[int] = []
     for _ in range(2):
-        run = Settling(singing(), 1e-4)
-        flow = Flow(CurvedEquations(run.system), run.instant(), run.phase, run.balance(run.instant(), set()))
+        run = Settling(singing(), 1e-4, FINEST)
+        flow = Flow(CurvedEquations(run.system), run.instant(), run.phase, run.balance(run.instant(), set()), FINEST)
         flow.advance(1e-4, 1e-4)
         spent.append(run.system.budget.all - run.system.budget.left)
     assert spent[0] == spent[1] > 0

@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 
 import click
 
-from sim2reason.cli.console import explain, explained, hush
+from sim2reason.cli import console
 
 HERE = Path(__file__).parent
 EXIT_INPUT, EXIT_INTERRUPTED, EXIT_PIPE = 2, 130, 141
@@ -49,7 +49,7 @@ class Commands(click.Group):
             result = super().invoke(ctx)
             sys.stdout.flush()
         except BrokenPipeError:
-            hush()
+            console.hush()
             ctx.exit(EXIT_PIPE)
         return result
 
@@ -59,13 +59,13 @@ class Commands(click.Group):
         try:
             code = super().main(*args, **extra)
         except click.Abort as error:
-            explain(explained(error.__cause__ or error))
+            console.explain(console.explained(error.__cause__ or error))
             raise SystemExit(EXIT_INTERRUPTED) from None
         except Exception as error:
-            line = explained(error)
+            line = console.explained(error)
             if line is None:
                 raise
-            explain(line)
+            console.explain(line)
             raise SystemExit(EXIT_INPUT) from None
         raise SystemExit(code if isinstance(code, int) else 0)
 

@@ -13,7 +13,6 @@ from sim2reason.simulation.engines.exact.margins import Margin
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.simulation.engines.exact.problem import Mode, RoughContact
 from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, System
-from sim2reason.simulation.trace import FINEST
 
 REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
 DRIFT = 1e-7  # m or m/s; what integration may leave of a constraint
@@ -22,7 +21,7 @@ DRIFT = 1e-7  # m or m/s; what integration may leave of a constraint
 class Settling:
     """A motion in the making: the present state, what is behind it, and what acts now."""
 
-    def __init__(self, mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> None:
+    def __init__(self, mechanism: Mechanism, duration: float, tolerance: float) -> None:
         """Stand at the start; raises as `System` does."""
         self.tolerance = tolerance
         self.system = System(mechanism)
