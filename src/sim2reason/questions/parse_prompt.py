@@ -9,11 +9,14 @@ from sim2reason.errors import TextError
 from sim2reason.parsing import ParsedScene, parse_scene
 from sim2reason.questions import KINDS, Query, Study, Words
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.prompt import FORMATS
+from sim2reason.questions.prompt import FORMATS, WHOLE
 from sim2reason.simulation.scenes import simulate
 
 _UNIT = r"(\S{1,12})"
-_FORMS = [re.compile(r"\s" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS]
+_FORMS = [
+    *(re.compile(r"\s" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS),
+    *(re.compile(rf"\s{re.escape(form)}()$") for form in WHOLE),  # in no unit
+]
 
 
 @dataclass(frozen=True)

@@ -58,13 +58,13 @@ def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     shapes = (
         shape
         for when in query.moment.phrases(words)
-        for shape in asking(query.target, noun, when, _again(query.moment, noun.phrase, when, words))
+        for shape in asking(query.target, noun, when, again(query.moment, noun.phrase, when, words))
     )
     return tuple(dict.fromkeys(shapes))
 
 
-def _again(moment: Moment, noun: str, when: str, words: Words) -> str:
-    """A moment after a noun phrase that has named what it is about and no other body: *when it first stops*."""
+def again(moment: Moment, noun: str, when: str, words: Words) -> str:
+    """The words for a moment, *when it stops*, after a noun phrase that names what it is about and no other body."""
     subject = moment.subject(words)
     if not (subject and moment.pronoun and subject in noun):
         return when

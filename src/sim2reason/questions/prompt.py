@@ -4,13 +4,19 @@ import numpy as np
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.prose.writer import Description
-from sim2reason.questions import Question, Words
+from sim2reason.questions import KINDS, Question, Words
 
 FORMATS = (
     "Give your answer in {unit}, to three significant figures, inside \\boxed{{}}.",
     "State the answer in {unit} to three significant figures, inside \\boxed{{}}.",
     "Write the final answer, in {unit} and to three significant figures, in \\boxed{{}}.",
 )
+WHOLE = (
+    "Give your answer as a whole number, inside \\boxed{}.",
+    "State the answer as a whole number inside \\boxed{}.",
+    "Write the final answer, a whole number, in \\boxed{}.",
+)
+"""For what is counted."""
 
 
 def words_of(description: Description) -> Words:
@@ -21,7 +27,10 @@ def words_of(description: Description) -> Words:
 
 def prompt(description: Description, question: Question, rng: np.random.Generator) -> str:
     """The text of the scene, the question, and how to give the answer."""
-    form = FORMATS[int(rng.random() * len(FORMATS))].format(unit=unit_in_words(question.unit))
+    whole = KINDS[question.query.kind].measured(question.query).whole
+    forms = WHOLE if whole else FORMATS
+    form = forms[int(rng.random() * len(forms))]
+    form = form if whole else form.format(unit=unit_in_words(question.unit))
     return f"{description.text} {question.text} {form}"
 
 

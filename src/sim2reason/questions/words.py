@@ -27,6 +27,11 @@ class Words:
         return cls(scene.mechanism, mentions, scene.starts_from_rest, said)
 
     @property
+    def since(self) -> str:
+        """From when on the text counts time."""
+        return "release" if self.released else "t = 0"
+
+    @property
     def units(self) -> UnitSystem:
         """The units in which the text speaks."""
         return self.mechanism.units

@@ -27,11 +27,15 @@ JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps th
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """What an answer is: the quantity by name, its unit, and the smallest answer that is one, in that unit."""
+    """What an answer is: the quantity by name, its unit, and the smallest answer that is one, in that unit.
+
+    What is `whole` is counted: its answer is a whole number, and only that is right.
+    """
 
     name: str
     unit: str
     least: float
+    whole: bool = False
 
 
 class Kind(ABC):

@@ -42,7 +42,7 @@ class TimeToEventKind(Kind):
         """As in: how long after release is B first 0.50 m from its starting point?"""
         del noun
         assert isinstance(query.moment, Happening)
-        clause, since = query.moment.clause(words), "release" if words.released else "t = 0"
+        clause, since = query.moment.clause(words), words.since
         if clause is None:
             return ()
         takes = f"from {since} on, how long does {clause.subject} take {clause.takes}?"

@@ -69,6 +69,11 @@ class Moment(ABC):
     def phrases(self, words: Words) -> tuple[str, ...]:
         """How a question speaks of it, *when …*."""
 
+    def stretches(self, words: Words) -> tuple[str, ...]:
+        """How a question speaks of the stretch from the start to it; empty, as by default, if it does not."""
+        del words
+        return ()
+
     def subject(self, words: Words) -> str:
         """How a question calls the one that it is about; by default it is about nothing."""
         del words
@@ -116,6 +121,18 @@ class Happening(Moment):
     @abstractmethod
     def clause(self, words: Words) -> Clause | None:
         """What happens; None if when it comes is not to be asked."""
+
+    def stretches(self, words: Words) -> tuple[str, ...]:
+        """As in: before A first stops."""
+        clause = self.clause(words)
+        if clause is None:
+            return ()
+        since, told = words.since, clause.statement
+        return (
+            f"before {told}",
+            f"from {since} until {told}",
+            f"between {since} and the moment when {told}",
+        )
 
     def is_plain(self, study: Study) -> bool:
         """Whether no physics is needed to tell when it comes, so that this is not asked; by default it is."""

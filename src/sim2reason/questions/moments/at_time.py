@@ -54,3 +54,10 @@ class AtTime(Moment):
         if words.released:
             return (f"{time} after release", f"{time} after the release", f"{time} after the start")
         return (f"at t = {time}", f"at the time t = {time}", f"at the instant t = {time}")
+
+    def stretches(self, words: Words) -> tuple[str, ...]:
+        """As in: in the first 0.80 s after release."""
+        time = say(self.after, words.units.time)
+        if words.released:
+            return (f"in the first {time} after release", f"within {time} of release", f"during the first {time}")
+        return (f"between t = 0 and t = {time}", f"from t = 0 to t = {time}", f"in the time from t = 0 to t = {time}")

@@ -131,3 +131,12 @@ class VelocityJump(Occurrence):
     def clause(self, words: Words) -> Clause | None:
         """As in: the ball first hits the ground; when that is, is asked of one side alone."""
         return self.verb.clause(self.subject(words), self._count) if self.after else None
+
+    def stretches(self, words: Words) -> tuple[str, ...]:
+        """As in: up to the moment just after the ball hits the ground for the second time."""
+        after = self.phrases(words)[1]
+        return (
+            f"from {words.since} until {after}",
+            f"between {words.since} and the moment {after}",
+            f"up to the moment {after}",
+        )

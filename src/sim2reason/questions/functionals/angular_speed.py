@@ -1,0 +1,16 @@
+"""The greatest angular speed of a body."""
+
+from sim2reason.quantities.rotation import AngularVelocity
+from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.extreme import Extreme
+
+
+@functional
+class GreatestAngularSpeed(Extreme):
+    """The greatest angular speed of a body."""
+
+    name = "greatest angular speed"
+    quantity = AngularVelocity
+    phrase = "the greatest angular speed of {body}"
+    how = "with what angular speed does {body} turn at most {when}?"
+    weight = 2.0

@@ -1,0 +1,43 @@
+"""The area that the line between two bodies sweeps out."""
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.pairs import DistanceBetween
+from sim2reason.quantities.subjects.bodies import moves
+from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.integral import Integral
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+
+
+@functional
+class AreaSwept(Integral):
+    """The area that the line from a fixed body to one that it attracts sweeps out, as in Kepler's second law."""
+
+    name, unit, least = "area swept", "m^2", 1e-4
+    of = Pairs()
+    phrase = "the area that the line between {pair} sweeps out"
+    how = "how large an area does the line between {pair} sweep out {when}?"
+    weight = 3.0
+
+    def rate(self, state: State, name: str) -> Array:
+        """½|r × v|, (n,)."""
+        a, b = members(name)
+        apart = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
+        parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
+        return 0.5 * np.linalg.norm(np.cross(apart, parting), axis=1)
+
+    def present(self, words: Words, name: str) -> bool:
+        """One that is fixed, and one that it attracts."""
+        pulls = any({pull.a, pull.b} == set(members(name)) for pull in words.mechanism.attractions)
+        return pulls and sum(moves(words.mechanism, body) for body in members(name)) == 1
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Both velocities and the distance."""
+        del mechanism
+        velocities = (Channel(body, Velocity.name) for body in members(name))
+        return (Channel(name, DistanceBetween.name), *velocities)

@@ -1,0 +1,16 @@
+"""How far a body gets from its starting point."""
+
+from sim2reason.quantities.kinematics import Displacement
+from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.extreme import Extreme
+
+
+@functional
+class GreatestDisplacement(Extreme):
+    """The greatest distance of a body from its starting point."""
+
+    name = "greatest displacement"
+    quantity = Displacement
+    phrase = "the greatest distance{aside} between {body} and its starting point"
+    how = "how far{aside} does {body} get at most from its starting point {when}?"
+    weight = 2.0

@@ -1,0 +1,110 @@
+"""The greatest or least value of a quantity: a smooth extreme within the stretch, and none other."""
+
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities import QUANTITIES, Quantity
+from sim2reason.questions.functionals import Functional
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+ROUNDS, PIECES = 6, 16  # of closing in on a top between neighbours, each time on two of so many pieces
+FLAT = 1e-9  # of the value: what differs by less is a plateau, which has no top
+CLEAR = 0.01  # of the value: how far it lies beyond those at both ends of the stretch
+
+
+class Extreme(Functional):
+    """The greatest value of a function of the state, which is the answer itself, positive.
+
+    It is refused where the function is greatest at an end of the stretch, at an event, or on a plateau: only a smooth
+    top within the stretch is one, so that no one asks on which side of a jump it is, nor reads it off the text.
+
+    Class data:
+        quantity: whose greatest or least value it is; the size of a vector, and of what has a sign its size, too.
+        sign: 1 for the greatest, −1 for the least.
+    """
+
+    kind = "extremum"
+    quantity: ClassVar[type[Quantity]]
+    sign: ClassVar[float] = 1.0
+
+    def __init_subclass__(cls) -> None:
+        """Take from the quantity what is the same."""
+        if not hasattr(cls, "quantity"):
+            return
+        quantity = cls.quantity
+        cls.unit, cls.of, cls.least, cls.needs = quantity.unit, quantity.of, quantity.least, quantity.needs
+        cls.center = quantity.center
+
+    def height(self, state: State, name: str) -> Array:
+        """What is greatest, (n,): by default the size of the quantity, of the least value with a minus sign."""
+        values = self.quantity.evaluate(state, name)
+        return self.sign * (np.abs(values) if values.ndim == 1 else np.linalg.norm(values, axis=1))
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """The quantity."""
+        del mechanism
+        return (Channel(name, self.quantity.name),)
+
+    def present(self, words: Words, name: str) -> bool:
+        """Whether the subject has the quantity."""
+        return QUANTITIES[self.quantity.name].present(words.mechanism, name)
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """Of a motion that repeats itself it is the extreme of all that follows, too."""
+        return moment.phrases(words) if isinstance(moment, WholeMotion) else super().when(moment, words, name)
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """The size of the highest of all tops, if nothing in the stretch is higher."""
+        within = trace.scan.times <= end
+        times, heights = trace.scan.times[within], self.height(trace.scan, name)[within]
+        if len(times) < 3 or not np.isfinite(heights).all():
+            return None
+        tops = _tops(heights)
+        if not len(tops):
+            return None
+        at, top = self._highest(trace, name, times, tops)
+        size = abs(top)
+        jumps = any(event.kind != "turn" and times[at - 1] <= event.time <= times[at + 1] for event in trace.events)
+        flat = max(heights[at - 1], heights[at + 1]) > top - FLAT * size
+        beyond = float(heights.max()) > top + FLAT * size
+        dull = max(heights[0], heights[-1]) > top - CLEAR * size
+        value = self.sign * top
+        return value if value > 0.0 and not (jumps or flat or beyond or dull) else None
+
+    def _highest(self, trace: Trace, name: str, times: Array, tops: NDArray[np.intp]) -> tuple[int, float]:
+        """The sample nearest to the highest top, and how high that is."""
+        low, high = times[tops - 1], times[tops + 1]
+        shares = np.linspace(0.0, 1.0, PIECES + 1)
+        best = np.zeros(len(tops))
+        for _ in range(ROUNDS):
+            grid = low[:, None] + (high - low)[:, None] * shares
+            found = self.height(trace.sample(grid.ravel()), name).reshape(grid.shape)
+            number = np.clip(found.argmax(axis=1), 1, PIECES - 1)
+            rows = np.arange(len(tops))
+            best, low, high = found.max(axis=1), grid[rows, number - 1], grid[rows, number + 1]
+        first = int(best.argmax())
+        return int(tops[first]), float(best[first])
+
+
+def _tops(heights: Array) -> NDArray[np.intp]:
+    """The inner samples higher than both neighbours that may lie at the highest top, by parabolas through each three.
+
+    Of two equal samples with a top between them the second counts.
+    """
+    before, here, after = heights[:-2], heights[1:-1], heights[2:]
+    size = FLAT * np.abs(here)
+    rises = (here >= before) & (here >= after) & ((here > before + size) | (here > after + size))
+    found = np.flatnonzero(rises)
+    if not len(found):
+        return found
+    slope, bend = (after - before)[found] / 2.0, (2.0 * here - before - after)[found]
+    reach = here[found] + slope**2 / (2.0 * bend)
+    return found[reach >= reach.max() - CLEAR * abs(reach.max())] + 1

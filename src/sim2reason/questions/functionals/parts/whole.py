@@ -1,0 +1,31 @@
+"""All that moves, taken together, as one subject."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.quantities.subjects import Subject, all_said
+
+ALL = ""  # its only name
+
+
+@dataclass(frozen=True)
+class Whole(Subject):
+    """Everything; a question about it names nothing."""
+
+    name, slot = "whole", "all"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """There is one."""
+        del mechanism
+        return (ALL,)
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """It goes without saying."""
+        del mechanism, mentions
+        return {ALL: ""}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Whether the text says it of everything that has it."""
+        del name
+        return all_said(need, mechanism, said)

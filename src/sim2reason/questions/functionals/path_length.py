@@ -1,0 +1,63 @@
+"""How far a body travels in all, to and fro."""
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.quantities.kinematics import Displacement, Velocity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import center_path, chain
+from sim2reason.questions.choices import at
+from sim2reason.questions.crossing import crossings
+from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.integral import Integral
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+DIFFERS = 0.02  # of the path: what is less longer than the way as the crow flies is not worth asking
+
+
+@functional
+class PathLength(Integral):
+    """The length of the path of a body along a line, or on a circle."""
+
+    name, unit, least = "path length", "m", 1e-3
+    of, center = Bodies(), True
+    phrase = "the total distance that {body} travels{ground}"
+    how = "how far does {body} travel altogether{ground} {when}?"
+    indirect = "how far {body} travels altogether{ground}"
+    weight = 3.0
+
+    def rate(self, state: State, name: str) -> Array:
+        """The speed, (n,)."""
+        return np.linalg.norm(Velocity.evaluate(state, name), axis=1)
+
+    def corners(self, trace: Trace, name: str) -> list[float]:
+        """Where a body on a line turns back; on a circle a coordinate does, and the engine says when."""
+        path = center_path(trace.mechanism, name)
+        if not path.straight:
+            return []
+        way = np.array(path.ways[0])
+        senses = (way, -way)
+        return [
+            time for sense in senses for time in crossings(trace, lambda s, x=sense: Velocity.evaluate(s, name) @ x)
+        ]
+
+    def present(self, words: Words, name: str) -> bool:
+        """What moves along a line, or turns about an axle of the room."""
+        bodies = chain(words.mechanism, name)
+        hinges = [c.kind for body in bodies for c in body.coordinates]
+        return center_path(words.mechanism, name).straight or hinges == ["hinge"]
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """Its velocity, and where that leads."""
+        del mechanism
+        return (Channel(name, Velocity.name), Channel(name, Displacement.name))
+
+    def worth(self, study: Study, name: str, end: float) -> bool:
+        """Whether it is longer than the displacement, which is asked for otherwise."""
+        path = self.value(study.trace, name, end) or 0.0
+        direct = float(np.linalg.norm(Displacement.evaluate(at(study.trace, end), name)[0]))
+        return path - direct > DIFFERS * path

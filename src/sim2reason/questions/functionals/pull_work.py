@@ -1,0 +1,59 @@
+"""The work of a hand that draws a string in."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+from sim2reason.dsl.mechanism import Drawn, Mechanism
+from sim2reason.quantities.subjects import Subject
+from sim2reason.quantities.tension import StringLength
+from sim2reason.questions.choices import at
+from sim2reason.questions.functionals import Functional, functional
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+
+@dataclass(frozen=True)
+class Hands(Subject):
+    """The one hand of a text, by the string part that it draws in."""
+
+    name, slot = "hand", "hand"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """All parts that a hand draws in."""
+        return tuple(line.name for line in mechanism.pulls)
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """One alone can be spoken of."""
+        del mentions
+        names = self.names(mechanism)
+        return {names[0]: "the hand"} if len(names) == 1 else {}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """It needs nothing."""
+        del need, mechanism, name, said
+        return True
+
+
+@functional
+class PullWork(Functional):
+    """The work that a hand does as it draws a string in with a constant force."""
+
+    name, unit, kind, least = "work of a hand", "J", "sum", 1e-3
+    of = Hands()
+    phrase = "the work that {hand} does"
+    how = "how much work does {hand} do {when}?"
+    indirect = "how much work {hand} does"
+    weight = 3.0
+
+    def value(self, trace: Trace, name: str, end: float) -> float | None:
+        """Its force times what it has drawn in; None where it has let out more."""
+        line = trace.mechanism.line[name]
+        assert isinstance(line.law, Drawn)
+        start, here = (float(at(trace, time).free_length(line)[0][0]) for time in (0.0, end))
+        work = line.law.force * (start - here)
+        return work if work > 0.0 else None
+
+    def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
+        """How the string's length changes."""
+        del mechanism
+        return (Channel(name, StringLength.name),)

@@ -1,0 +1,16 @@
+"""The greatest force in a light rod."""
+
+from sim2reason.quantities.rods import RodForce
+from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.extreme import Extreme
+
+
+@functional
+class GreatestRodForce(Extreme):
+    """The greatest size of the force in a light rod, be it a pull or a push."""
+
+    name = "greatest rod force"
+    quantity = RodForce
+    phrase = "the greatest magnitude of the force in {rod}"
+    how = "how large does the force in {rod} become at most {when}?"
+    weight = 2.0

@@ -1,0 +1,165 @@
+"""What kinds of question share that ask for a functional of a stretch of motion."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from typing import ClassVar
+
+import numpy as np
+
+from sim2reason.questions.doubt import doubt
+from sim2reason.questions.functionals import FUNCTIONALS, Functional
+from sim2reason.questions.kinds import Kind, Measured, by_cause
+from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.phrasing import again, asking
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Target, Targets
+from sim2reason.questions.words import Words
+from sim2reason.simulation.certify import Certificate
+
+ADVERBS = ("in all", "altogether")  # which stand at the end of a sentence only
+TRIES = 6  # functionals of subjects that one draw looks at
+EVENTS = 3  # classes of events that offer ends of stretches to one draw
+
+
+@dataclass(frozen=True, slots=True)
+class StretchQuery(Query):
+    """What is asked about a functional of a subject, over the stretch that ends with the moment."""
+
+    functional: str = ""
+    name: str = ""
+
+    @property
+    def subject(self) -> str:
+        """That of the functional."""
+        return self.name
+
+
+class StretchKind(Kind):
+    """What is a functional over the stretch from the start to a moment? Each functional says of which kind it is.
+
+    Class data:
+        whole: whether answers are whole numbers.
+    """
+
+    whole: ClassVar[bool] = False
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """A functional that a stretch of this motion has, and that is worth asking for."""
+        del targets
+        offered = list(self._offered(words))
+        ends = _ends(study, words, rng) if offered else []
+        for _ in range(TRIES):
+            if not offered:
+                break
+            names = [functional.name for functional, _ in offered]
+            weights = np.array([f.weight / names.count(f.name) for f, _ in offered])
+            functional, name = offered.pop(int(rng.choice(len(offered), p=weights / weights.sum())))
+            for moment in ends:  # in an order of chance
+                if not functional.when(moment, words, name):
+                    continue
+                query = StretchQuery(self.name, None, moment, functional.name, name)
+                if self._worth(query, study):
+                    return query
+        return None
+
+    def _offered(self, words: Words) -> Iterator[tuple[Functional, str]]:
+        for functional in functionals(self.name):
+            yield from ((functional, name) for name in nouns(functional, words))
+
+    def _worth(self, query: StretchQuery, study: Study) -> bool:
+        end = _end(query, study)
+        return (
+            end is not None
+            and bool(self.answer(query, study))
+            and (FUNCTIONALS[query.functional].worth(study, query.name, end))
+        )
+
+    def answer(self, query: Query, study: Study) -> float | None:
+        """The functional's value."""
+        assert isinstance(query, StretchQuery)
+        end = _end(query, study)
+        return FUNCTIONALS[query.functional].value(study.trace, query.name, end) if end is not None else None
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: what is the greatest speed of A before the string first goes slack?"""
+        del noun
+        assert isinstance(query, StretchQuery)
+        moment, functional = query.moment, FUNCTIONALS[query.functional]
+        called = nouns(functional, words).get(query.name)
+        if moment is None or called is None:
+            return ()
+        target = Target(query.functional, query.name)
+        return tuple(
+            dict.fromkeys(
+                shape
+                for when in functional.when(moment, words, query.name)
+                for shape in asking(target, called, when, again(moment, called.phrase, when, words))
+                if not (when in ADVERBS and shape.startswith(when))  # *in all, what is …?*
+            )
+        )
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every functional of every subject that it names, to every moment that it speaks of."""
+        del targets
+        heard = [
+            (functional, name)
+            for functional, name in self._offered(words)
+            if nouns(functional, words)[name].heard(text)
+        ]
+        if not heard:
+            return
+        moments = [moment for cls in by_cause() for moment in cls.parsed(text, study.trace, words)]
+        for functional, name in heard:
+            for moment in moments:
+                if functional.when(moment, words, name):
+                    yield StretchQuery(self.name, None, moment, functional.name, name)
+
+    def measured(self, query: Query) -> Measured:
+        """The functional."""
+        assert isinstance(query, StretchQuery)
+        found = FUNCTIONALS[query.functional]
+        return Measured(found.name, found.unit, found.least, whole=self.whole)
+
+    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+        """What the functional is made of must be certified all the while, and all events up to its end."""
+        assert isinstance(query, StretchQuery)
+        channels = FUNCTIONALS[query.functional].channels(study.mechanism, query.name)
+        return doubt(certificate, self.time(query, study), query.moment, channels)
+
+
+@cache
+def functionals(kind: str) -> tuple[Functional, ...]:
+    """All functionals of a kind."""
+    return tuple(found for found in FUNCTIONALS.values() if found.kind == kind)
+
+
+@lru_cache(maxsize=128)
+def nouns(functional: Functional, words: Words) -> Mapping[str, Noun]:
+    """By name, the subjects for which a text can ask a functional, and how."""
+    return functional.asked(words)
+
+
+def _end(query: StretchQuery, study: Study) -> float | None:
+    """The last instant that counts, s."""
+    if query.moment is None:
+        return None
+    time = study.time(query.moment)
+    return query.moment.side(time) if time is not None else None
+
+
+def _ends(study: Study, words: Words, rng: np.random.Generator) -> list[Moment]:
+    """Moments of a motion that may end a stretch: a few of those that the motion brings about, and a time."""
+    found, events = list[Moment](), 0
+    classes = by_cause()
+    order: list[int] = rng.permutation(len(classes)).tolist()
+    for cls in (classes[number] for number in order):
+        happens = issubclass(cls, Happening)
+        if happens and events == EVENTS:
+            continue
+        here = cls.found(study, words, rng)
+        if here:
+            events += happens
+            found.append(here[int(rng.integers(len(here)))])
+    return found

@@ -1,0 +1,88 @@
+"""The last collision that ever happens."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism, Meeting
+from sim2reason.dsl.state import State
+from sim2reason.quantities.kinematics import Velocity
+from sim2reason.questions.choices import at
+from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Trace
+
+STILL = 1e-9  # of the largest speed: slower, nothing closes
+FEWEST = 2  # collisions, for one to be the last
+
+
+@MOMENTS.register("last_collision")
+@dataclass(frozen=True, slots=True)
+class LastCollision(Moment):
+    """Just after the last collision, where all then move freely and never meet again."""
+
+    kind = "event"
+    label = "last collision"
+    event = True
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """One, if there are several collisions."""
+        del words, rng
+        several = sum(event.kind == "collision" for event in study.trace.events) >= FEWEST
+        return [moment] if several and study.time(moment := cls()) is not None else []
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """It has no number or name of its own."""
+        del text, trace, words
+        yield cls()
+
+    @property
+    def sided(self) -> bool | None:
+        """Just after it."""
+        return True
+
+    def time(self, trace: Trace) -> float | None:
+        """When the last of those that were seen happens, if none can follow."""
+        times = [event.time for event in trace.events if event.kind == "collision"]
+        return times[-1] if times and not trace.cut and _is_over(trace) else None
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: after the last collision."""
+        del words
+        return ("after the last collision", "once the last collision is over", "when all collisions are over")
+
+
+def _is_over(trace: Trace) -> bool:
+    """Whether at the end of what was recorded everything moves freely, and no two bodies will meet."""
+    end = at(trace, float(trace.state.times[-1]))
+    fastest = float(np.abs(end.v).max(initial=0.0))
+    if not _free(trace.mechanism) or float(np.abs(end.a).max(initial=0.0)) > 0.0:
+        return False
+    return not any(_closes(end, meeting, STILL * fastest) for meeting in trace.mechanism.meetings)
+
+
+def _free(mechanism: Mechanism) -> bool:
+    """Whether nothing but contacts without friction acts between collisions, on bodies that don't turn."""
+    acts = (mechanism.lines, mechanism.forces, mechanism.attractions, mechanism.burns, mechanism.feet)
+    rubs = any(face.friction > 0.0 for face in mechanism.faces)
+    return not any(acts) and not rubs and all(c.kind == "slide" for c in mechanism.coordinates)
+
+
+def _closes(end: State, meeting: Meeting, still: float) -> bool:
+    """Whether two bodies in uniform motion will touch: flat faces as their gap shrinks, discs if they don't miss."""
+    b = end.vector(end.frames.center(meeting.b).place)[0]
+    apart, parting = b, Velocity.evaluate(end, meeting.b)[0]
+    if meeting.a is not None:
+        apart = b - end.vector(end.frames.center(meeting.a).place)[0]
+        parting = parting - Velocity.evaluate(end, meeting.a)[0]
+    if meeting.normal is not None:
+        return float(np.dot(meeting.normal, parting)) < -still
+    speed, along = float(np.linalg.norm(parting)), float(np.dot(apart, parting))
+    if speed <= still or along >= 0.0:
+        return False
+    return float(np.dot(apart, apart)) - (along / speed) ** 2 <= meeting.distance**2
