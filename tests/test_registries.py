@@ -11,7 +11,7 @@ import pytest
 
 import sim2reason
 from motions import told_motions
-from plain_scenes import atwood, ramp, table
+from plain_scenes import atwood, ramp, squeezed, swing, table
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.body import BODIES, Body
@@ -27,6 +27,7 @@ from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.writer import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Words
+from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.parse_question import parse_question
@@ -43,7 +44,10 @@ from sim2reason.testing import CHECKS
 
 REGISTRIES: Mapping[str, Registry[Any]] = {
     registry.kind: registry
-    for registry in (ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, KINDS, MODES, MOMENTS, FILTERS, CHECKS)
+    for registry in (
+        *(ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, FILTERS, CHECKS),
+        *(KINDS, MODES, MOMENTS, FUNCTIONALS),
+    )
 }
 MEMBERS = [(kind, name) for kind, registry in REGISTRIES.items() for name in registry]
 SOURCE = Path(sim2reason.__file__).parent
@@ -140,7 +144,7 @@ def told(scene: Scene) -> tuple[Study, Words]:
 @cache
 def varied() -> list[tuple[Study, Words]]:
     """Motions in which all that is registered can be asked."""
-    return [*map(told, (ramp(friction=0.3, speed=2.0), *scenes())), *told_motions()]
+    return [*map(told, (ramp(friction=0.3, speed=2.0), squeezed(), swing(), *scenes())), *told_motions()]
 
 
 def shapes(query: Query, words: Words) -> tuple[str, ...]:
@@ -235,7 +239,7 @@ def test_moments_are_found_and_every_phrase_is_parsed_back(name: str) -> None:
 @pytest.mark.parametrize("name", list(MODES))
 def test_modes_ask_every_kind_of_some_scene(name: str) -> None:
     asked = set[str]()
-    for scene in [ramp(friction=0.3, speed=2.0), *scenes()]:
+    for scene in [ramp(friction=0.3, speed=2.0), squeezed(), swing(), *scenes()]:
         study, words = Study(scene, simulate(scene)), words_of(describe(scene))
         for kind in KINDS:
             for seed in range(6):

@@ -25,6 +25,7 @@ from sim2reason.questions.moments.entered_region import EnteredRegion
 from sim2reason.questions.moments.farthest import Farthest
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.landed import Landed
+from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.moments.left_face import LeftFace
 from sim2reason.questions.moments.left_region import LeftRegion
 from sim2reason.questions.moments.lowest_point import LowestPoint
@@ -128,6 +129,7 @@ TIMES: list[tuple[Callable[[], motions.Motion], Moment, float]] = [
     (motions.pushed_block, BeganToSlip("bench.block"), 0.4 * G / 3.0),
     (motions.slab, StoppedSlipping("bench.block"), 2.0 / (0.4 * G)),
     (motions.pucks, Collided("table.a & table.b", after=True), 0.42),
+    (motions.pucks, LastCollision(), 0.42),
 ]
 
 

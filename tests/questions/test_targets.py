@@ -6,7 +6,7 @@ from math import cos, radians, sin
 import numpy as np
 import pytest
 
-from plain_scenes import G, atwood, ramp, table
+from plain_scenes import G, atwood, ramp, squeezed, swing, table
 from sim2reason.dsl.scene import Scene
 from sim2reason.prose.writer import describe
 from sim2reason.questions import KINDS, MODES, Noun, Query, Study, Words
@@ -80,7 +80,7 @@ def test_signed_targets_have_a_sense_and_magnitudes_have_none() -> None:
 @pytest.mark.parametrize("kind", list(KINDS))
 def test_every_kind_asks_in_three_shapes_that_end_as_they_begin(kind: str) -> None:
     asked = 0
-    for scene in (ramp(speed=2.0), ramp(friction=0.2), atwood(), table()):
+    for scene in (ramp(speed=2.0), ramp(friction=0.2), atwood(), table(), squeezed(), swing()):
         words, study = words_of(describe(scene)), Study(scene, simulate(scene))
         found = targets(words)
         for seed in range(8):

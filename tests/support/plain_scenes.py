@@ -1,14 +1,20 @@
 """Scenes small enough to be solved on paper."""
 
+from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.glider import Glider
+from sim2reason.bodies.hanger import Cord
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.bodies.track import Track
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
+from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 
@@ -61,3 +67,16 @@ def table(restitution: float = 0.5, speed: float = 2.0, tilt: float = 0.0) -> Sc
     pucks = (Puck(mass=1.0, x=0.0, y=0.0, vx=speed, vy=0.0), Puck(mass=2.0, x=1.0, y=0.0, vx=0.0, vy=0.0))
     entity = TwoDCollisionPlane(table=Table(tilt=tilt), radius=0.1, pucks=pucks, restitution=restitution)
     return Scene(entities=(Named(name="table", entity=entity),))
+
+
+def squeezed(heavy: float = 4.0, restitution: float = 1.0) -> Scene:
+    """A light cart of 1 kg at rest between a heavy one, which comes from the left at 1 m/s, and a wall."""
+    carts = (Glider(mass=heavy, x=0.0, v=1.0), Glider(mass=1.0, x=1.0, v=0.0))
+    entity = ComplexCollisionPlane(track=Track(), gliders=carts, right=2.0, restitution=restitution)
+    return Scene(entities=(Named(name="track", entity=entity),))
+
+
+def swing(angle: float = 60.0) -> Scene:
+    """A ball of 0.5 kg on a string of 0.8 m, let go."""
+    entity = Pendulum(bob=Ball(mass=0.5), hanger=Cord(length=0.8), angle=angle)
+    return Scene(entities=(Named(name="swing", entity=entity),))

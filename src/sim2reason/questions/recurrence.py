@@ -1,6 +1,6 @@
 """Whether a motion comes back to where it began, so that nothing new ever happens in it."""
 
-from math import copysign
+from math import copysign, pi
 
 import numpy as np
 
@@ -28,29 +28,41 @@ def first_return(trace: Trace) -> float | None:
     """
     if not is_autonomous(trace.mechanism) or not trace.mechanism.coordinates:
         return None
-    start, scan = at(trace, 0.0), trace.scan
-    places = np.abs(scan.q).max(axis=0, initial=0.0)
-    speeds = np.abs(scan.v).max(axis=0, initial=0.0)
-    leader = int(np.argmax(np.abs(start.v[0])))
-    if not speeds[leader] > 0.0 or not np.abs(start.v[0]).max() > SAME * speeds.max():
-        leader = int(np.argmax(np.abs(start.a[0])))
-        excess = _back_at_rest(leader, start)
+    start = at(trace, 0.0)
+    spans = np.abs(trace.scan.q).max(axis=0), np.abs(trace.scan.v).max(axis=0)
+    number = int(np.argmax(np.abs(start.v[0])))
+    if np.abs(start.v[0]).max() > SAME * spans[1].max():
+        ways = [_back_at_start(number, start, turn) for turn in _turns(trace.mechanism, number)]
     else:
-        excess = _back_at_start(leader, start)
-    for time in crossings(trace, excess):
-        here = at(trace, time)
-        alike = np.abs(here.q[0] - start.q[0]) <= SAME * places.max()
-        if alike.all() and (np.abs(here.v[0] - start.v[0]) <= SAME * speeds.max()).all():
-            return time
-    return None
+        ways = [_back_at_rest(int(np.argmax(np.abs(start.a[0]))), start)]
+    times = sorted(time for excess in ways for time in crossings(trace, excess))
+    return next((time for time in times if _alike(at(trace, time), start, spans)), None)
 
 
-def _back_at_start(number: int, start: State) -> Excess:
-    """How far a coordinate is ahead of its start, in the direction in which it began to move."""
+def _alike(here: State, start: State, spans: tuple[Array, Array]) -> bool:
+    """Whether an instant has the places and velocities of the start, whole turns aside."""
+    apart = here.q[0] - start.q[0]
+    for number, coordinate in enumerate(here.mechanism.coordinates):
+        turn = _turns(here.mechanism, number)[-1]
+        if turn and coordinate.kind == "hinge":
+            apart[number] -= turn * round(apart[number] / turn)
+    return bool((np.abs(apart) <= SAME * spans[0].max()).all()) and bool(
+        (np.abs(here.v[0] - start.v[0]) <= SAME * spans[1].max()).all()
+    )
+
+
+def _turns(mechanism: Mechanism, number: int) -> tuple[float, ...]:
+    """After what angles, rad, a coordinate is where it was; a hinge after a whole turn, unless a line is wound up."""
+    winds = any(line.wheels for line in mechanism.lines)
+    return (0.0, 2.0 * pi) if mechanism.coordinates[number].kind == "hinge" and not winds else (0.0,)
+
+
+def _back_at_start(number: int, start: State, turn: float) -> Excess:
+    """How far a coordinate is ahead of its start, and of a turn from there, in the direction in which it began."""
     way = copysign(1.0, float(start.v[0, number]))
 
     def ahead(state: State) -> Array:
-        return way * (state.q[:, number] - start.q[0, number])
+        return way * (state.q[:, number] - start.q[0, number]) - turn
 
     return ahead
 

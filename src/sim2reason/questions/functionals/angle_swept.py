@@ -10,7 +10,9 @@ from sim2reason.quantities.rotation import AngleTurned, AngularVelocity
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.choices import at
 from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.circles import is_told_by_angles
 from sim2reason.questions.functionals.parts.integral import Integral
+from sim2reason.questions.moments import Moment
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
@@ -36,6 +38,10 @@ class AngleSwept(Integral):
         mechanism = words.mechanism
         hinges = [c for c in mechanism.body[name].coordinates if c.kind == "hinge"]
         return len(hinges) == 1 and mechanism.body[name].parent is None and name in AngleTurned().subjects(mechanism)
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """Not where geometry alone gives the angle."""
+        return () if is_told_by_angles(moment, words) else super().when(moment, words, name)
 
     def worth(self, study: Study, name: str, end: float) -> bool:
         """Whether it turns back."""

@@ -10,6 +10,8 @@ from sim2reason.quantities.subjects.bodies import moves
 from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.integral import Integral
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 
@@ -35,6 +37,10 @@ class AreaSwept(Integral):
         """One that is fixed, and one that it attracts."""
         pulls = any({pull.a, pull.b} == set(members(name)) for pull in words.mechanism.attractions)
         return pulls and sum(moves(words.mechanism, body) for body in members(name)) == 1
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """Not of a stated time: that times the areal velocity at the start needs no attraction."""
+        return () if isinstance(moment, AtTime) else super().when(moment, words, name)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Both velocities and the distance."""

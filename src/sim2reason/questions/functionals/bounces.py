@@ -21,6 +21,7 @@ class Bounces(Tally):
     of = Bodies()
     phrase = "the number of times that {body} hits {what}"
     how = "how many times does {body} hit {what} {when}?"
+    fewest = 2  # a ball that is thrown is not followed for much longer
     indirect = "how many times {body} hits {what}"
 
     def own(self, words: Words, name: str) -> dict[str, str]:

@@ -2,7 +2,9 @@
 
 from sim2reason.quantities.kinematics import Displacement
 from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.circles import circles
 from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.questions.words import Words
 
 
 @functional
@@ -14,3 +16,7 @@ class GreatestDisplacement(Extreme):
     phrase = "the greatest distance{aside} between {body} and its starting point"
     how = "how far{aside} does {body} get at most from its starting point {when}?"
     weight = 2.0
+
+    def present(self, words: Words, name: str) -> bool:
+        """Not on a circle, where the other end of the swing tells it."""
+        return not circles(words.mechanism, name)

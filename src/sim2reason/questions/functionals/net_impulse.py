@@ -5,8 +5,9 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.momentum import Momentum
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.questions.choices import at
+from sim2reason.questions.choices import at, only_falls
 from sim2reason.questions.functionals import Functional, functional
+from sim2reason.questions.functionals.parts.jump import is_smooth
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
@@ -34,7 +35,9 @@ class NetImpulse(Functional):
         return float(np.linalg.norm(_momentum(trace, name, end) - _momentum(trace, name, 0.0)))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether it is not the momentum at the end, or at the start."""
+        """Whether it is not the momentum at the end, or at the start, nor a weight times a time."""
+        if only_falls(study.mechanism) and is_smooth(study.trace, end):
+            return False
         change = self.value(study.trace, name, end) or 0.0
         sizes = [float(np.linalg.norm(_momentum(study.trace, name, time))) for time in (0.0, end)]
         return all(abs(change - size) > DIFFERS * size for size in sizes)

@@ -6,11 +6,13 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import center_path, chain
+from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.choices import at
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.circles import circles, is_told_by_angles, leaves_circle
 from sim2reason.questions.functionals.parts.integral import Integral
+from sim2reason.questions.moments import Moment
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
@@ -46,10 +48,13 @@ class PathLength(Integral):
         ]
 
     def present(self, words: Words, name: str) -> bool:
-        """What moves along a line, or turns about an axle of the room."""
-        bodies = chain(words.mechanism, name)
-        hinges = [c.kind for body in bodies for c in body.coordinates]
-        return center_path(words.mechanism, name).straight or hinges == ["hinge"]
+        """What moves along a line or on a circle."""
+        return center_path(words.mechanism, name).straight or circles(words.mechanism, name)
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """On a circle not where geometry alone gives the arc."""
+        told = circles(words.mechanism, name) and is_told_by_angles(moment, words)
+        return () if told else super().when(moment, words, name)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Its velocity, and where that leads."""
@@ -57,7 +62,9 @@ class PathLength(Integral):
         return (Channel(name, Velocity.name), Channel(name, Displacement.name))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether it is longer than the displacement, which is asked for otherwise."""
+        """Whether it is longer than the displacement, which is asked for otherwise, and on one circle if on any."""
+        if circles(study.mechanism, name) and leaves_circle(study.trace, end):
+            return False
         path = self.value(study.trace, name, end) or 0.0
         direct = float(np.linalg.norm(Displacement.evaluate(at(study.trace, end), name)[0]))
         return path - direct > DIFFERS * path

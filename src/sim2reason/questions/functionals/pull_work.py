@@ -8,6 +8,9 @@ from sim2reason.quantities.subjects import Subject
 from sim2reason.quantities.tension import StringLength
 from sim2reason.questions.choices import at
 from sim2reason.questions.functionals import Functional, functional
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.parts.distance import DistanceThreshold
+from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
@@ -44,6 +47,10 @@ class PullWork(Functional):
     how = "how much work does {hand} do {when}?"
     indirect = "how much work {hand} does"
     weight = 3.0
+
+    def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+        """Not until something has moved by a stated distance: force times distance is no question."""
+        return () if isinstance(moment, DistanceThreshold) else super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Its force times what it has drawn in; None where it has let out more."""

@@ -13,4 +13,4 @@ class GreatestRodForce(Extreme):
     quantity = RodForce
     phrase = "the greatest magnitude of the force in {rod}"
     how = "how large does the force in {rod} become at most {when}?"
-    weight = 2.0
+    weight = 5.0

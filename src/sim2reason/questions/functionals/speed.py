@@ -13,7 +13,7 @@ class GreatestSpeed(Extreme):
     quantity = Velocity
     phrase = "the greatest speed of {body}{ground}"
     how = "how fast does {body} move at most{ground} {when}?"
-    weight = 3.0
+    weight = 2.0
 
 
 @functional

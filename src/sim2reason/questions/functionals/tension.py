@@ -13,7 +13,7 @@ class GreatestTension(Extreme):
     quantity = Tension
     phrase = "the greatest tension in {string}"
     how = "how large does the tension in {string} become at most {when}?"
-    weight = 3.0
+    weight = 5.0
 
 
 @functional

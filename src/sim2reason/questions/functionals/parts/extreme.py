@@ -15,8 +15,9 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
-ROUNDS, PIECES = 6, 16  # of closing in on a top between neighbours, each time on two of so many pieces
+ROUNDS, PIECES = 3, 64  # of closing in on a top between neighbours, each time on two of so many pieces
 FLAT = 1e-9  # of the value: what differs by less is a plateau, which has no top
+TWIN = 1e-9  # of the stretch: nearer samples are the two sides of an event, of which the later one is looked at
 CLEAR = 0.01  # of the value: how far it lies beyond those at both ends of the stretch
 
 
@@ -63,21 +64,32 @@ class Extreme(Functional):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """The size of the highest of all tops, if nothing in the stretch is higher."""
-        within = trace.scan.times <= end
-        times, heights = trace.scan.times[within], self.height(trace.scan, name)[within]
-        if len(times) < 3 or not np.isfinite(heights).all():
+        times, heights = self._sampled(trace, name, end)
+        if not np.isfinite(heights).all():
             return None
-        tops = _tops(heights)
-        if not len(tops):
+        highest = float(heights.max())
+        apart = np.append(np.diff(times) > TWIN * end, True)
+        times, heights = times[apart], heights[apart]
+        if len(times) < 3:
+            return None
+        tops, reach = _tops(heights)
+        ends = max(heights[0], heights[-1])
+        if not len(tops) or ends > reach - CLEAR * abs(reach):
             return None
         at, top = self._highest(trace, name, times, tops)
         size = abs(top)
         jumps = any(event.kind != "turn" and times[at - 1] <= event.time <= times[at + 1] for event in trace.events)
         flat = max(heights[at - 1], heights[at + 1]) > top - FLAT * size
-        beyond = float(heights.max()) > top + FLAT * size
-        dull = max(heights[0], heights[-1]) > top - CLEAR * size
+        beyond = highest > top + FLAT * size
         value = self.sign * top
-        return value if value > 0.0 and not (jumps or flat or beyond or dull) else None
+        return value if value > 0.0 and not (jumps or flat or beyond or ends > top - CLEAR * size) else None
+
+    def _sampled(self, trace: Trace, name: str, end: float) -> tuple[Array, Array]:
+        """The function on the scan up to a time, s, and at that time."""
+        scan = trace.scan
+        within = scan.times < end
+        last = self.height(trace.sample(np.array([end])), name)
+        return np.append(scan.times[within], end), np.append(self.height(scan, name)[within], last)
 
     def _highest(self, trace: Trace, name: str, times: Array, tops: NDArray[np.intp]) -> tuple[int, float]:
         """The sample nearest to the highest top, and how high that is."""
@@ -94,17 +106,17 @@ class Extreme(Functional):
         return int(tops[first]), float(best[first])
 
 
-def _tops(heights: Array) -> NDArray[np.intp]:
-    """The inner samples higher than both neighbours that may lie at the highest top, by parabolas through each three.
+def _tops(heights: Array) -> tuple[NDArray[np.intp], float]:
+    """The inner samples higher than both neighbours that may lie at the highest top, and about how high that is.
 
-    Of two equal samples with a top between them the second counts.
+    Parabolas through each three samples tell; of two equal samples with a top between them both may count.
     """
     before, here, after = heights[:-2], heights[1:-1], heights[2:]
     size = FLAT * np.abs(here)
-    rises = (here >= before) & (here >= after) & ((here > before + size) | (here > after + size))
-    found = np.flatnonzero(rises)
+    found = np.flatnonzero((here >= before) & (here >= after) & ((here > before + size) | (here > after + size)))
     if not len(found):
-        return found
+        return found, 0.0
     slope, bend = (after - before)[found] / 2.0, (2.0 * here - before - after)[found]
     reach = here[found] + slope**2 / (2.0 * bend)
-    return found[reach >= reach.max() - CLEAR * abs(reach.max())] + 1
+    highest = float(reach.max())
+    return found[reach >= highest - CLEAR * abs(highest)] + 1, highest

@@ -2,6 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Sequence
+from typing import ClassVar
 
 from sim2reason.questions.functionals import Functional
 from sim2reason.questions.moments import Moment
@@ -11,14 +12,19 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
-FEWEST, MOST = 2, 12  # that are worth counting
+MOST = 12  # that are worth counting
 CLEAR = 0.03  # of the stretch: how far its end must be from what is counted, unless that is the end itself
 
 
 class Tally(Functional):
-    """How often something happens from the start to a moment, that moment included."""
+    """How often something happens from the start to a moment, that moment included.
 
-    kind, unit, least = "count", "", FEWEST - 0.5
+    Class data:
+        fewest: from how many on it is asked; two is what most people would guess.
+    """
+
+    kind, unit, least = "count", "", 1.5
+    fewest: ClassVar[int] = 3
 
     @abstractmethod
     def times(self, trace: Trace, name: str) -> Sequence[float]:
@@ -36,4 +42,4 @@ class Tally(Functional):
         """Whether there are some, and none where no one could tell by stated numbers whether it counts."""
         times = self.times(study.trace, name)
         near = any(0.0 < abs(time - end) < CLEAR * end for time in times)
-        return FEWEST <= (self.value(study.trace, name, end) or 0.0) <= MOST and not near
+        return self.fewest <= (self.value(study.trace, name, end) or 0.0) <= MOST and not near

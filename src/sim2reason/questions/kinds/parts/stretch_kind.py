@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from itertools import islice
 from typing import ClassVar
 
 import numpy as np
@@ -19,7 +20,8 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 
 ADVERBS = ("in all", "altogether")  # which stand at the end of a sentence only
-TRIES = 6  # functionals of subjects that one draw looks at
+ENDS = 3  # of stretches that it tries for each
+TRIES = 5  # functionals of subjects that one draw looks at
 EVENTS = 3  # classes of events that offer ends of stretches to one draw
 
 
@@ -41,24 +43,27 @@ class StretchKind(Kind):
 
     Class data:
         whole: whether answers are whole numbers.
+        ends_matter: whether the answer hangs on where the stretch ends, so that it may end by a stated number.
     """
 
     whole: ClassVar[bool] = False
+    ends_matter: ClassVar[bool] = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A functional that a stretch of this motion has, and that is worth asking for."""
         del targets
         offered = list(self._offered(words))
         ends = _ends(study, words, rng) if offered else []
+        if not self.ends_matter:
+            ends.sort(key=lambda moment: bool(moment.stated))
         for _ in range(TRIES):
             if not offered:
                 break
             names = [functional.name for functional, _ in offered]
             weights = np.array([f.weight / names.count(f.name) for f, _ in offered])
             functional, name = offered.pop(int(rng.choice(len(offered), p=weights / weights.sum())))
-            for moment in ends:  # in an order of chance
-                if not functional.when(moment, words, name):
-                    continue
+            fitting = (moment for moment in ends if functional.when(moment, words, name))
+            for moment in islice(fitting, ENDS):
                 query = StretchQuery(self.name, None, moment, functional.name, name)
                 if self._worth(query, study):
                     return query
@@ -69,18 +74,15 @@ class StretchKind(Kind):
             yield from ((functional, name) for name in nouns(functional, words))
 
     def _worth(self, query: StretchQuery, study: Study) -> bool:
-        end = _end(query, study)
-        return (
-            end is not None
-            and bool(self.answer(query, study))
-            and (FUNCTIONALS[query.functional].worth(study, query.name, end))
-        )
+        functional, end, answer = FUNCTIONALS[query.functional], _end(query, study), _value(query, study)
+        if end is None or answer is None or not answer > functional.least:
+            return False
+        return functional.worth(study, query.name, end)
 
     def answer(self, query: Query, study: Study) -> float | None:
         """The functional's value."""
         assert isinstance(query, StretchQuery)
-        end = _end(query, study)
-        return FUNCTIONALS[query.functional].value(study.trace, query.name, end) if end is not None else None
+        return _value(query, study)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: what is the greatest speed of A before the string first goes slack?"""
@@ -139,6 +141,12 @@ def functionals(kind: str) -> tuple[Functional, ...]:
 def nouns(functional: Functional, words: Words) -> Mapping[str, Noun]:
     """By name, the subjects for which a text can ask a functional, and how."""
     return functional.asked(words)
+
+
+@lru_cache(maxsize=32)
+def _value(query: StretchQuery, study: Study) -> float | None:
+    end = _end(query, study)
+    return FUNCTIONALS[query.functional].value(study.trace, query.name, end) if end is not None else None
 
 
 def _end(query: StretchQuery, study: Study) -> float | None:

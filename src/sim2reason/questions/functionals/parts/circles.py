@@ -1,0 +1,36 @@
+"""Bodies that move on one circle about a point of the room."""
+
+from sim2reason.dsl.mechanism import Inextensible, Mechanism
+from sim2reason.quantities.subjects.paths import chain
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.words import Words
+from sim2reason.simulation.trace import Trace
+
+
+def circles(mechanism: Mechanism, name: str) -> bool:
+    """Whether a body turns about a single axle of the room, or hangs on a string from a point of the room."""
+    kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
+    return kinds == ["hinge"] or _hangs(mechanism, name)
+
+
+def _hangs(mechanism: Mechanism, name: str) -> bool:
+    """Whether the only line is a string from a point of the room to a body."""
+    if len(mechanism.lines) != 1 or not isinstance(mechanism.lines[0].law, Inextensible):
+        return False
+    ends = [mechanism.site[site].body for site in mechanism.lines[0].through]
+    return len(ends) == 2 and set(ends) == {None, name}
+
+
+def leaves_circle(trace: Trace, end: float) -> bool:
+    """Whether a string goes slack up to a time, s."""
+    return any(event.kind == "slack" and event.time <= end for event in trace.events)
+
+
+def is_told_by_angles(moment: Moment, words: Words) -> bool:
+    """Whether geometry alone says where on its circle a body then is: what is let go swings as far as it came."""
+    known = isinstance(moment, Deflected | LowestPoint | TurnedThrough)
+    return known or (words.released and isinstance(moment, Stopped))

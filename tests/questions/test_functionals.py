@@ -1,0 +1,411 @@
+"""Greatest values, sums and counts in motions of every kind, by formulas from textbooks, and by both engines."""
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from math import acos, atan, ceil, cos, cosh, degrees, exp, floor, pi, radians, sin, sinh, sqrt
+
+import numpy as np
+import pytest
+
+import motions
+from plain_scenes import atwood, ramp, squeezed, swing, table
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.fields import Resistance
+from sim2reason.dsl.mechanism import ZERO, X, Z
+from sim2reason.dsl.scene import Scene
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.prose.writer import describe
+from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.functionals.parts.whole import ALL
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.bounced import Bounced
+from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.last_collision import LastCollision
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
+from sim2reason.questions.moments.went_taut import WentTaut
+from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.recurrence import first_return
+from sim2reason.simulation.certify import certify
+from sim2reason.simulation.scenes import simulate
+
+G = 9.8
+RISE, AHEAD = 5.0 * sin(radians(40.0)), 5.0 * cos(radians(40.0))
+FALL = sqrt(RISE**2 + 2.0 * G)  # the speed downwards at the ground of the ball that is thrown
+RATE = sqrt(20.0 / 0.5)  # of the block on a spring
+SPEED = sqrt(2.0 * G * 0.8 * 0.5)  # at the lowest point of what is let go from 60° on 0.8 m
+TABLE = "table.pucks.0 & table.pucks.1"
+SKY = "sky.planet & sky.star"
+SLOPE, ROUGH = radians(30.0), 0.2  # of a ramp
+
+Made = Callable[[], tuple[Study, Words]]
+
+
+def told(scene: Scene) -> Made:
+    """A scene as a motion with its words."""
+    return lambda: (Study(scene, simulate(scene)), words_of(describe(scene)))
+
+
+def dashpot() -> motions.Motion:
+    """As `spring_block`, with a dashpot of 2 N s/m beside the spring."""
+    builder = Builder()
+    room = builder.room("bench")
+    room.site("wall", at=(-0.8, 0.0, 0.0))
+    room.body("block", 0.5).rest(X, Z).site("hook")
+    room.spring("spring", "bench.wall", "bench.hook", stiffness=20.0, length=0.6, damping=2.0)
+    return motions.Motion(builder.finish(), {"bench.block": "the block", "bench.spring": "the spring"}, 2.0)
+
+
+def kicked(speed: float = 1.5) -> motions.Motion:
+    """As `spring_block`, relaxed at first and sent off."""
+    builder = Builder()
+    room = builder.room("bench")
+    room.site("wall", at=(-0.6, 0.0, 0.0))
+    room.body("block", 0.5).rest(X, Z, speed=speed).site("hook")
+    room.spring("spring", "bench.wall", "bench.hook", stiffness=20.0, length=0.6)
+    return motions.Motion(builder.finish(), {"bench.block": "the block", "bench.spring": "the spring"}, 2.0)
+
+
+def dragged(linear: float = 0.3) -> motions.Motion:
+    """A bead of 0.1 kg at 2 m/s in a medium."""
+    builder = Builder(gravity=ZERO)
+    bead = builder.room("lab").body("bead", 0.1).slide(X, 2.0, name="x").slide(Z, name="y")
+    bead.force("medium", Resistance(linear=linear))
+    return motions.Motion(builder.finish(), {"lab.bead": "the bead"}, 1.5)
+
+
+def towed() -> motions.Motion:
+    """A block of 1 kg at 3 m/s on a smooth floor, on a slack string to one of 2 kg at rest."""
+    builder = Builder()
+    room = builder.room("floor")
+    room.body("a", 2.0).rest(X, Z).site("a.hook")
+    room.body("b", 1.0, at=(0.5, 0.0, 0.0)).rest(X, Z, speed=3.0).site("b.hook")
+    room.string("rope", "floor.a.hook", "floor.b.hook", slack=0.6)
+    mentions = {"floor.a": "block A", "floor.b": "block B"}
+    return motions.Motion(builder.finish(), mentions, 1.0)
+
+
+def passing() -> motions.Motion:
+    """A planet at the end of the minor axis of its ellipse, a = 1 and e = 0.5: both apsides are still to come."""
+    builder = Builder(gravity=ZERO)
+    room = builder.room("sky")
+    star = room.body("star", 1.0, at=(0.5, 0.0, 0.0))
+    planet = room.body("planet", 1e-3, at=(0.0, 0.0, sqrt(0.75))).slide(X, -2.0 * pi, name="x").slide(Z, name="y")
+    planet.attract(star, 4.0 * pi**2)  # at the end of the minor axis r = a and v² = GM/a
+    return motions.Motion(builder.finish(), {"sky.star": "the star", "sky.planet": "the planet"}, 1.2)
+
+
+def cradle(angle: float = 50.0, speed: float = 0.0) -> motions.Motion:
+    """A block of 0.4 kg that glides to and fro in a smooth round bowl of 1 m, from an angle beside its lowest point."""
+    builder = Builder()
+    away = radians(angle)
+    place = (sin(away), 0.0, -cos(away))
+    block = builder.room("hill").body("block", 0.4, center=place)
+    block.swing((0.0, 1.0, 0.0), tuple(-part for part in place), 1.0, speed=speed, guided=False)
+    return motions.Motion(builder.finish(), {"hill.block": "the block", "hill.surface": "the bowl"}, 3.0)
+
+
+def overturned(speed: float) -> motions.Motion:
+    """A bob of 0.5 kg on a light rod of 1 m that leaves its lowest point with a speed, m/s."""
+    builder = Builder()
+    rod = builder.room("swing").body("hanger").hinge((0.0, 1.0, 0.0), speed)
+    rod.body("bob", 0.5, at=(0.0, 0.0, -1.0))
+    return motions.Motion(builder.finish(), {"swing.bob": "the bob", "swing.hanger": "the rod"}, 2.0)
+
+
+def damped_energy(time: float) -> float:
+    """The energy of `dashpot` at a time: x = A e^{−γt}(cos wt + (γ/w) sin wt), γ = b/2m, w² = k/m − γ²."""
+    gamma = 2.0 / (2.0 * 0.5)
+    w = sqrt(20.0 / 0.5 - gamma**2)
+    x = 0.2 * exp(-gamma * time) * (cos(w * time) + gamma / w * sin(w * time))
+    v = -0.2 * exp(-gamma * time) * (gamma**2 + w**2) / w * sin(w * time)
+    return 0.5 * 20.0 * x**2 + 0.5 * 0.5 * v**2
+
+
+def harmonic_path(time: float) -> float:
+    """What `spring_block` travels: 2A each half period, and A(1 − cos φ) of the one that is begun."""
+    halves = floor(RATE * time / pi)
+    return 0.2 * (2 * halves + 1.0 - cos(RATE * time - pi * halves))
+
+
+def driven(time: float) -> float:
+    """Where `driven_charge` is: ẍ = 10 + 20 x from x = 0 at 0.5 m/s."""
+    rate = sqrt(20.0)
+    return 0.5 * (cosh(rate * time) - 1.0) + 0.5 / rate * sinh(rate * time)
+
+
+def mean(a: float, b: float) -> float:
+    """The arithmetic-geometric mean: a pendulum let go from θ₀ has the period 2π/ω/M(1, cos(θ₀/2))."""
+    while a - b > 1e-16:
+        a, b = 0.5 * (a + b), sqrt(a * b)
+    return a
+
+
+ROUND = 2.0 * pi / sqrt(1.5 * G / 1.2) / mean(1.0, cos(radians(30.0)))  # of the rod that is let go from 60°
+
+
+@dataclass(frozen=True)
+class Case:
+    """A functional of a subject up to a moment of a motion, and what a formula says."""
+
+    made: Made
+    name: str
+    subject: str
+    moment: Moment
+    expected: float
+
+    @property
+    def query(self) -> StretchQuery:
+        """What is asked."""
+        return StretchQuery(FUNCTIONALS[self.name].kind, None, self.moment, self.name, self.subject)
+
+
+DOWN = G * (sin(SLOPE) - ROUGH * cos(SLOPE))  # of a block that slides down the ramp
+UP = G * (sin(SLOPE) + ROUGH * cos(SLOPE))
+PULL = 2.0 * 3.0 * 2.0 / 5.0 * G  # the tension of Atwood's machine
+FREE = motions.light_rod().told
+X4 = driven(0.4)
+LANDS = Bounced("field.ball", after=False)
+OVER = 3.0 - 2.0 * cos(radians(50.0))  # mg(3 − 2 cos θ₀) in the bowl
+EXTREMES: Sequence[Case] = (
+    Case(FREE, "greatest speed", "swing.bob", WholeMotion(), SPEED),
+    Case(FREE, "greatest angular speed", "swing.hanger", Stopped("swing.bob"), SPEED / 0.8),
+    Case(FREE, "greatest rod force", "swing.hanger", WholeMotion(), 0.5 * G * 2.0),  # mg(3 − 2 cos θ₀)
+    Case(FREE, "greatest kinetic energy", "swing.bob", WholeMotion(), 0.25 * SPEED**2),
+    Case(told(swing()), "greatest tension", "swing.hanger", WholeMotion(), 0.5 * G * 2.0),
+    Case(told(swing()), "greatest speed", "swing.bob", Stopped("swing.bob"), SPEED),
+    Case(kicked().told, "greatest extension", "bench.spring", WholeMotion(), 1.5 * sqrt(0.5 / 20.0)),  # v√(m/k)
+    Case(kicked().told, "greatest compression", "bench.spring", WholeMotion(), 1.5 * sqrt(0.5 / 20.0)),
+    Case(kicked().told, "greatest spring energy", "bench.spring", WholeMotion(), 0.25 * 1.5**2),
+    Case(kicked().told, "greatest acceleration", "bench.block", WholeMotion(), 1.5 * RATE),
+    Case(motions.spring_block().told, "greatest displacement", "bench.block", WholeMotion(), 0.4),
+    Case(
+        motions.thrown_ball().told, "greatest height", "field.ball", Bounced("field.ball", after=False), RISE**2 / 2 / G
+    ),
+    Case(motions.thrown_ball().told, "least speed", "field.ball", LANDS, AHEAD),
+    Case(passing().told, "greatest distance", SKY, WholeMotion(), 1.5),
+    Case(passing().told, "least distance", SKY, WholeMotion(), 0.5),
+    Case(passing().told, "least speed", "sky.planet", WholeMotion(), 2.0 * pi * sqrt(0.5 / 1.5)),  # v² = GM(2/r − 1/a)
+    Case(cradle().told, "greatest normal force", "hill.block", WholeMotion(), 0.4 * G * OVER),
+    Case(lambda: cradle(0.0, 2.0).told(), "least normal force", "hill.block", WholeMotion(), 0.4 * (G - 0.5 * 2.0**2)),
+    Case(motions.string_pendulum(6.0).told, "least tension", "swing.hanger", WholeMotion(), 0.5 * G),  # mg(k − 5)
+    Case(motions.string_pendulum(1.5).told, "greatest deflection", "swing.hanger", WholeMotion(), degrees(acos(0.25))),
+)
+SUMS: Sequence[Case] = (
+    Case(
+        told(ramp(friction=ROUGH)),
+        "energy dissipated by friction",
+        "ramp.blocks.0",
+        Moved("ramp.blocks.0", 0.9),
+        ROUGH * 2.0 * G * cos(SLOPE) * 0.9,
+    ),
+    Case(  # of ½mv² a ball that begins to roll keeps 5/7
+        motions.rolling_ball().told,
+        "energy dissipated by friction",
+        "lane.ball",
+        StoppedSlipping("lane.ball"),
+        2.0 / 7.0 * 0.5 * 2.0 * 9.0,
+    ),
+    Case(  # ½µu² with the reduced mass 0.75 kg
+        motions.slab().told,
+        "energy dissipated by friction",
+        "bench.block",
+        StoppedSlipping("bench.block"),
+        0.5 * 0.75 * 4.0,
+    ),
+    Case(  # up v²/2a, and down again
+        told(ramp(friction=ROUGH, speed=2.0)),
+        "path length",
+        "ramp.blocks.0",
+        AtTime(1.2),
+        4.0 / (2.0 * UP) + 0.5 * DOWN * (1.2 - 2.0 / UP) ** 2,
+    ),
+    Case(motions.spring_block().told, "path length", "bench.block", AtTime(1.7), harmonic_path(1.7)),
+    Case(dashpot().told, "energy dissipated by a dashpot", "bench.spring", AtTime(0.6), 0.4 - damped_energy(0.6)),
+    Case(dragged().told, "energy lost to drag", "lab.bead", AtTime(0.4), 0.2 * (1.0 - exp(-2.0 * 0.3 * 0.4 / 0.1))),
+    Case(told(table()), "impulse of a collision", TABLE, Collided(TABLE), 2.0 / 3.0 * 1.5 * 2.0),  # µ(1 + e)u
+    Case(told(table()), "energy lost in a collision", TABLE, Collided(TABLE), 0.5 * 2.0 / 3.0 * 0.75 * 4.0),
+    Case(  # ½µ(1 − e²)u²
+        motions.thrown_ball().told,
+        "impulse of an impact",
+        "field.ball",
+        Bounced("field.ball"),
+        0.2 * 1.8 * FALL,  # m(1 + e)v
+    ),
+    Case(
+        motions.thrown_ball().told,
+        "total impulse of impacts",
+        "field.ball",
+        Bounced("field.ball", 2),
+        0.2 * 1.8 * FALL * 1.8,
+    ),
+    Case(
+        motions.thrown_ball().told,
+        "energy lost in collisions",
+        ALL,
+        Bounced("field.ball", 2),
+        0.1 * FALL**2 * (1.0 - 0.8**4),
+    ),
+    Case(
+        motions.thrown_ball().told,
+        "impulse of the net force",
+        "field.ball",
+        Bounced("field.ball"),
+        0.2 * (0.8 * FALL - RISE),
+    ),
+    Case(motions.two_strings().told, "work of a hand", "crane.pull", AtTime(0.9), 30.0 * 0.5 * (10.0 - G) * 0.81),
+    Case(told(atwood()), "impulse of a tension", "tendon_1", AtTime(0.7), PULL * 0.7),
+    Case(told(atwood()), "work of a tension", "other.system.blocks.0", AtTime(0.7), PULL * 0.5 * G / 5.0 * 0.49),
+    Case(towed().told, "energy lost in a jerk", "floor.rope", WentTaut("floor.rope"), 0.5 * 2.0 / 3.0 * 9.0),  # ½µu²
+    Case(
+        motions.driven_charge().told,
+        "work of an electric field",
+        "lab.charge",
+        AtTime(0.4),
+        driven(0.4) + driven(0.4) ** 2,
+    ),
+    Case(motions.orbit().told, "area swept", SKY, Orbited(SKY, 180), pi * sqrt(0.75) / 2.0),
+    Case(
+        lambda: overturned(2.0).told(),
+        "total angle",
+        "swing.hanger",
+        Stopped("swing.bob"),
+        degrees(acos(1.0 - 2.0 / G)),
+    ),
+)
+COUNTS: Sequence[Case] = (
+    Case(told(squeezed()), "number of collisions", ALL, LastCollision(), ceil(pi / atan(0.5)) - 1),
+    Case(motions.thrown_ball().told, "number of bounces", "field.ball", AtTime(2.4), 2),
+    Case(motions.spring_block().told, "number of reversals", "bench.block", AtTime(1.8), floor(1.8 * RATE / pi)),
+)
+CASES = (*EXTREMES, *SUMS, *COUNTS)
+EVERY = pytest.mark.parametrize("case", CASES, ids=[f"{case.name}, {case.subject or 'all'}" for case in CASES])
+
+
+@cache
+def known(case: Case) -> tuple[Study, Words]:
+    return case.made()
+
+
+@EVERY
+def test_it_is_what_the_formula_says(case: Case) -> None:
+    study, _ = known(case)
+    assert KINDS[case.query.kind].answer(case.query, study) == pytest.approx(case.expected, rel=1e-8)
+
+
+def test_every_functional_is_tried() -> None:
+    assert {case.name for case in CASES} == set(FUNCTIONALS)
+
+
+@EVERY
+def test_both_engines_vouch_for_it_and_for_nothing_that_they_part_on(case: Case) -> None:
+    study, _ = known(case)
+    certificate = certify(study.mechanism, study.trace.state.times)[1]
+    question = Question("numeric", case.query, "?", case.expected, FUNCTIONALS[case.name].unit)
+    found = Candidate(study, question, "", certificate=certificate)
+    reason = FILTERS["agreement"].reason
+    assert not reason(found)
+    assert reason(replace(found, certificate=None))
+    for channel in FUNCTIONALS[case.name].channels(study.mechanism, case.subject):
+        parted = replace(certificate, until={**certificate.until, channel: 0.0})
+        assert "disagree" in reason(replace(found, certificate=parted)), channel
+
+
+@EVERY
+def test_every_sentence_is_parsed_back(case: Case) -> None:
+    study, words = known(case)
+    kind = KINDS[case.query.kind]
+    shapes = [sentence(shape) for shape in kind.shapes(case.query, words, None)]
+    assert len(set(shapes)) >= 3
+    assert {parse_question(shape, study, words) for shape in shapes} == {case.query}
+
+
+@pytest.mark.parametrize(
+    ("made", "name", "subject", "moment"),
+    [
+        (FREE, "greatest deflection", "swing.hanger", WholeMotion()),  # it starts there
+        (FREE, "least speed", "swing.bob", WholeMotion()),
+        (told(atwood()), "greatest tension", "tendon_1", AtTime(0.7)),  # it is constant
+        (told(atwood()), "greatest speed", "one.system.blocks.0", AtTime(0.7)),  # it ends there
+        (told(squeezed()), "greatest speed", "track.gliders.1", AtTime(2.3)),  # it jumps, and is constant between
+        (motions.thrown_ball().told, "greatest speed", "field.ball", AtTime(1.5)),  # it is, just before a bounce
+        (motions.thrown_ball().told, "least speed", "field.ball", AtTime(0.1)),  # still to come
+        (towed().told, "impulse of a tension", "floor.rope", AtTime(0.9)),  # that of a jerk is none of a tension
+        (motions.rocket().told, "greatest speed", "pad.rocket", WholeMotion()),  # which never returns
+        (dashpot().told, "greatest compression", "bench.spring", WholeMotion()),
+    ],
+)
+def test_what_no_smooth_top_decides_has_no_answer(made: Made, name: str, subject: str, moment: Moment) -> None:
+    query = StretchQuery(FUNCTIONALS[name].kind, None, moment, name, subject)
+    assert KINDS[query.kind].answer(query, made()[0]) is None
+
+
+def test_a_top_between_two_samples_counts_by_its_own_height() -> None:
+    """Of the tops of a damped motion the first is the highest, however samples fall: A e^(−γπ/w)."""
+    study, _ = dashpot().told()
+    w = sqrt(40.0 - 4.0)
+    query = StretchQuery("extremum", None, AtTime(1.9), "greatest compression", "bench.spring")
+    assert KINDS["extremum"].answer(query, study) == pytest.approx(0.2 * exp(-2.0 * pi / w), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("made", "expected"),
+    [
+        (motions.orbit, 1.0),
+        (passing, 1.0),
+        (motions.spring_block, 2.0 * pi / RATE),
+        (kicked, 2.0 * pi / RATE),
+        (motions.rod_pendulum, ROUND),
+        (dashpot, None),
+        (dragged, None),
+        (motions.rocket, None),
+        (motions.thrown_ball, None),
+        (motions.pushed_block, None),
+    ],
+)
+def test_a_motion_returns_after_its_period(made: Callable[[], motions.Motion], expected: float | None) -> None:
+    found = first_return(made().told()[0].trace)
+    assert found == (pytest.approx(expected, rel=1e-8) if expected is not None else None)
+
+
+def test_what_turns_over_returns_after_a_whole_turn() -> None:
+    """A bob on a light rod that leaves its lowest point with v² = 6gℓ: T = 4/v₀·ℓ·K(k), k² = 4gℓ/v²."""
+    speed = sqrt(6.0 * G)
+    trace = overturned(speed).told()[0].trace
+    assert first_return(trace) == pytest.approx(2.0 * pi / speed / mean(1.0, sqrt(1.0 - 4.0 / 6.0)), rel=1e-8)
+
+
+@pytest.mark.parametrize("heavy", [1.0, 2.0, 4.0, 9.0, 16.0])
+def test_collisions_are_counted_by_unfolding(heavy: float) -> None:
+    """Between a wall and a cart with mass ratio M/m there are ⌈π/arctan √(m/M)⌉ − 1 elastic collisions in all."""
+    study = Study.of(squeezed(heavy), np.linspace(0.0, 60.0, 41))
+    query = StretchQuery("count", None, LastCollision(), "number of collisions", ALL)
+    assert KINDS["count"].answer(query, study) == ceil(round(pi / atan(1.0 / sqrt(heavy)), 9)) - 1
+
+
+def test_a_collision_may_follow_as_long_as_anything_approaches() -> None:
+    study = Study.of(squeezed(9.0), np.linspace(0.0, 2.0, 41))
+    assert LastCollision().time(study.trace) is None
+    assert LastCollision().time(Study.of(table(), np.linspace(0.0, 2.0, 41)).trace) == pytest.approx(0.4)
+
+
+def test_a_count_is_asked_as_a_whole_number_and_read_back() -> None:
+    search = QuestionSearch(squeezed(), 3)
+    found = [search.ask(MODES["numeric"], np.random.default_rng(n), Counter(), "count") for n in range(6)]
+    asked = [certified for certified in found if certified is not None]
+    assert asked
+    for certified in asked:
+        assert "whole number" in certified.prompt
+        assert "significant" not in certified.prompt
+        assert parse_prompt(certified.prompt).answer == certified.question.answer
