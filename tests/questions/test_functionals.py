@@ -226,12 +226,12 @@ SUMS: Sequence[Case] = (
     ),
     Case(  # up v²/2a, and down again
         told(ramp(friction=ROUGH, speed=2.0)),
-        "path length",
+        "distance travelled",
         "ramp.blocks.0",
         AtTime(1.2),
         4.0 / (2.0 * UP) + 0.5 * DOWN * (1.2 - 2.0 / UP) ** 2,
     ),
-    Case(motions.spring_block().told, "path length", "bench.block", AtTime(1.7), harmonic_path(1.7)),
+    Case(motions.spring_block().told, "distance travelled", "bench.block", AtTime(1.7), harmonic_path(1.7)),
     Case(dashpot().told, "energy dissipated by a dashpot", "bench.spring", AtTime(0.6), 0.4 - damped_energy(0.6)),
     Case(dragged().told, "energy lost to drag", "lab.bead", AtTime(0.4), 0.2 * (1.0 - exp(-2.0 * 0.3 * 0.4 / 0.1))),
     Case(told(table()), "impulse of a collision", TABLE, Collided(TABLE), 2.0 / 3.0 * 1.5 * 2.0),  # µ(1 + e)u

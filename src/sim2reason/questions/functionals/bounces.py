@@ -6,7 +6,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.functionals import functional
-from sim2reason.questions.functionals.parts.tally import Tally
+from sim2reason.questions.functionals.parts.event_count import EventCount
 from sim2reason.questions.moments.bounced import struck
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
@@ -14,7 +14,7 @@ from sim2reason.simulation.trace import Trace
 
 
 @functional
-class Bounces(Tally):
+class Bounces(EventCount):
     """How often a body hits the ground, a wall or walls."""
 
     name = "number of bounces"

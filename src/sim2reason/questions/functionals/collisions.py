@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.event_count import EventCount
 from sim2reason.questions.functionals.parts.jump import massive
-from sim2reason.questions.functionals.parts.tally import Tally
 from sim2reason.questions.functionals.parts.whole import Whole
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.last_collision import LastCollision
@@ -16,7 +16,7 @@ from sim2reason.simulation.trace import Trace
 
 
 @functional
-class Collisions(Tally):
+class Collisions(EventCount):
     """The number of all collisions, of bodies with one another and with walls."""
 
     name = "number of collisions"

@@ -9,7 +9,7 @@ from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path, rides
 from sim2reason.questions.functionals import functional
-from sim2reason.questions.functionals.parts.tally import Tally
+from sim2reason.questions.functionals.parts.event_count import EventCount
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
@@ -18,7 +18,7 @@ STILL = 1e-7  # of its greatest speed: slower, it has no direction
 
 
 @functional
-class Reversals(Tally):
+class Reversals(EventCount):
     """How often a body on a line reverses its direction of motion."""
 
     name = "number of reversals"

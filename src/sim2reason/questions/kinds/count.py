@@ -9,5 +9,5 @@ class CountKind(StretchKind):
     """How often does something happen in a stretch of the motion?"""
 
     name = "count"
-    share = 0.05
+    share = 0.12
     whole = True

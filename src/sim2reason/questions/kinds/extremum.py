@@ -9,5 +9,5 @@ class ExtremumKind(StretchKind):
     """What is the greatest or least value of a quantity over a stretch of the motion?"""
 
     name = "extremum"
-    share = 0.22
+    share = 0.3
     ends_matter = False

@@ -16,7 +16,7 @@ MOST = 12  # that are worth counting
 CLEAR = 0.03  # of the stretch: how far its end must be from what is counted, unless that is the end itself
 
 
-class Tally(Functional):
+class EventCount(Functional):
     """How often something happens from the start to a moment, that moment included.
 
     Class data:

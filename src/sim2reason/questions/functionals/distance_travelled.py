@@ -22,10 +22,10 @@ DIFFERS = 0.02  # of the path: what is less longer than the way as the crow flie
 
 
 @functional
-class PathLength(Integral):
+class DistanceTravelled(Integral):
     """The length of the path of a body along a line, or on a circle."""
 
-    name, unit, least = "path length", "m", 1e-3
+    name, unit, least = "distance travelled", "m", 1e-3
     of, center = Bodies(), True
     phrase = "the total distance that {body} travels{ground}"
     how = "how far does {body} travel altogether{ground} {when}?"
