@@ -25,6 +25,7 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.bounced import Bounced
 from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.orbited import Orbited
@@ -230,6 +231,14 @@ SUMS: Sequence[Case] = (
         "ramp.blocks.0",
         AtTime(1.2),
         4.0 / (2.0 * UP) + 0.5 * DOWN * (1.2 - 2.0 / UP) ** 2,
+    ),
+    Case(motions.rubbed_spring().told, "distance travelled", "bench.block", Halted("bench.block"), 0.816),
+    Case(  # ½k(A² − a²), of what is left
+        motions.rubbed_spring().told,
+        "energy dissipated by friction",
+        "bench.block",
+        Halted("bench.block"),
+        10.0 * (0.2**2 - 0.004**2),
     ),
     Case(motions.spring_block().told, "distance travelled", "bench.block", AtTime(1.7), harmonic_path(1.7)),
     Case(dashpot().told, "energy dissipated by a dashpot", "bench.spring", AtTime(0.6), 0.4 - damped_energy(0.6)),

@@ -23,6 +23,7 @@ from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.questions.moments.entered_region import EnteredRegion
 from sim2reason.questions.moments.farthest import Farthest
+from sim2reason.questions.moments.halted import Halted
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.last_collision import LastCollision
@@ -111,6 +112,7 @@ TIMES: list[tuple[Callable[[], motions.Motion], Moment, float]] = [
     (motions.spring_block, NaturalLength("bench.spring"), pi / 2.0 / OMEGA),
     (motions.spring_block, MostCompressed("bench.spring"), pi / OMEGA),
     (lambda: motions.spring_block(-0.2), MostStretched("bench.spring"), pi / OMEGA),
+    (motions.rubbed_spring, Halted("bench.block"), 4.0 * pi / OMEGA),  # 0.2 → 0.151 → 0.102 → 0.053 → 0.004 m
     (motions.spring_block, Moved("bench.block", 0.1), acos(0.5) / OMEGA),
     (motions.orbit, Farthest("sky.planet & sky.star"), 0.5),
     (lambda: motions.orbit(-0.5), Closest("sky.planet & sky.star"), 0.5),

@@ -47,7 +47,7 @@ class AngleSwept(Integral):
         """Whether it turns back."""
         total = self.value(study.trace, name, end) or 0.0
         net = abs(float(AngleTurned.evaluate(at(study.trace, end), name)[0]))
-        return total - net > DIFFERS * total
+        return total - net > DIFFERS * total and super().worth(study, name, end)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """How fast it turns."""

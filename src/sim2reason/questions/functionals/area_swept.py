@@ -11,7 +11,8 @@ from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.integral import Integral
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.parts.apsis import Apsis
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 
@@ -39,8 +40,8 @@ class AreaSwept(Integral):
         return pulls and sum(moves(words.mechanism, body) for body in members(name)) == 1
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Not of a stated time: that times the areal velocity at the start needs no attraction."""
-        return () if isinstance(moment, AtTime) else super().when(moment, words, name)
+        """Until something happens on the same orbit; a time by the areal velocity at the start needs no attraction."""
+        return super().when(moment, words, name) if isinstance(moment, Orbited | Apsis) and moment.name == name else ()
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Both velocities and the distance."""

@@ -15,7 +15,7 @@ class GreatestDisplacement(Extreme):
     quantity = Displacement
     phrase = "the greatest distance{aside} between {body} and its starting point"
     how = "how far{aside} does {body} get at most from its starting point {when}?"
-    weight = 2.0
+    weight = 1.0
 
     def present(self, words: Words, name: str) -> bool:
         """Not on a circle, where the other end of the swing tells it."""

@@ -67,4 +67,4 @@ class DistanceTravelled(Integral):
             return False
         path = self.value(study.trace, name, end) or 0.0
         direct = float(np.linalg.norm(Displacement.evaluate(at(study.trace, end), name)[0]))
-        return path - direct > DIFFERS * path
+        return path - direct > DIFFERS * path and super().worth(study, name, end)

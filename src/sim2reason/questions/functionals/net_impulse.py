@@ -24,7 +24,7 @@ class NetImpulse(Functional):
     of, needs, center = Bodies(), ("mass",), False
     phrase = "the magnitude of the impulse of the net force on {body}"
     how = "how large is the impulse of the net force on {body} {when}?"
-    weight = 1.5
+    weight = 0.8
 
     def present(self, words: Words, name: str) -> bool:
         """What keeps its mass."""

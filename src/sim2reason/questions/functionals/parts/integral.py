@@ -3,10 +3,15 @@
 from abc import abstractmethod
 from collections.abc import Iterable
 
+import numpy as np
+
 from sim2reason.dsl.state import Array, State
 from sim2reason.questions.functionals import Functional
 from sim2reason.questions.quadrature import integral
+from sim2reason.questions.study import Study
 from sim2reason.simulation.trace import Trace
+
+LATE, NOTHING = 0.9, 1e-6  # of the stretch; of the greatest rate
 
 
 class Integral(Functional):
@@ -22,6 +27,13 @@ class Integral(Functional):
         """When the rate has a corner though nothing happens, s; by default never."""
         del trace, name
         return ()
+
+    def worth(self, study: Study, name: str, end: float) -> bool:
+        """Whether it still grows shortly before the end of the stretch: else that end decorates the question."""
+        scan = study.trace.scan
+        rates, within = np.abs(self.rate(scan, name)), scan.times <= end
+        late = rates[within & (scan.times >= LATE * end)]
+        return float(late.max(initial=0.0)) > NOTHING * float(rates[within].max(initial=0.0))
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """By Gauss's rule on the engine's steps."""
