@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plain_scenes import atwood, ramp, table
+from plain_scenes import atwood, ramp, swing, table
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
@@ -16,6 +16,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.figures.curves import motion_curves
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Target
+from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
@@ -188,11 +189,27 @@ class Gap(Quantity):
         return np.linalg.norm(now, axis=1) - np.linalg.norm(start)
 '''
 PUCKS = "table.pucks.0 table.pucks.1"
+FUNCTIONAL = '''
+from sim2reason.quantities.momentum import Momentum
+from sim2reason.questions.functionals import functional
+from sim2reason.questions.functionals.parts.extreme import Extreme
+
+
+@functional
+class GreatestMomentum(Extreme):
+    """The greatest momentum of a body."""
+
+    name = "greatest momentum"
+    quantity = Momentum
+    phrase = "the greatest momentum of {body}{ground}"
+    weight = 50.0
+'''
 ADDED = {
     "quantity": (QUANTITY, QUANTITIES),
     "moment": (MOMENT, MOMENTS),
     "kind": (KIND, KINDS),
     "subject": (SUBJECT, QUANTITIES),
+    "functional": (FUNCTIONAL, FUNCTIONALS),
 }
 Wanted = Callable[[Query], bool]
 BLOCKS = (ramp(friction=0.2), atwood())
@@ -266,6 +283,16 @@ def _asked(search: QuestionSearch, kind: str, wanted: Wanted) -> CertifiedQuesti
         if certified is not None and wanted(certified.question.query):
             return certified
     pytest.fail("it is never asked")
+
+
+@pytest.mark.parametrize("added", ["functional"], indirect=True)
+@pytest.mark.usefixtures("added")
+def test_a_functional_is_one_file() -> None:
+    certified = _asked(QuestionSearch(swing(), 3), "extremum", lambda query: query.name == "swing.bob")
+    record = item_of(Request("pendulum", "easy", "numeric", 0, 0), swing(), certified)
+    assert (record.asked.quantity, record.answer.unit) == ("greatest momentum", "kg m/s")
+    assert record.answer.value == pytest.approx(0.5 * np.sqrt(2.0 * 9.8 * 0.8 * 0.5))
+    assert parse_prompt(certified.prompt).answer == pytest.approx(record.answer.value)
 
 
 @pytest.mark.parametrize("added", ["quantity"], indirect=True)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import lru_cache
 from itertools import islice
 from typing import ClassVar
 
@@ -131,7 +131,6 @@ class StretchKind(Kind):
         return doubt(certificate, self.time(query, study), query.moment, channels)
 
 
-@cache
 def functionals(kind: str) -> tuple[Functional, ...]:
     """All functionals of a kind."""
     return tuple(found for found in FUNCTIONALS.values() if found.kind == kind)
