@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, product
@@ -42,7 +44,8 @@ class StringWork(Integral):
         line, own, other = _tied(state.mechanism, name)[0]
         here, there = state.frames.site(own), state.frames.site(other)
         apart = minus(there.place, here.place)
-        along: Array = product(apart, here.velocity) / product(apart, apart) ** 0.5
+        length: Array = np.sqrt(product(apart, apart)) + 0.0 * state.times
+        along = product(apart, here.velocity) / np.where(length > 0.0, length, 1.0)  # no way, where it has no length
         return Tension.evaluate(state, line) * along
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
