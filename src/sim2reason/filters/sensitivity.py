@@ -7,6 +7,7 @@ from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters
 from sim2reason.filters.parts.reach import shortfall
 
+COUNTED = 2  # numbers with which a count must change
 IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # of what is given: how much may have no bearing, unmarked
 
 
@@ -25,13 +26,18 @@ class Sensitivity(Filter):
         given = [given for given in givens(scene) if given.owner != "world"]
         aside = [effect.subject for effect in effects(candidate, part=True) if effect.close]
         excused = [g for g in given if f"{query.subject}.mass" in g.paths or any(_belongs(g, name) for name in aside)]
+        counted = candidate.kind.measured(query).whole  # which changes with some of the numbers only
         moving, idle = list[Given](), list[Given]()
         for found in elasticities(candidate):
             if found.given in given:
                 (moving if matters(candidate, found) else idle).append(found.given)
             unmarked = [g for g in idle if g not in excused]
+            if counted:
+                continue
             if len(unmarked) > IDLE[candidate.difficulty] * len(given) or 2 * len(idle) > len(given):
                 return f"idle numbers: {', '.join(path for g in unmarked for path in g.paths)}"
+        if counted:
+            return "" if len(moving) >= COUNTED else f"reach: the count changes with {len(moving)} numbers"
         short = shortfall(candidate, moving)
         return f"reach: {short}" if short else ""
 
