@@ -269,7 +269,7 @@ def test_one_file_is_enough(kind: str, wanted: Wanted, scene: Scene) -> None:
     assert channels
     assert all(certified.certificate.until[channel] > 0.0 for channel in channels)
     # recorded
-    record = item_of(Request("pulley", "easy", "numeric", 0, 0), scene, certified)
+    record = item_of(Request("pulley", "easy", "numeric", 0, 0), certified)
     measured = KINDS[query.kind].measured(query)
     assert (record.asked.quantity, record.answer.unit, record.kind) == (measured.name, measured.unit, query.kind)
     assert record.asked.event == query.moment.label
@@ -289,7 +289,7 @@ def _asked(search: QuestionSearch, kind: str, wanted: Wanted) -> CertifiedQuesti
 @pytest.mark.usefixtures("added")
 def test_a_functional_is_one_file() -> None:
     certified = _asked(QuestionSearch(swing(), 3), "extremum", lambda query: query.name == "swing.bob")
-    record = item_of(Request("pendulum", "easy", "numeric", 0, 0), swing(), certified)
+    record = item_of(Request("pendulum", "easy", "numeric", 0, 0), certified)
     assert (record.asked.quantity, record.answer.unit) == ("greatest momentum", "kg m/s")
     assert record.answer.value == pytest.approx(0.5 * np.sqrt(2.0 * 9.8 * 0.8 * 0.5))
     assert parse_prompt(certified.prompt).answer == pytest.approx(record.answer.value)
