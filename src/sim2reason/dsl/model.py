@@ -220,7 +220,8 @@ def _drawn(
             chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")
             chance = kind.chance if chance is None else chance
             if chance is None and not kind.optional:
-                chance = 1.0 if kind.drawn or kind.models else 0.0
+                chosen = _chosen(model, name, kind, choices) is not None
+                chance = 1.0 if kind.drawn or kind.models or chosen else 0.0
             if rng.random() >= float(chance or 0.0):  # type: ignore[arg-type]
                 absent[name] = info.get_default(call_default_factory=True)
                 continue

@@ -20,6 +20,7 @@ INNERMOST = Range(0.3, 0.7)  # au, of the first perihelion
 APART, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # of each perihelion to the aphelion before; of heavy planets
 RATIO = Range(0.01, 0.05)  # of the mass of a heavy planet to that of its star
 ROUND = Range(0.0, 0.3)  # eccentricities
+FULL = 1.2  # periods: one is over within them, also where a number is a little larger
 LONGEST = 50.0  # yr
 
 AnyPlanet = Planet | HeavyPlanet
@@ -81,8 +82,8 @@ class SolarSystem(Entity):
 
     @property
     def horizon(self) -> float:
-        """The shortest period of a planet that returns, or the time that a circle would take, yr."""
-        return min([LONGEST, *(self._period(planet) for planet in self.planets)])
+        """A little more than the shortest period of a planet that returns, or the time that a circle would take, yr."""
+        return min([LONGEST, *(FULL * self._period(planet) for planet in self.planets)])
 
     def _period(self, planet: AnyPlanet) -> float:
         distance, attraction = hypot(planet.x, planet.y), G * self.star.mass

@@ -1,0 +1,95 @@
+"""What is the quantity in the position of equilibrium?"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions.choices import at, pick
+from sim2reason.questions.kinds import SAME, Kind, kind
+from sim2reason.questions.phrasing import asking
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Target, Targets
+from sim2reason.questions.words import Words
+from sim2reason.simulation.certify import Certificate
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
+from sim2reason.simulation.rest.witness import unrest
+
+WHEN = ("in the position of equilibrium", "at equilibrium", "in the position of stable equilibrium")
+STILL = 1e-6  # m or rad
+
+
+@kind
+class EquilibriumKind(Kind):
+    """What is a length, an angle or a force where everything would stay at rest, whatever the motion before?"""
+
+    name = "equilibrium"
+    share = 0.15
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """A magnitude at the only stable equilibrium, which is not where the motion starts, and not a body's weight."""
+        del words
+        mechanism = study.mechanism
+        if not _worth(mechanism):
+            return None
+        rest = equilibrium(mechanism)
+        if rest is None or rest.free or float(np.abs(rest.coordinates).max()) <= STILL:
+            return None
+        start, there = at(study.trace, 0.0), rest.state
+        weights = [body.mass * float(np.linalg.norm(mechanism.gravity)) for body in mechanism.bodies]
+
+        def differs(target: Target) -> bool:
+            value = target.value(there)
+            if not abs(value) > QUANTITIES[target.quantity].least:
+                return False
+            told = [target.value(start), *(weights if target.unit == "N" else ())]
+            return all(abs(value - other) > SAME * abs(value) for other in told)
+
+        target = pick([target for target in targets if not target.signed], rng, differs)
+        return Query(self.name, target) if target is not None and lone_equilibrium(mechanism) is not None else None
+
+    def answer(self, query: Query, study: Study) -> float | None:
+        """The quantity there."""
+        assert query.target is not None
+        rest = equilibrium(study.mechanism)
+        return query.target.value(rest.state) if rest is not None else None
+
+    def time(self, query: Query, study: Study) -> float | None:
+        """It does not depend on the motion."""
+        del query, study
+        return 0.0
+
+    def channels(self, query: Query) -> tuple[Channel, ...]:
+        """Nothing of the motion."""
+        del query
+        return ()
+
+    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+        """Begun at rest there, nothing moves in the second engine, and all forces are the same."""
+        del query, certificate
+        rest = equilibrium(study.mechanism)
+        return "there is no equilibrium" if rest is None else unrest(rest)
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: in the position of equilibrium, what is the length of the spring?"""
+        del words
+        assert query.target is not None
+        assert noun is not None
+        shapes = (shape for when in WHEN for shape in asking(query.target, noun, when))
+        return tuple(dict.fromkeys(shapes))
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every quantity that is named."""
+        del study, words
+        if "equilibrium" in text:
+            yield from (Query(self.name, target) for target in targets)
+
+
+def _worth(mechanism: Mechanism) -> bool:
+    """Whether it takes more than a glance to find where all comes to rest: not below the point that it hangs from."""
+    springs = any(isinstance(line.law, Elastic) for line in mechanism.lines)
+    strings = len(mechanism.lines)
+    return springs or strings > 1 or bool(mechanism.forces)

@@ -1,0 +1,182 @@
+"""What is the period, or the frequency, of a motion that repeats, or of small oscillations about the equilibrium?"""
+
+from collections.abc import Iterator
+from itertools import combinations
+from math import pi
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.quantities.subjects.pairs import pair
+from sim2reason.quantities.subjects.paths import is_pulley_wheel
+from sim2reason.quantities.subjects.turners import TurningBodies
+from sim2reason.questions.kinds import Kind, Measured, kind
+from sim2reason.questions.period_words import COUNTS, PeriodQuery, movers, sentences
+from sim2reason.questions.query import Query
+from sim2reason.questions.repetition import Repetition, attracted_by
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.words import Words
+from sim2reason.simulation.certify import Certificate
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, steady
+from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
+from sim2reason.simulation.rest.witness import disagreement
+
+MEASURES = {
+    "period": Measured("period", "s", least=1e-2),
+    "frequency": Measured("frequency", "Hz", least=1e-2),
+    "angular frequency": Measured("angular frequency", "rad/s", least=1e-2),
+}
+OFTEN = (0.6, 0.25, 0.15)
+EVEN = 0.5
+MANY = 3  # modes: of more, no number can be found on paper
+APART = 0.05  # relative: two modes closer than that are not told apart
+BEYOND, WITHIN = 0.06, 1e-3  # relative: the period of small swings is wrong, or right, for a motion that is not small
+
+
+@kind
+class PeriodKind(Kind):
+    """What is the period of a motion that repeats itself, or of small oscillations about the equilibrium?"""
+
+    name = "period"
+    share = 0.25  # as often as a velocity, where it exists
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """The motion itself, or small oscillations; where both have one period, there is nothing small about it."""
+        del targets
+        motion = self._repeating(study, words, rng)
+        if motion is not None and _off(study.mechanism, self.time(motion, study) or 0.0) <= WITHIN:
+            return motion
+        small = self._small(study, words, rng)
+        return motion if small is None or (motion is not None and rng.random() < EVEN) else small
+
+    def _small(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
+        """Small oscillations about the only stable equilibrium, in one of a few modes."""
+        mechanism = study.mechanism
+        if _is_simple_pendulum(mechanism):
+            return None  # two numbers of the text, and a formula that everybody knows
+        modes, rest = _modes(mechanism), equilibrium(mechanism)
+        if modes is None or rest is None or len(modes.frequencies) > MANY:
+            return None
+        of, count = _oscillating(words, free=rest.free > 0), len(modes.frequencies)
+        gaps = np.diff(modes.frequencies) / modes.frequencies[1:]
+        plain = rest.linear or count == 1 or len(mechanism.lines) <= count
+        if of is None or not plain or (count > 1 and float(gaps.min()) < APART) or lone_equilibrium(mechanism) is None:
+            return None
+        rank = int(rng.integers(2)) * (count - 1)
+        return PeriodQuery(self.name, None, None, _measure(words, rng), small=True, of=of, rank=rank, modes=count)
+
+    def _repeating(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
+        """The motion of any body that comes round again, unless it is nearly that of small oscillations."""
+        names = list(movers(words)) if steady(study.mechanism) else []
+        rng.shuffle(names)
+        for name in names:
+            time = study.time(Repetition(name))
+            if time is None or WITHIN < _off(study.mechanism, time) < BEYOND:
+                continue
+            measure = "period" if attracted_by(words.mechanism, name) else _measure(words, rng, 2)
+            return PeriodQuery(self.name, None, None, measure, of=(name,))
+        return None
+
+    def answer(self, query: Query, study: Study) -> float | None:
+        """From the motion itself, or from the mechanism alone."""
+        assert isinstance(query, PeriodQuery)
+        if query.small:
+            modes = _modes(study.mechanism)
+            if modes is None or len(modes.frequencies) != query.modes:
+                return None
+            period = 2.0 * pi / float(modes.frequencies[query.rank])
+        else:
+            found = self.time(query, study)
+            if found is None:
+                return None
+            period = found
+        return {"period": period, "frequency": 1.0 / period, "angular frequency": 2.0 * pi / period}[query.measure]
+
+    def time(self, query: Query, study: Study) -> float | None:
+        """When the motion has come round; small oscillations don't depend on it."""
+        assert isinstance(query, PeriodQuery)
+        return 0.0 if query.small else study.time(Repetition(query.of[0]))
+
+    def channels(self, query: Query) -> tuple[Channel, ...]:
+        """How the body moves."""
+        assert isinstance(query, PeriodQuery)
+        return () if query.small else (Channel(query.of[0], "displacement"), Channel(query.of[0], "velocity"))
+
+    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+        """Of small oscillations: the second engine is to swing so, begun a little off the equilibrium."""
+        assert isinstance(query, PeriodQuery)
+        if not query.small:
+            return Kind.doubt(self, query, study, certificate)
+        rest = equilibrium(study.mechanism)
+        modes = _modes(study.mechanism)
+        if rest is None or modes is None:
+            return "there is no oscillation"
+        return disagreement(rest, modes, query.rank)
+
+    def measured(self, query: Query) -> Measured:
+        """A period, a frequency, or an angular frequency."""
+        assert isinstance(query, PeriodQuery)
+        return MEASURES[query.measure]
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: find the period of small oscillations of the block about the position of equilibrium."""
+        del noun
+        assert isinstance(query, PeriodQuery)
+        return sentences(query, words)
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every measure of every mode, of everything that is named."""
+        del study, targets
+        if not any(word in text for word in ("period", "frequency", "oscillation", "revolution", "repeat")):
+            return
+        called = movers(words)
+        named = [name for name, said in called.items() if said in text]
+        pairs = [two for two in combinations(called, 2) if pair(called[two[0]], called[two[1]]) in text]
+        groups: list[tuple[str, ...]] = [(), *((name,) for name in named), *pairs]
+        for measure in MEASURES:
+            yield from (PeriodQuery(self.name, None, None, measure, of=(name,)) for name in named)
+            for of in groups:
+                yield PeriodQuery(self.name, None, None, measure, small=True, of=of)
+            for count in COUNTS:
+                for rank in (0, count - 1):
+                    yield PeriodQuery(self.name, None, None, measure, small=True, rank=rank, modes=count)
+
+
+def _modes(mechanism: Mechanism) -> Oscillations | None:
+    rest = equilibrium(mechanism)
+    modes = oscillations(rest) if rest is not None else None
+    return modes if modes is not None and len(modes.frequencies) else None
+
+
+def _measure(words: Words, rng: np.random.Generator, count: int = 3) -> str:
+    """By share; a year has no hertz."""
+    names, shares = list(MEASURES)[:count], np.array(OFTEN[:count])
+    return str(rng.choice(names, p=shares / shares.sum())) if words.units.time == "s" else "period"
+
+
+def _oscillating(words: Words, *, free: bool) -> tuple[str, ...] | None:
+    """Of what small oscillations are: one body, the arm that carries all; two, if all else is free; or everything."""
+    mechanism = words.mechanism
+    heavy = tuple(n for n in movers(words) if mechanism.body[n].mass and not is_pulley_wheel(mechanism, n))
+    if free:
+        return heavy if len(heavy) == 2 else None
+    if len(heavy) == 1:
+        return heavy
+    arms = tuple(n for n in words.called(TurningBodies()) if mechanism.body[n].mass == 0.0)
+    return arms if len(arms) == len(mechanism.coordinates) == 1 else ()
+
+
+def _is_simple_pendulum(mechanism: Mechanism) -> bool:
+    heavy = [body for body in mechanism.bodies if body.mass > 0.0]
+    springs = any(isinstance(line.law, Elastic) for line in mechanism.lines)
+    return len(heavy) == 1 and not (any(heavy[0].inertia) or springs or mechanism.forces or mechanism.faces)
+
+
+def _off(mechanism: Mechanism, period: float) -> float:
+    """How far, as a share, a period is from that of small oscillations; all of it where there is no one such period."""
+    modes = _modes(mechanism)
+    if modes is None or len(modes.frequencies) != 1:
+        return 1.0
+    return abs(period * float(modes.frequencies[0]) / (2.0 * pi) - 1.0)

@@ -1,0 +1,207 @@
+"""Where a mechanism comes to rest, found from where it starts: the nearest least energy that its rows allow.
+
+With the coordinates q and the force λ of each row that acts (strings, rods, contacts that never slip), Newton's method
+solves F(q) − Jᵀλ = 0, spare(q) = 0 on the exact formulas. Along the motions Z that the rows allow it divides by the
+sizes of the eigenvalues of the stiffness ZᵀKZ, K = −∂(F − Jᵀλ)/∂q at fixed λ, so that it runs down, never up (Dauphin
+et al. 2014), and ends where the equilibrium is stable. A motion without stiffness, such as that of two carts joined by
+a spring along their track, is left as it is. `simulation.statics` looks for all places of rest instead.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.fields import Magnetic, Push
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Inextensible, Mechanism
+from sim2reason.dsl.state import State
+from sim2reason.errors import UnsupportedError
+from sim2reason.simulation.rest.balance import Balance
+from sim2reason.simulation.rest.loads import EXACT, LITTLE, RestingLoads, Vector, symmetric, ways
+
+STEPS = 40
+PATIENCE = 6  # steps in which a force where nothing restores must cease
+FLAT = 1e-6  # of the largest stiffness: less is none
+LONGEST = 0.5  # step: rad, or that share of the longest line
+STARTS = 5  # of the ways down that are tried
+NEAR = 0.2  # rad, and of the shortest line: nothing passes through anything within that
+APART = 1e-5  # m or rad, of the largest stiffness: two places of rest closer than that are one
+KEPT = 8
+
+
+@dataclass(frozen=True)
+class Rest:
+    """A stable equilibrium."""
+
+    state: State  # one instant, everything at rest there; a force that several rows share is NaN
+    allowed: Vector  # (n, m), orthonormal columns: the motions that the rows allow
+    stiffness: Vector  # (m, m), along these, N/m or N m/rad
+    free: int  # how many of the motions nothing drives back
+    active: tuple[int, ...]  # the rows that act, those of contacts that never slip last
+    linear: bool  # whether loads change in proportion to the coordinates everywhere
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """What is at rest."""
+        return self.state.mechanism
+
+    @property
+    def coordinates(self) -> Vector:
+        """Of each coordinate, counted from where the mechanism starts, m or rad, (n,)."""
+        return self.state.q[0]
+
+
+@lru_cache(maxsize=KEPT)
+def equilibrium(mechanism: Mechanism) -> Rest | None:
+    """The stable equilibrium next to where a mechanism starts; None if there is none, or none that can be named.
+
+    None has what friction holds over a range of places, what a force drives that changes in time, what burns, is
+    reeled in or stands on feet, and what has no force that changes with its place.
+    """
+    if not _restores(mechanism):
+        return None
+    try:
+        return _Descent(RestingLoads(mechanism)).rest()
+    except (UnsupportedError, ZeroDivisionError, np.linalg.LinAlgError):
+        return None
+
+
+@lru_cache(maxsize=KEPT)
+def lone_equilibrium(mechanism: Mechanism) -> Rest | None:
+    """The same, but None if some way down from elsewhere ends in another stable equilibrium."""
+    rest = equilibrium(mechanism)
+    if rest is None or rest.linear:
+        return rest
+    descent = _Descent(RestingLoads(mechanism), rest.coordinates)
+    ends = (descent.end(point, rest.active) for point in descent.points())
+    return rest if all(end is None or _same(rest, end, descent.loads) for end in ends) else None
+
+
+def neighbour(rest: Rest, shift: Vector) -> Vector:
+    """The coordinates (n,) of a place near an equilibrium that the rows allow, `shift` (n,) from it."""
+    loads, places = RestingLoads(rest.mechanism), rest.coordinates + shift
+    for _ in range(3):
+        places = places + loads.tightening(loads.at(places), list(rest.active))
+    return places
+
+
+def steady(mechanism: Mechanism) -> bool:
+    """Whether nothing that acts changes in time by itself: no field, no engine, no winch."""
+    fields = all(force.law.profile.steady for force in mechanism.forces if isinstance(force.law, Push | Magnetic))
+    strings = (line.law for line in mechanism.lines if isinstance(line.law, Inextensible))
+    return fields and not mechanism.burns and not any(law.reel for law in strings)
+
+
+def _restores(mechanism: Mechanism) -> bool:
+    """Whether rest can be one place, and stays it."""
+    rubs = any(0.0 < face.friction < math.inf for face in mechanism.faces)
+    bounded = any(force.region is not None for force in mechanism.forces)
+    other = rubs or bounded or mechanism.attractions or mechanism.feet
+    return steady(mechanism) and not other and changing(mechanism, start(mechanism)) != ""
+
+
+def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:
+    """Whether two places of rest are one, or differ by whole turns, or by what nothing drives back."""
+    apart = one.coordinates - other.coordinates
+    apart = np.where(loads.hinges, np.remainder(apart + math.pi, 2.0 * math.pi) - math.pi, apart)
+    rolled = [number for grip in loads.slips for number, _ in grip.slip.terms if not loads.hinges[number]]
+    apart[rolled] = 0.0  # what never slips is as far on as it has turned
+    if float(np.abs(apart).max()) <= APART:
+        return True
+    if not one.free or one.free != other.free:
+        return False
+    mine, others = np.linalg.eigvalsh(one.stiffness), np.linalg.eigvalsh(other.stiffness)
+    return bool(np.allclose(mine, others, rtol=APART, atol=APART * float(mine[-1])))
+
+
+def _spread(size: int) -> Vector:
+    """Points between −1 and 1, (STARTS, size)."""
+    return np.random.default_rng(0).uniform(-1.0, 1.0, (STARTS, size))
+
+
+class _Descent:
+    """The way down."""
+
+    def __init__(self, loads: RestingLoads, places: Vector | None = None) -> None:
+        """With the loads at some places, by default at the start, to compare forces with."""
+        self.loads, self.size = loads, loads.size
+        lengths = [length for length in loads.system.starts.values() if length > LITTLE] or [1.0]
+        self.shortest, self.longest = min(lengths), max(lengths)
+        self.scale = loads.largest(np.zeros(self.size) if places is None else places)
+
+    def rest(self) -> Rest | None:
+        """Where it ends that begins at the start; strings that would have to push are let go on the way."""
+        places, both = np.zeros(self.size), self.loads.both
+        spare = self.loads.at(places).spare
+        active = [number for number, always in enumerate(both) if always or spare[number] <= LITTLE]
+        for _ in range(1 + len(both)):
+            found = self._settled(places, active)
+            if found is None:
+                return None
+            places, forces = found
+            pushing = [number for number in active if not both[number] and forces[number] < -LITTLE * self.scale]
+            if not pushing:
+                return self._checked(places, active, forces)
+            active = [number for number in active if number not in pushing]
+        return None
+
+    def end(self, point: Vector, active: tuple[int, ...]) -> Rest | None:
+        """Where it ends that begins at a point, while the same rows act; None if it ends nowhere."""
+        try:
+            found = self._settled(point, list(active))
+            return None if found is None else self._checked(found[0], list(active), found[1])
+        except (ZeroDivisionError, np.linalg.LinAlgError):
+            return None
+
+    def points(self) -> Iterator[Vector]:
+        """Points spread over its reach, always the same ones."""
+        points = _spread(self.size)
+        yield from points * np.where(self.loads.hinges, math.pi, self.longest)
+
+    def _linear(self) -> bool:
+        """Whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
+        near = np.where(self.loads.hinges, NEAR, NEAR * self.shortest)
+        return self.loads.linear(_spread(self.size)[:2] * near, self.scale)
+
+    def _settled(self, places: Vector, active: list[int]) -> tuple[Vector, Vector] | None:
+        """The coordinates and the forces of all rows; None if it is driven on and on."""
+        driven = 0
+        most = LONGEST * np.where(self.loads.hinges, 1.0, self.longest)
+        for _ in range(STEPS):
+            loads = self.loads.at(places)
+            free = ways(loads.along[active], self.size)
+            forces = self.loads.forces(loads, active)
+            down = free.T @ loads.force
+            lacking = float(np.abs(loads.spare[active]).max(initial=0.0))
+            if max(float(np.abs(down).max(initial=0.0)) / self.scale, lacking) <= EXACT:
+                return places, forces
+            tight = self.loads.tightening(loads, active)
+            stiffness = free.T @ self.loads.stiffness(places, forces, active)
+            sizes, axes = np.linalg.eigh(symmetric(stiffness @ free))
+            along = axes.T @ (down - stiffness @ tight)
+            firm = np.abs(sizes) > FLAT * np.abs(sizes).max(initial=0.0)
+            pushed = ~firm & (np.abs(along) > LITTLE * self.scale)
+            driven = driven + 1 if pushed.any() else 0
+            if driven > PATIENCE:
+                return None
+            part = np.where(firm, along / np.where(firm, np.abs(sizes), 1.0), np.where(pushed, np.sign(along), 0.0))
+            step = tight + free @ (axes @ part)
+            places = places + step * min(1.0, float((most / np.maximum(np.abs(step), 1e-300)).min()))
+        return None
+
+    def _checked(self, places: Vector, active: list[int], forces: Vector) -> Rest | None:
+        """The equilibrium, if everything holds that must, and nothing drives away from it."""
+        free = ways(self.loads.at(places).along[active], self.size)
+        stiffness = symmetric(free.T @ self.loads.stiffness(places, forces, active) @ free)
+        sizes = np.linalg.eigvalsh(stiffness)
+        least = FLAT * float(np.abs(sizes).max(initial=0.0))
+        if not len(sizes) or float(sizes.max()) <= 0.0 or float(sizes.min()) < -least:
+            return None
+        balance = Balance(self.loads, places, active, forces)
+        if not balance.holds(LITTLE * self.scale):
+            return None
+        return Rest(balance.state(), free, stiffness, int((sizes <= least).sum()), tuple(active), self._linear())

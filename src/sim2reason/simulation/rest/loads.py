@@ -1,0 +1,137 @@
+"""What acts on a mechanism at rest: the exact engine's formulas with every velocity and acceleration zero."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.simulation.engines.exact.assembly import Assembly
+from sim2reason.simulation.engines.exact.system import System
+from sim2reason.simulation.engines.exact.tape import Tape
+
+Vector = NDArray[np.float64]
+
+EXACT = 1e-10  # of the largest force; m
+LITTLE = 1e-6  # of the largest force; m: what still counts as nothing
+SLIGHT = 1e-3  # strain
+DIFFERENCE = 6e-6  # m or rad, for central differences
+
+
+@dataclass(frozen=True, slots=True)
+class Loads:
+    """The load on each coordinate, and what is left of each row, with its gradient; contacts that never slip last."""
+
+    force: Vector  # (n,)
+    spare: Vector  # (rows,)
+    along: Vector  # (rows, n)
+
+
+class RestingLoads:
+    """The loads of a mechanism as a function of its coordinates."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        """Write them as code.
+
+        Raises:
+            UnsupportedError, SceneError: what the exact engine raises.
+            ZeroDivisionError: two sites coincide.
+        """
+        self.mechanism, self.system = mechanism, System(mechanism)
+        self.size = self.system.size
+        self.kinds = self.system.kinds(self.system.phase)
+        self.slips = [grip for grip in self.system.grips if grip.never]
+        self.both = [kind.both for kind in self.kinds] + [True] * len(self.slips)
+        self.hinges: NDArray[np.bool_] = np.array([c.kind == "hinge" for c in mechanism.coordinates], dtype=np.bool_)
+        self._code = self._written()
+        self._sticking: Vector = np.array([grip.slip.along for grip in self.slips], dtype=np.float64).reshape(
+            len(self.slips), self.size
+        )
+
+    def _written(self) -> Callable[..., tuple[float, ...]]:
+        n, system = self.size, self.system
+        tape = Tape(["t", *(f"q{number}" for number in range(n))])
+        _, *q = tape.inputs.values()
+        assembly = Assembly(system.mechanism, system.phase, (q, [0.0] * n, 0.0), tape)
+        rows = assembly.rows(system.starts)
+        entries = [row.along.get(k, 0.0) for row in rows for k in range(n)]
+        return tape.code([*assembly.force, *(row.value for row in rows), *entries])(math)
+
+    def at(self, places: Vector) -> Loads:
+        """The loads at coordinates (n,), m or rad; ZeroDivisionError where two sites coincide."""
+        found: Vector = np.array(self._code(0.0, places.tolist()), dtype=np.float64)
+        n, last = self.size, self.size + len(self.kinds)
+        along: Vector = np.concatenate([found[last:].reshape(len(self.kinds), n), self._sticking])
+        return Loads(found[:n], np.concatenate([found[n:last], -self._sticking @ places]), along)
+
+    def assembly(self, places: Vector) -> Assembly:
+        """All that the exact engine knows of the mechanism at rest there."""
+        return Assembly(self.mechanism, self.system.phase, (places.tolist(), [0.0] * self.size, 0.0), math)
+
+    def largest(self, places: Vector) -> float:
+        """The scale of forces: the largest load, or that of a small strain of the stiffest spring, N or N m."""
+        springs = (
+            SLIGHT * line.law.stiffness * (self.system.starts[line.name] or 1.0)
+            for line in self.mechanism.lines
+            if isinstance(line.law, Elastic)
+        )
+        return max(float(np.abs(self.at(places).force).max(initial=0.0)), *springs, 0.0) or 1.0
+
+    def forces(self, loads: Loads, active: list[int]) -> Vector:
+        """Of all rows, the least that hold as well as can be; zero of those that do not act."""
+        forces: Vector = np.zeros(len(loads.spare))
+        if active:
+            forces[active] = np.linalg.lstsq(loads.along[active].T, loads.force, rcond=1e-9)[0]
+        return forces
+
+    def stiffness(self, places: Vector, forces: Vector, active: list[int]) -> Vector:
+        """−∂(F − Jᵀλ)/∂q at fixed λ, (n, n)."""
+
+        def load(q: Vector) -> Vector:
+            loads = self.at(q)
+            return loads.force - forces[active] @ loads.along[active]
+
+        columns = [load(places - step) - load(places + step) for step in DIFFERENCE * np.eye(self.size)]
+        found: Vector = np.array(columns).T / (2.0 * DIFFERENCE)
+        return found
+
+    def tightening(self, loads: Loads, active: list[int]) -> Vector:
+        """The shortest step, (n,), after which no row that acts lacks anything."""
+        found: Vector = np.zeros(self.size)
+        if active:
+            found = found + np.linalg.lstsq(loads.along[active], loads.spare[active], rcond=1e-9)[0]
+        return found
+
+    def linear(self, points: Vector, scale: float) -> bool:
+        """Whether loads change in proportion to the coordinates, from zero to each of the points (k, n)."""
+        first = self.at(np.zeros(self.size))
+        for point in points:
+            half, whole = self.at(0.5 * point), self.at(point)
+            bend = float(np.abs(first.force - 2.0 * half.force + whole.force).max(initial=0.0))
+            if bend > EXACT * scale or float(np.abs(whole.along - first.along).max(initial=0.0)) > EXACT:
+                return False
+        return True
+
+
+def ways(rows: Vector, size: int) -> Vector:
+    """Orthonormal columns that all rows map to zero, (size, m)."""
+    if not rows.size:
+        return np.eye(size)
+    _, sizes, found = np.linalg.svd(rows, full_matrices=True)
+    return found[int((sizes > LITTLE).sum()) :].T
+
+
+def shared(rows: Vector) -> NDArray[np.bool_]:
+    """Whether the force of each row is open, since others could bear it, (rows,)."""
+    if not rows.size:
+        return np.zeros(len(rows), dtype=np.bool_)
+    sides, sizes, _ = np.linalg.svd(rows, full_matrices=True)
+    spare: Vector = np.abs(sides[:, int((sizes > LITTLE).sum()) :]).max(axis=1, initial=0.0)
+    return spare > LITTLE
+
+
+def symmetric(matrix: Vector) -> Vector:
+    """The symmetric part."""
+    return 0.5 * (matrix + matrix.T)
