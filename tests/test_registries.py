@@ -239,8 +239,7 @@ def test_moments_are_found_and_every_phrase_is_parsed_back(name: str) -> None:
 @pytest.mark.parametrize("name", list(MODES))
 def test_modes_ask_every_kind_of_some_scene(name: str) -> None:
     asked = set[str]()
-    for scene in [ramp(friction=0.3, speed=2.0), squeezed(), swing(), *scenes()]:
-        study, words = Study(scene, simulate(scene)), words_of(describe(scene))
+    for study, words in varied():
         for kind in KINDS:
             for seed in range(6):
                 question = MODES[name](study, words, kind, np.random.default_rng(seed))

@@ -129,7 +129,7 @@ class PeriodKind(Kind):
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every measure of every mode, of everything that is named."""
         del study, targets
-        if not any(word in text for word in ("period", "frequency", "oscillation", "revolution", "repeat")):
+        if not any(word in text for word in ("period", "frequenc", "scillation", "revolution", "repeat")):
             return
         called = movers(words)
         named = [name for name, said in called.items() if said in text]

@@ -1,0 +1,127 @@
+"""When a motion has come round, against closed forms."""
+
+from collections.abc import Callable
+from math import cos, pi, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+from motions import Motion, charge, light_rod, orbit, rolling_ball, slab, spring_block, string_pendulum, thrown_ball
+from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.fields import Magnetic, Profile, Push
+from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
+from sim2reason.questions.repetition import Repetition, attracted_by
+from sim2reason.simulation.engines.exact import simulate
+
+G = 9.8
+SEEDS = range(4)
+
+
+def period(mechanism: Mechanism, name: str, duration: float) -> float | None:
+    """By the exact engine."""
+    return Repetition(name).time(simulate(mechanism, np.linspace(0.0, duration, 5)))
+
+
+def mean(a: float, b: float) -> float:
+    """The arithmetic-geometric mean."""
+    while abs(a - b) > 1e-15 * a:
+        a, b = 0.5 * (a + b), sqrt(a * b)
+    return a
+
+
+def rod(length: float, angle: float, rate: float = 0.0) -> Mechanism:
+    """A bob on a light rod, at an angle from its lowest point, turning at a rate, rad/s."""
+    builder = Builder()
+    away = (length * sin(angle), 0.0, -length * cos(angle))
+    builder.room().body("rod").hinge(Y, rate).body("bob", 0.7, at=away)
+    return builder.finish()
+
+
+@pytest.mark.parametrize("angle", [10.0, 60.0, 120.0, 170.0])
+def test_a_pendulum_of_any_amplitude(angle: float) -> None:
+    """T = 2π √(ℓ/g) / M(1, cos ½θ), M being the arithmetic-geometric mean (C. F. Gauss)."""
+    length, away = 0.8, radians(angle)
+    expected = 2.0 * pi * sqrt(length / G) / mean(1.0, cos(0.5 * away))
+    assert period(rod(length, away), "bob", 1.3 * expected) == pytest.approx(expected, rel=1e-8)
+    assert period(rod(length, away), "bob", 0.9 * expected) is None
+    rate = 2.0 * sqrt(G / length) * sin(0.5 * away)  # that at the lowest point
+    assert period(rod(length, 0.0, rate), "bob", 1.3 * expected) == pytest.approx(expected, rel=1e-8)
+
+
+def test_a_pendulum_that_goes_right_round() -> None:
+    """T = 2π/(ω₀ M(1, √(1 − (2 √(g/ℓ)/ω₀)²))): half the complete elliptic integral of a swing, for one turn."""
+    length, rate = 0.5, 11.0
+    expected = 2.0 * pi / (rate * mean(1.0, sqrt(1.0 - 4.0 * G / length / rate**2)))
+    assert period(rod(length, 0.0, rate), "bob", 1.2 * expected) == pytest.approx(expected, rel=1e-8)
+
+
+@pytest.mark.parametrize("eccentricity", [0.0, 0.3, 0.6])
+def test_keplers_third_law(eccentricity: float) -> None:
+    """T² = 4π² a³/(GM): one year at 1 au about one solar mass."""
+    mechanism = orbit(eccentricity).mechanism
+    assert period(mechanism, "sky.planet", 1.2) == pytest.approx(1.0, rel=1e-8)
+    assert attracted_by(mechanism, "sky.planet") == "sky.star"
+    assert attracted_by(mechanism, "sky.star") == ""
+
+
+def particle(electric: float) -> Mechanism:
+    """A charge of 0.4 C and 0.1 kg in 1.5 T, and in a field that crosses it."""
+    builder = Builder(gravity=ZERO)
+    bead = builder.room().body("bead", 0.1).slide(X, 2.0, name="x").slide(Z, 1.0, name="y")
+    bead.force("field", Magnetic(Y, Profile(0.4 * 1.5)))
+    if electric:
+        bead.force("other", Push(X, Profile(0.4 * electric)))
+    return builder.finish()
+
+
+def test_a_charge_in_a_magnetic_field() -> None:
+    """T = 2πm/(qB), whatever the speed; with an electric field across it drifts, and never comes back."""
+    expected = 2.0 * pi * 0.1 / (0.4 * 1.5)
+    assert period(particle(0.0), "bead", 3.0 * expected) == pytest.approx(expected, rel=1e-9)
+    assert period(particle(0.7), "bead", 3.0 * expected) is None
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_spring_block(seed: int) -> None:
+    """2π √(m/k), let go or struck."""
+    mass, stiffness, speed = np.random.default_rng(seed).uniform((0.3, 20.0, 0.0), (3.0, 90.0, 1.0)).tolist()
+    builder = Builder(gravity=ZERO)
+    room = builder.room().site("wall")
+    room.body("block", mass, at=(1.1, 0.0, 0.0)).slide(X, speed).site("hook")
+    room.spring("spring", "wall", "hook", stiffness=stiffness, length=1.0)
+    expected = 2.0 * pi * sqrt(mass / stiffness)
+    assert period(builder.finish(), "block", 2.5 * expected) == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_ball_that_bounces_without_loss() -> None:
+    """Thrown straight up at v from a floor 0.4 m below: 2 √(v² + 2gh)/g."""
+    builder = Builder()
+    room = builder.room()
+    ball = room.body("ball", 0.2, at=(0.0, 0.0, 0.4)).slide(Z, 1.0)
+    room.bump(room, ball, Z, 0.0, 1.0)
+    expected = 2.0 * sqrt(1.0 + 2.0 * G * 0.4) / G
+    assert period(builder.finish(), "ball", 3.0 * expected) == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("made", "name"),
+    [
+        (lambda: string_pendulum(3.5), "swing.bob"),
+        (rolling_ball, "lane.ball"),
+        (charge, "lab.charge"),
+        (slab, "bench.block"),
+        (thrown_ball, "field.ball"),
+    ],
+)
+def test_what_never_comes_back(made: Callable[[], Motion], name: str) -> None:
+    """A string that goes slack, a ball that slips, a region that is left, friction, and a bounce with losses."""
+    motion = made()
+    assert period(motion.mechanism, name, motion.duration) is None
+
+
+def test_whatever_it_carries_comes_back_with_it() -> None:
+    """The rod of a pendulum, its bob, and a block with its spring: of each the same."""
+    for motion, names in ((light_rod(60.0), ("swing.hanger", "swing.bob")), (spring_block(), ("bench.block",))):
+        found = {period(motion.mechanism, name, 3.0) for name in names}
+        assert len(found) == 1
+        assert None not in found

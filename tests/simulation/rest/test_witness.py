@@ -1,0 +1,57 @@
+"""The second engine vouches for rest and for small oscillations, and for nothing that is false."""
+
+from dataclasses import replace
+
+import pytest
+
+from motions import light_rod, spring_block, string_pendulum
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.errors import SceneError
+from sim2reason.recipes import RECIPES
+from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
+from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
+from sim2reason.simulation.rest.witness import disagreement, unrest
+
+
+def _found(made: object) -> tuple[Rest, Oscillations]:
+    rest = equilibrium(made)  # type: ignore[arg-type]
+    assert rest is not None
+    modes = oscillations(rest)
+    assert modes is not None
+    return rest, modes
+
+
+@pytest.mark.parametrize("made", [light_rod, spring_block, string_pendulum])
+def test_it_agrees_with_what_is_right_alone(made: type) -> None:
+    """A period 1 % off, three times or a third of the true one, a force or a place that is not the right one."""
+    rest, modes = _found(made().mechanism)
+    assert unrest(rest) == ""
+    assert disagreement(rest, modes, 0) == ""
+    for factor in (0.99, 1.01, 1.0 / 3.0, 3.0):
+        assert disagreement(rest, replace(modes, frequencies=factor * modes.frequencies), 0)
+    state = rest.state
+    for name, tension in state.tension.items():
+        wrong = replace(state, tension={**state.tension, name: tension + 0.01})
+        assert "tension" in unrest(replace(rest, state=wrong))
+    assert unrest(replace(rest, state=replace(state, q=state.q + 0.01)))
+
+
+@pytest.mark.parametrize("recipe", ["chain", "mixed", "springs", "rotation", "rolling"])
+def test_both_engines_agree_on_random_scenes(recipe: str) -> None:
+    """On rest with all its forces, and on every mode."""
+    seen = 0
+    for index in range(12):
+        try:
+            scene = RECIPES[recipe]("medium", generator(recipe, "medium", "numeric", 5, index, 0))
+        except SceneError:
+            continue
+        rest = equilibrium(scene.mechanism)
+        if rest is None:
+            continue
+        seen += 1
+        assert unrest(rest) == ""
+        modes = oscillations(rest)
+        for number in range(len(modes.frequencies) if modes is not None else 0):
+            assert modes is not None
+            assert disagreement(rest, modes, number) == ""
+    assert seen
