@@ -6,6 +6,7 @@ from math import cos, radians, sin
 import numpy as np
 import pytest
 
+from motions import told_motions
 from plain_scenes import G, atwood, ramp, squeezed, swing, table
 from sim2reason.dsl.scene import Scene
 from sim2reason.prose.writer import describe
@@ -80,8 +81,9 @@ def test_signed_targets_have_a_sense_and_magnitudes_have_none() -> None:
 @pytest.mark.parametrize("kind", list(KINDS))
 def test_every_kind_asks_in_three_shapes_that_end_as_they_begin(kind: str) -> None:
     asked = 0
-    for scene in (ramp(speed=2.0), ramp(friction=0.2), atwood(), table(), squeezed(), swing()):
-        words, study = words_of(describe(scene)), Study(scene, simulate(scene))
+    scenes = (ramp(speed=2.0), ramp(friction=0.2), atwood(), table(), squeezed(), swing())
+    told = [(Study(scene, simulate(scene)), words_of(describe(scene))) for scene in scenes]
+    for study, words in [*told, *told_motions()]:
         found = targets(words)
         for seed in range(8):
             query = KINDS[kind].draw(study, words, found, np.random.default_rng(seed))

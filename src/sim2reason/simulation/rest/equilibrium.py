@@ -10,7 +10,7 @@ a spring along their track, is left as it is. `simulation.statics` looks for all
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -42,12 +42,16 @@ class Rest:
     stiffness: Vector  # (m, m), along these, N/m or N m/rad
     free: int  # how many of the motions nothing drives back
     active: tuple[int, ...]  # the rows that act, those of contacts that never slip last
-    linear: bool  # whether loads change in proportion to the coordinates everywhere
 
     @property
     def mechanism(self) -> Mechanism:
         """What is at rest."""
         return self.state.mechanism
+
+    @cached_property
+    def linear(self) -> bool:
+        """Whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
+        return _Descent(RestingLoads(self.mechanism), self.coordinates).linear()
 
     @property
     def coordinates(self) -> Vector:
@@ -162,7 +166,7 @@ class _Descent:
         points = _spread(self.size)
         yield from points * np.where(self.loads.hinges, math.pi, self.longest)
 
-    def _linear(self) -> bool:
+    def linear(self) -> bool:
         """Whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
         near = np.where(self.loads.hinges, NEAR, NEAR * self.shortest)
         return self.loads.linear(_spread(self.size)[:2] * near, self.scale)
@@ -204,4 +208,4 @@ class _Descent:
         balance = Balance(self.loads, places, active, forces)
         if not balance.holds(LITTLE * self.scale):
             return None
-        return Rest(balance.state(), free, stiffness, int((sizes <= least).sum()), tuple(active), self._linear())
+        return Rest(balance.state(), free, stiffness, int((sizes <= least).sum()), tuple(active))

@@ -63,8 +63,11 @@ class RestingLoads:
         """The loads at coordinates (n,), m or rad; ZeroDivisionError where two sites coincide."""
         found: Vector = np.array(self._code(0.0, places.tolist()), dtype=np.float64)
         n, last = self.size, self.size + len(self.kinds)
-        along: Vector = np.concatenate([found[last:].reshape(len(self.kinds), n), self._sticking])
-        return Loads(found[:n], np.concatenate([found[n:last], -self._sticking @ places]), along)
+        spare, along = found[n:last], found[last:].reshape(len(self.kinds), n)
+        if self.slips:
+            spare = np.concatenate([spare, -self._sticking @ places])
+            along = np.concatenate([along, self._sticking])
+        return Loads(found[:n], spare, along)
 
     def assembly(self, places: Vector) -> Assembly:
         """All that the exact engine knows of the mechanism at rest there."""
@@ -91,7 +94,7 @@ class RestingLoads:
 
         def load(q: Vector) -> Vector:
             loads = self.at(q)
-            return loads.force - forces[active] @ loads.along[active]
+            return loads.force - forces[active] @ loads.along[active] if active else loads.force
 
         columns = [load(places - step) - load(places + step) for step in DIFFERENCE * np.eye(self.size)]
         found: Vector = np.array(columns).T / (2.0 * DIFFERENCE)
