@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import effects
-from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters
+from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters, shifted
 from sim2reason.filters.parts.reach import shortfall
 
 COUNTED = 2  # numbers with which a count must change
@@ -15,7 +15,7 @@ class Sensitivity(Filter):
     """Too few numbers move the answer, or too many do not.
 
     What belongs to a part without bearing is told apart: the item marks it as a distraction. So is the mass of what is
-    asked about, which may well cancel.
+    asked about, which may well cancel, and what the kind of question is indifferent to.
     """
 
     order = 6
@@ -31,9 +31,9 @@ class Sensitivity(Filter):
         for found in elasticities(candidate):
             if found.given in given:
                 (moving if matters(candidate, found) else idle).append(found.given)
-            unmarked = [g for g in idle if g not in excused]
             if counted:
                 continue
+            unmarked = [g for g in idle if g not in excused and not _is_indifferent(candidate, g)]
             if len(unmarked) > IDLE[candidate.difficulty] * len(given) or 2 * len(idle) > len(given):
                 return f"idle numbers: {', '.join(path for g in unmarked for path in g.paths)}"
         if counted:
@@ -46,6 +46,12 @@ class Sensitivity(Filter):
         for found in elasticities(candidate):
             moved = "matters" if matters(candidate, found) else "does not matter"
             yield f"{', '.join(found.given.paths)}: |d ln answer / d ln number| = {found.size:.3g}; it {moved}"
+
+
+def _is_indifferent(candidate: Candidate, given: Given) -> bool:
+    """Whether such answers by nature do not depend on it, as a period on how far a spring is pulled."""
+    other = shifted(candidate.study, given, candidate.until)
+    return other is not None and candidate.kind.indifferent(candidate.question.query, candidate.study, other)
 
 
 def _belongs(given: Given, name: str) -> bool:

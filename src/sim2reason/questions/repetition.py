@@ -13,7 +13,7 @@ from sim2reason.questions.choices import apart, at
 from sim2reason.questions.crossing import crossings
 from sim2reason.simulation.trace import Trace
 
-SAME = 1e-6  # of the greatest excursion and of the greatest speed
+SAME = 1e-5  # of the greatest excursion and of the greatest speed
 MOST = 12  # instants that are tried
 
 

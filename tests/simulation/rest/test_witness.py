@@ -30,8 +30,8 @@ def test_it_agrees_with_what_is_right_alone(made: type) -> None:
     for factor in (0.99, 1.01, 1.0 / 3.0, 3.0):
         assert disagreement(rest, replace(modes, frequencies=factor * modes.frequencies), 0)
     state = rest.state
-    for name, tension in state.tension.items():
-        wrong = replace(state, tension={**state.tension, name: tension + 0.01})
+    for name, tension in state.constraint_tension.items():
+        wrong = replace(state, constraint_tension={**state.constraint_tension, name: tension + 0.01})
         assert "tension" in unrest(replace(rest, state=wrong))
     assert unrest(replace(rest, state=replace(state, q=state.q + 0.01)))
 

@@ -78,7 +78,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
     study = candidate.study
     before = _story(study.trace, candidate.time)
     for given in givens(study.scene):
-        other = _shifted(study, given, candidate.until)
+        other = shifted(study, given, candidate.until)
         answer = candidate.response(other)
         if other is None or answer is None:
             yield Elasticity(given, 0.0, reordered=True)
@@ -100,7 +100,7 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
     return False
 
 
-def _shifted(study: Study, given: Given, until: float | None) -> Study | None:
+def shifted(study: Study, given: Given, until: float | None) -> Study | None:
     """The motion with a number shifted, or None if there is none; the other way if this one is not valid.
 
     The components of a vector are shifted to opposite sides, so that it turns.

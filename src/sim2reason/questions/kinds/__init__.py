@@ -84,6 +84,14 @@ class Kind(ABC):
         """
         return doubt(certificate, self.time(query, study), query.moment, self.channels(query))
 
+    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+        """Whether another scene differs only in what such answers by nature do not depend on; by default not.
+
+        The numbers that tell it may be idle: who knows the law knows that, and who does not is misled by them.
+        """
+        del query, study, other
+        return False
+
     def measured(self, query: Query) -> Measured:
         """What the answer is; by default the quantity that is asked about."""
         assert query.target is not None, "a kind that asks for no quantity says what it asks for"

@@ -15,6 +15,7 @@ from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.rest.beginnings import begins_otherwise
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
 from sim2reason.simulation.rest.witness import unrest
 
@@ -27,7 +28,7 @@ class EquilibriumKind(Kind):
     """What is a length, an angle or a force where everything would stay at rest, whatever the motion before?"""
 
     name = "equilibrium"
-    share = 0.15
+    share = 0.2
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A magnitude at the only stable equilibrium, which is not where the motion starts, and not a body's weight."""
@@ -72,6 +73,11 @@ class EquilibriumKind(Kind):
         del query, certificate
         rest = equilibrium(study.mechanism)
         return "there is no equilibrium" if rest is None else unrest(rest)
+
+    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+        """How the motion begins."""
+        del query
+        return begins_otherwise(study.mechanism, other.mechanism)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: in the position of equilibrium, what is the length of the spring?"""

@@ -19,6 +19,7 @@ from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.rest.beginnings import begins_otherwise
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, steady
 from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
 from sim2reason.simulation.rest.witness import disagreement
@@ -40,7 +41,7 @@ class PeriodKind(Kind):
     """What is the period of a motion that repeats itself, or of small oscillations about the equilibrium?"""
 
     name = "period"
-    share = 0.25  # as often as a velocity, where it exists
+    share = 0.3  # as often as a velocity, where it exists
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """The motion itself, or small oscillations; where both have one period, there is nothing small about it."""
@@ -119,6 +120,11 @@ class PeriodKind(Kind):
         """A period, a frequency, or an angular frequency."""
         assert isinstance(query, PeriodQuery)
         return MEASURES[query.measure]
+
+    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+        """How the motion begins: the period of linear oscillations does not tell."""
+        del query
+        return begins_otherwise(study.mechanism, other.mechanism)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: find the period of small oscillations of the block about the position of equilibrium."""

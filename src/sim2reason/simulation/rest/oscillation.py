@@ -34,10 +34,7 @@ def oscillations(rest: Rest) -> Oscillations | None:
     mechanism = rest.mechanism
     if not _conserves(mechanism):
         return None
-    count = len(mechanism.coordinates)
-    places = rest.coordinates.tolist()
-    assembly = Assembly(mechanism, System(mechanism).phase, (places, [0.0] * count, 0.0), math)
-    mass = rest.allowed.T @ np.array(assembly.full_mass(), dtype=np.float64) @ rest.allowed
+    mass = rest.allowed.T @ inertia(rest) @ rest.allowed
     sizes, axes = np.linalg.eigh(mass)
     heavy = sizes > MASSLESS * float(sizes.max(initial=0.0))
     stiffness = axes.T @ rest.stiffness @ axes
@@ -52,6 +49,13 @@ def oscillations(rest: Rest) -> Oscillations | None:
     shapes = np.zeros((len(sizes), int(moving.sum())))
     shapes[heavy], shapes[~heavy] = main, follow @ main
     return Oscillations(np.sqrt(squares[moving]), rest.allowed @ axes @ shapes)
+
+
+def inertia(rest: Rest) -> Vector:
+    """The mass matrix of all coordinates in an equilibrium, (n, n)."""
+    mechanism, places = rest.mechanism, rest.coordinates.tolist()
+    assembly = Assembly(mechanism, System(mechanism).phase, (places, [0.0] * len(places), 0.0), math)
+    return np.array(assembly.full_mass(), dtype=np.float64)
 
 
 def _following(stiffness: Vector, heavy: NDArray[np.bool_]) -> Vector | None:

@@ -1,18 +1,14 @@
 """What the second engine sees of an equilibrium: whether all stays at rest there, and how it swings about it."""
 
-import math
-
 import numpy as np
 
 from sim2reason.dsl.displaced import displaced
 from sim2reason.dsl.state import State
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.simulation.certify import SMOOTH, WITNESS
-from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
 from sim2reason.simulation.rest.equilibrium import Rest, neighbour
-from sim2reason.simulation.rest.loads import Vector
-from sim2reason.simulation.rest.oscillation import Oscillations
+from sim2reason.simulation.rest.oscillation import Oscillations, inertia
 from sim2reason.simulation.trace import ENGINES
 
 SMALL = 1e-3  # amplitude: rad, or that share of the shortest straight piece of a line
@@ -30,20 +26,13 @@ def unrest(rest: Rest) -> str:
         seen = ENGINES[WITNESS](there, np.array([0.0, INSTANT])).state
     except (SceneError, SimulationError, UnsupportedError) as error:
         return f"no witness: {error}"
-    if float(np.abs(_mass(rest) @ seen.a[0]).max(initial=0.0)) > SMOOTH * _load(rest.state):
+    if float(np.abs(inertia(rest) @ seen.a[0]).max(initial=0.0)) > SMOOTH * _load(rest.state):
         return "in the other engine the equilibrium is none"
     for name in ("tension", "normal", "friction"):
         ours, theirs = getattr(rest.state, name), getattr(seen, name)
         if any(abs(float(theirs[key][0] - value[0])) > SMOOTH * _load(rest.state) for key, value in ours.items()):
             return f"the engines disagree on a {name} at rest"
     return ""
-
-
-def _mass(rest: Rest) -> Vector:
-    """The mass matrix in the equilibrium, (n, n)."""
-    mechanism, places = rest.mechanism, rest.coordinates.tolist()
-    assembly = Assembly(mechanism, System(mechanism).phase, (places, [0.0] * len(places), 0.0), math)
-    return np.array(assembly.full_mass(), dtype=np.float64)
 
 
 def _load(state: State) -> float:
@@ -70,7 +59,7 @@ def disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
     if trace.stable_until < times[-1]:
         return "in the other engine the oscillation ends"
     places = trace.state.q + (begun - rest.coordinates)
-    mass = _mass(rest)
+    mass = inertia(rest)
     size = float(shift @ mass @ shift)
     apart = np.abs(places @ mass @ shift / size - np.cos(frequency * times)).max()
     late = float(np.abs(trace.state.v[-1] @ mass @ shift)) / (size * frequency) / (2.0 * np.pi)
