@@ -148,3 +148,12 @@ def test_every_sentence_leads_back_and_is_vouched_for(recipe: str) -> None:
                     assert KIND.time(query, study) == 0.0
                 seen += 1
     assert seen
+
+
+def test_how_far_a_spring_is_pulled_is_of_no_matter_by_nature() -> None:
+    """Sensitivity excuses what the kind is indifferent to: the stretch at the start, but no mass and no stiffness."""
+    study, words = spring_block(0.2).told()
+    query = next(iter(drawn(study, words)))
+    assert KIND.indifferent(query, study, spring_block(0.25).told()[0])
+    assert not KIND.indifferent(query, study, rod_pendulum(60.0).told()[0])
+    assert not KINDS["state"].indifferent(query, study, spring_block(0.25).told()[0])

@@ -15,8 +15,8 @@ from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.rest.beginnings import begins_otherwise
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
+from sim2reason.simulation.rest.likeness import alike_at_rest
 from sim2reason.simulation.rest.witness import unrest
 
 WHEN = ("in the position of equilibrium", "at equilibrium", "in the position of stable equilibrium")
@@ -75,9 +75,9 @@ class EquilibriumKind(Kind):
         return "there is no equilibrium" if rest is None else unrest(rest)
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """How the motion begins."""
+        """How the motion begins, and what is inert alone, as a mass on a level table is."""
         del query
-        return begins_otherwise(study.mechanism, other.mechanism)
+        return alike_at_rest(study.mechanism, other.mechanism, ("lengths", "forces", "stiffness"))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: in the position of equilibrium, what is the length of the spring?"""

@@ -19,8 +19,8 @@ from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.rest.beginnings import begins_otherwise
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, steady
+from sim2reason.simulation.rest.likeness import alike_at_rest
 from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
 from sim2reason.simulation.rest.witness import disagreement
 
@@ -71,6 +71,8 @@ class PeriodKind(Kind):
     def _repeating(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
         """The motion of any body that comes round again, unless it is nearly that of small oscillations."""
         names = list(movers(words)) if steady(study.mechanism) else []
+        heavy = [name for name in names if study.mechanism.body[name].mass]
+        names = heavy if len(heavy) == 1 else names
         rng.shuffle(names)
         for name in names:
             time = study.time(Repetition(name))
@@ -122,9 +124,9 @@ class PeriodKind(Kind):
         return MEASURES[query.measure]
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """How the motion begins: the period of linear oscillations does not tell."""
+        """How the motion begins, and what moves the equilibrium alone, as a weight on a spring or a slope does."""
         del query
-        return begins_otherwise(study.mechanism, other.mechanism)
+        return alike_at_rest(study.mechanism, other.mechanism, ("inertia", "stiffness"))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: find the period of small oscillations of the block about the position of equilibrium."""

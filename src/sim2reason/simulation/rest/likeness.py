@@ -1,5 +1,6 @@
-"""Whether two mechanisms are one that begins otherwise: at another place, or with other speeds."""
+"""In what two mechanisms are alike at rest: how they stand there, what acts, what moves, and what drives it back."""
 
+from collections.abc import Collection
 from dataclasses import replace
 
 import numpy as np
@@ -12,8 +13,11 @@ from sim2reason.simulation.rest.oscillation import inertia
 SAME = 1e-6  # relative: what differs by less is the same; a stated number is shifted by a thousand times as much
 
 
-def begins_otherwise(one: Mechanism, other: Mechanism) -> bool:
-    """Whether they differ in speeds alone, or come to rest alike, with the same forces, lengths, inertia, stiffness."""
+def alike_at_rest(one: Mechanism, other: Mechanism, aspects: Collection[str]) -> bool:
+    """Whether they differ in the speeds at the start alone, or agree at rest in some aspects, whatever came before.
+
+    Aspects are ``lengths`` of lines, ``forces``, ``inertia`` and ``stiffness``.
+    """
     if len(one.coordinates) != len(other.coordinates):
         return False
     if _still(one) == _still(other):
@@ -21,7 +25,8 @@ def begins_otherwise(one: Mechanism, other: Mechanism) -> bool:
     rest, again = equilibrium(one), equilibrium(other)
     if rest is None or again is None:
         return False
-    return all(_alike(mine, its) for mine, its in zip(_facts(rest), _facts(again), strict=True))
+    mine, its = _facts(rest), _facts(again)
+    return all(_same(mine[aspect], its[aspect]) for aspect in aspects)
 
 
 def _still(mechanism: Mechanism) -> Mechanism:
@@ -32,17 +37,18 @@ def _still(mechanism: Mechanism) -> Mechanism:
     return replace(mechanism, bodies=tuple(bodies))
 
 
-def _facts(rest: Rest) -> tuple[Vector, ...]:
-    """What tells of an equilibrium how the mechanism stands there, and how it would move."""
-    state, lines = rest.state, rest.mechanism.lines
-    lengths = [float(state.length(line)[0][0]) for line in lines]
+def _facts(rest: Rest) -> dict[str, Vector]:
+    state = rest.state
     forces = [float(force[0]) for found in (state.tension, state.normal) for force in found.values()]
-    stiffness = rest.allowed @ rest.stiffness @ rest.allowed.T
-    weights = [body.mass for body in rest.mechanism.bodies]
-    return np.array(lengths), np.array(forces), np.array(weights), inertia(rest), stiffness
+    return {
+        "lengths": np.array([float(state.length(line)[0][0]) for line in rest.mechanism.lines]),
+        "forces": np.array(forces),
+        "inertia": inertia(rest),
+        "stiffness": rest.allowed @ rest.stiffness @ rest.allowed.T,
+    }
 
 
-def _alike(mine: Vector, its: Vector) -> bool:
+def _same(mine: Vector, its: Vector) -> bool:
     if mine.shape != its.shape:
         return False
     return bool(np.allclose(mine, its, rtol=0.0, atol=SAME * float(np.abs(mine).max(initial=0.0)), equal_nan=True))
