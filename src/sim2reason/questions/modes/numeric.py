@@ -8,8 +8,12 @@ from sim2reason.questions.targets import targets
 
 
 def numeric(study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
-    """A question of a kind (by default drawn by share) about a motion, or None if it offers none."""
-    asked = KINDS[kind] if kind else _drawn(rng)
+    """A question of a kind (by default any, drawn by share) about a motion, or None if it offers none."""
+    found = (_asked(asked, study, words, rng) for asked in ([KINDS[kind]] if kind else _by_share(rng)))
+    return next((question for question in found if question is not None), None)
+
+
+def _asked(asked: Kind, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
     offered = targets(words)
     query = asked.draw(study, words, offered, rng)
     if query is None:
@@ -24,10 +28,12 @@ def numeric(study: Study, words: Words, kind: str, rng: np.random.Generator) -> 
     return Question("numeric", query, sentence(chosen(shapes, rng)), answer, unit, sign)
 
 
-def _drawn(rng: np.random.Generator) -> Kind:
+def _by_share(rng: np.random.Generator) -> list[Kind]:
+    """All kinds, each the next one by its share among those that are left: most motions offer only some."""
     kinds = list(KINDS.values())
     shares = np.array([kind.share for kind in kinds])
-    return kinds[int(rng.choice(len(kinds), p=shares / shares.sum()))]
+    order = rng.choice(len(kinds), size=len(kinds), replace=False, p=shares / shares.sum())
+    return [kinds[number] for number in order.tolist()]
 
 
 MODES.add("numeric", numeric)
