@@ -11,14 +11,13 @@ from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
 from sim2reason.questions import Query, Study, Target
-from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
-ASKED = Query("start", Target("acceleration", BLOCK), AtStart())
+ASKED = Query("state", Target("acceleration", BLOCK))  # at no moment: of all the motion
 
 
 def studied(scene: Scene, until: float = 1.0) -> Study:
