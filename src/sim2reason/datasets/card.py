@@ -58,6 +58,8 @@ def _fields() -> Iterator[str]:
         ("answer", "value, unit, sense that counts as positive, relative tolerance"),
         ("mode, kind, recipe, difficulty", "what sort of problem it is"),
         ("entities", "the types of the scene's parts"),
+        ("distractors", "wrong answers, each with the slip that leads to it"),
+        ("idle, idle_numbers", "parts of the scene without bearing on the answer, and addresses of such numbers"),
         ("asked", "subject, quantity, time in s or event"),
         ("scene", "the scene as YAML, which `sim2reason simulate` reads"),
         ("certificate", "JSON: how well the engines agree"),

@@ -3,6 +3,7 @@
 from sim2reason.datasets.item import Distractor
 from sim2reason.filters import Candidate
 from sim2reason.filters.parts.effects import Effect, effects
+from sim2reason.filters.parts.numbers import elasticities, matters
 from sim2reason.prose.writer import Description
 
 APART = 1e-2  # relative: wrong answers that differ by less are one
@@ -28,6 +29,12 @@ def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...
     """The parts that could be held or left out, as the text calls them."""
     idle = dict.fromkeys(effect.subject for effect in effects(candidate, part=True) if effect.close)
     return tuple(_called(subject, description) for subject in idle)
+
+
+def idle_numbers(candidate: Candidate) -> tuple[str, ...]:
+    """The addresses of the stated numbers that hardly move the answer, even when they are halved or doubled."""
+    idle = (found.given for found in elasticities(candidate) if not matters(candidate, found))
+    return tuple(path for given in idle for path in given.paths)
 
 
 def _misleads(effect: Effect, answer: float) -> bool:

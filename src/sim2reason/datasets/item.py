@@ -72,6 +72,8 @@ class Item(Record):
     """Wrong answers with their reasons, each beyond the tolerance."""
     idle: tuple[str, ...] = ()
     """What of the scene has no bearing on the answer, as the prompt calls it."""
+    idle_numbers: tuple[str, ...] = ()
+    """The addresses of stated numbers without bearing: those of such parts, and what cancels or should be seen to."""
     scene: str
     """The scene as YAML."""
     certificate: dict[str, JsonValue]

@@ -6,7 +6,7 @@ from collections import Counter
 
 from pydantic import JsonValue
 
-from sim2reason.datasets.distractors import distractors, idle_parts
+from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
 from sim2reason.datasets.plan import Made, Request, versions
 from sim2reason.datasets.question_search import (
@@ -75,6 +75,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         ),
         distractors=distractors(found.candidate, found.description),
         idle=idle_parts(found.candidate, found.description),
+        idle_numbers=idle_numbers(found.candidate),
         scene=dump(scene),
         certificate=summary(found.certificate),
         provenance=Provenance(

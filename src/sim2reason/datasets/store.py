@@ -30,6 +30,7 @@ SCHEMA = pa.schema(
         "asked": pa.struct({"subject": TEXT, "quantity": TEXT, "time": REAL, "event": TEXT}),
         "distractors": pa.list_(pa.struct({"value": REAL, "simplification": TEXT, "reason": TEXT})),
         "idle": pa.list_(TEXT),
+        "idle_numbers": pa.list_(TEXT),
         "scene": TEXT,
         "certificate": TEXT,
         "provenance": pa.struct(

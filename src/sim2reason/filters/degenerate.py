@@ -22,7 +22,8 @@ class Degenerate(Filter):
         answer = abs(candidate.question.answer)
         if answer <= max(_least(candidate), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"
-        if any(abs(answer - abs(said)) <= SAME * answer for said in _stated(candidate, candidate.question.unit)):
+        near = candidate.tolerance * answer  # who repeats it is paid
+        if any(abs(answer - abs(said)) <= near for said in _stated(candidate, candidate.question.unit)):
             return "the answer is a stated number"
         return "nothing changes it before" if _lasting(candidate) else ""
 
