@@ -22,6 +22,8 @@ from typing import Literal
 COUNT_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight")
 
 Kind = Literal["text", "path", "agree", "some", "count", "plural", "member"]
+Role = Literal["fact", "start", "assumption"]
+"""What a sentence does in a text: how the motion begins and what holds throughout may stand elsewhere in a prompt."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +65,7 @@ class Wordings:
     """One sentence in its wordings, of which a seed chooses one."""
 
     wordings: tuple[str, ...]
+    role: Role = "fact"
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +93,21 @@ Saying = str | Wordings | Each | PartLines
 def either(*wordings: str) -> Wordings:
     """One sentence that can be said in several ways."""
     return Wordings(wordings)
+
+
+def starting(*wordings: str) -> Wordings:
+    """A sentence on how the motion begins: the last line of its entity, which reads well after *suppose that*."""
+    return Wordings(wordings, "start")
+
+
+def assuming(*wordings: str) -> Wordings:
+    """A sentence on what holds throughout and names nothing new; a prompt may say it after the question."""
+    return Wordings(wordings, "assumption")
+
+
+def role_of(saying: Saying) -> Role:
+    """What a line does in a text."""
+    return saying.role if isinstance(saying, Wordings) else "fact"
 
 
 def each(field: str, *wordings: str, table: tuple[str, ...] = ()) -> Each:

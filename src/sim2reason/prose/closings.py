@@ -1,11 +1,14 @@
 """What is true of a whole scene and said at the end of its text, each only where it matters."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 from sim2reason.dsl.mechanism import Inextensible
 from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.template import Role
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,6 +18,7 @@ class Closing:
     name: str
     needed: Callable[[Scene], bool]
     wordings: tuple[str, ...]
+    role: Role = "assumption"
 
 
 def _from_rest(scene: Scene) -> bool:
@@ -118,6 +122,7 @@ def _release(strings: int, *, lone: bool) -> Closing:
         f"rest{' of one body' * lone}{TAUT[strings]}",
         lambda scene: _from_rest(scene) and _strings(scene) == strings and _is_lone(scene) is lone,
         tuple(wording.replace("{taut}", TAUT[strings]) for wording in wordings),
+        role="start",
     )
 
 
@@ -127,6 +132,7 @@ def _stretched(strings: int) -> Closing:
         f"start{TAUT[strings]}",
         lambda scene: not _from_rest(scene) and _strings(scene) == strings,
         STRETCHED[strings],
+        role="start",
     )
 
 
@@ -214,3 +220,15 @@ CLOSINGS: tuple[Closing, ...] = (
 def closings(scene: Scene) -> list[Closing]:
     """The closings that a scene needs, in the order in which they are said."""
     return [closing for closing in CLOSINGS if closing.needed(scene)]
+
+
+def is_assumption(sentence: str) -> bool:
+    """Whether a sentence is one of the closings on what holds throughout."""
+    return _assumptions().fullmatch(sentence) is not None
+
+
+@cache
+def _assumptions() -> re.Pattern[str]:
+    told = [wording for closing in CLOSINGS if closing.role == "assumption" for wording in closing.wordings]
+    shown = (re.escape(wording[:1].upper() + wording[1:]) for wording in told)
+    return re.compile("|".join(re.sub(r"\\\{.*?\\\}", r"\\S.{0,30}", wording) for wording in shown))

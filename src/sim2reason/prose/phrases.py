@@ -1,5 +1,6 @@
 """Small turns of phrase, and what the paths of templates lead to."""
 
+from collections.abc import Iterable
 from typing import Any, cast
 
 from sim2reason.dsl.body import Body
@@ -15,6 +16,11 @@ BODIES = "bodies"
 def alike(members: tuple[object, ...]) -> bool:
     """Whether all are of one kind."""
     return len({type(member) for member in members}) == 1
+
+
+def paragraphs(sentences: Iterable[str]) -> str:
+    """Sentences as one paragraph; a table stands on lines of its own."""
+    return " ".join(sentences).replace(" \n\n", "\n\n").replace("\n\n ", "\n\n").strip()
 
 
 def join(items: list[str], last: str = " and ") -> str:

@@ -1,8 +1,7 @@
 """From a scene to its text: which wording, in which order, in whose voice."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -11,14 +10,15 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part, parts_at
-from sim2reason.dsl.model import Parameter, field_types, lookup, parameters
+from sim2reason.dsl.model import field_types, lookup
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import COUNT_WORDS, Each, PartLines, Saying, Slot, Word, slots, wordings
+from sim2reason.dsl.template import COUNT_WORDS, Each, PartLines, Role, Saying, Slot, role_of, slots, wordings
 from sim2reason.errors import SceneError
 from sim2reason.prose.closings import closings
-from sim2reason.prose.naming import Names, letters, listed, symbols
-from sim2reason.prose.phrases import BODIES, alike, another, canonical, join, resolved
+from sim2reason.prose.naming import Names, letters
+from sim2reason.prose.phrases import BODIES, alike, canonical, paragraphs, resolved
 from sim2reason.prose.tables import table
+from sim2reason.prose.terms import Terms
 from sim2reason.prose.voices import Voice, numeric
 
 FREE_FALL = "The acceleration of free fall is $g$."
@@ -33,11 +33,23 @@ class Description:
     sentences: tuple[str, ...]
     names: Names
     symbols: dict[str, str]
+    roles: Mapping[str, Role] = field(default_factory=dict[str, Role])  # of sentences that are no mere facts
+    told: tuple[str, ...] = ()  # the addresses of all numbers that are told, in the order of telling
+    seed: int = 0
+    voice: Voice = numeric
 
     @property
     def text(self) -> str:
         """The sentences as one paragraph; a table stands on lines of its own."""
-        return " ".join(self.sentences).replace(" \n\n", "\n\n").replace("\n\n ", "\n\n").strip()
+        return paragraphs(self.sentences)
+
+    def role(self, sentence: str) -> Role:
+        """What one of the sentences does in the text."""
+        return self.roles.get(sentence, "fact")
+
+    def voiced(self, voice: Voice) -> "Description":
+        """The same sentences in another voice."""
+        return describe(self.scene, self.seed, voice)
 
     def mention(self, address: str) -> str:
         """How the text speaks of a body; SceneError for one that it does not mention."""
@@ -53,8 +65,9 @@ def describe(scene: Scene, seed: int = 0, voice: Voice = numeric) -> Description
     """
     _, dry = draft(scene, seed)
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
-    final = Writer(scene, names, np.random.default_rng([seed, 2]), voice)
-    return Description(scene, tuple(final.sentences()), names, final.symbols)
+    final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told))
+    sentences = tuple(final.sentences())
+    return Description(scene, sentences, names, final.symbols, final.roles, tuple(final.told), seed, voice)
 
 
 def draft(scene: Scene, seed: int = 0) -> "tuple[list[str], Writer]":
@@ -70,35 +83,22 @@ def _nouns(scene: Scene, rng: np.random.Generator) -> dict[type[Body], str]:
     return {held: held.nouns[max(0, int(rng.integers(-1, len(held.nouns))))] for held in classes}
 
 
-class Writer:
+class Writer(Terms):
     """Renders the sentences of one scene in one voice, remembering who was introduced."""
 
-    def __init__(self, scene: Scene, names: Names, rng: np.random.Generator, voice: Voice) -> None:
-        """Nothing is introduced yet."""
-        self.scene, self.names, self._rng, self._voice = scene, names, rng, voice
-        self.introduced: dict[str, None] = {}
+    def __init__(
+        self, scene: Scene, names: Names, rng: np.random.Generator, voice: Voice, order: tuple[str, ...] = ()
+    ) -> None:
+        """Nothing is introduced yet; `order` is that in which a first pass told the numbers."""
+        super().__init__(scene, names, voice, order)
+        self._rng = rng
+        self.roles: dict[str, Role] = {}
         self._finished: list[str] = []
 
     @property
     def builder(self) -> Builder:
         """Where sites are, and which way strings must leave them."""
         return self.scene.builder
-
-    @cached_property
-    def parameters(self) -> dict[str, Parameter]:
-        """Every declared number by address, those of bodies that strings bring included."""
-        found = {parameter.path: parameter for parameter in self.scene.parameters}
-        for address, body in self.scene.bodies.items():
-            found.update({parameter.path: parameter for parameter in parameters(body, address)})
-        return found
-
-    @cached_property
-    def symbols(self) -> dict[str, str]:
-        """The symbol of every number that is neither hidden nor absent nor said by a word."""
-        said = [
-            p for p in self.parameters.values() if not p.hidden and p.value is not None and not self._by_word(p.path)
-        ]
-        return symbols(said, self.scene.bodies, self.names)
 
     def sentences(self) -> list[str]:
         """All sentences: for each string the lines of its new entities, then the string; last what holds for all."""
@@ -152,7 +152,8 @@ class Writer:
             return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
         template = self.choose(wordings(saying))
         if not isinstance(saying, Each):
-            return [self.finish(self.render(template, address))] if self.is_said(template, part) else []
+            said = self.is_said(template, part)
+            return [self._as(role_of(saying), self.finish(self.render(template, address)))] if said else []
         members = getattr(part, saying.field)
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
         if len(members) >= TABLE_FROM and isinstance(members[0], Body) and alike(members):
@@ -181,8 +182,17 @@ class Writer:
 
     def _closings(self) -> list[str]:
         """What holds for all; a g that is a symbol is named, not said to equal itself."""
-        told = [self.finish(self.render(self.choose(found.wordings), "")) for found in closings(self.scene)]
-        return [FREE_FALL if "g = $g$" in sentence else sentence for sentence in told]
+        told: list[str] = []
+        for found in closings(self.scene):
+            sentence = self.finish(self.render(self.choose(found.wordings), ""))
+            told.append(self._as(found.role, FREE_FALL if "g = $g$" in sentence else sentence))
+        return told
+
+    def _as(self, role: Role, sentence: str) -> str:
+        """A sentence whose role is kept."""
+        if role != "fact":
+            self.roles[sentence] = role
+        return sentence
 
     def choose(self, options: tuple[str, ...]) -> str:
         """One of several wordings; always one draw, so that all voices stay in step."""
@@ -218,7 +228,7 @@ class Writer:
             members = resolved(part, slot.path)
             return f"{self.names.noun(members[0])}s" if alike(members) else BODIES
         if slot.kind == "member":
-            return self._mention(f"{address}.{slot.text}.{resolved(part, slot.path)}", start=start)
+            return self.introduce(f"{address}.{slot.text}.{resolved(part, slot.path)}", start=start)
         return self._named(slot, part, address, start=start)
 
     def _named(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
@@ -226,75 +236,8 @@ class Writer:
         words = type(part).words if isinstance(part, Part | Connection) else {}
         if slot.path in words:
             word = words[slot.path]
-            return self._word(
-                word, lookup(part, word.parameter), lambda inner: self.render(inner, address, start=start)
-            )
+            return self.word(word, lookup(part, word.parameter), lambda inner: self.render(inner, address, start=start))
         if isinstance(choice := resolved(part, slot.path), str):
             return choice
         where = canonical(part, slot.path)
         return self.at(f"{address}.{where}" if address else where, start=start)
-
-    def _word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:
-        return render(word.text(value))
-
-    def at(self, address: str, *, start: bool = False) -> str:
-        """What the text has for an address: a number, a word of a body, a body, or a list of bodies."""
-        if address in self.parameters:
-            return self.number(address)
-        owner, _, name = address.rpartition(".")
-        if owner in self.scene.bodies and name in self.scene.bodies[owner].words:
-            body = self.scene.bodies[owner]
-            word = body.words[name]
-            return self._word(word, getattr(body, word.parameter), lambda inner: self._of_body(inner, owner))
-        if address in self.scene.bodies:
-            return self._mention(address, start=start)
-        members = [found for found in self.scene.bodies if found.rpartition(".")[0] == address]
-        return self._list(members, start=start)
-
-    def number(self, address: str) -> str:
-        """A number in the voice of this text."""
-        parameter = self.parameters[address]
-        return self._voice(parameter, self.symbols.get(address, parameter.measure.symbol))
-
-    def _by_word(self, path: str) -> bool:
-        owner, _, name = path.rpartition(".")
-        body = self.scene.bodies.get(owner)
-        return body is not None and body.told_by_word(name)
-
-    def _mention(self, address: str, *, start: bool) -> str:
-        body = self.scene.bodies[address]
-        if address in self.introduced:
-            return self.names.mention(address, body, full=start)
-        again = any(self.names.noun(self.scene.bodies[known]) == self.names.noun(body) for known in self.introduced)
-        self.introduced[address] = None
-        letter = self.names.letters.get(address, "")
-        text = self._of_body(self.choose(body.named if letter else body.lone), address)
-        return another(text) if again and not letter else text
-
-    def _of_body(self, template: str, address: str) -> str:
-        body = self.scene.bodies[address]
-        text = ""
-        for slot in slots(template):
-            if slot.kind == "text":
-                text += slot.text
-            elif slot.path == "letter":
-                text += self.names.letters.get(address, "")
-            elif slot.path == "noun":
-                text += self.names.noun(body)
-            else:
-                choice = getattr(body, slot.path, None)
-                text += choice if isinstance(choice, str) else self.at(f"{address}.{slot.path}")
-        return text
-
-    def _list(self, members: list[str], *, start: bool) -> str:
-        if len(members) == 1:
-            return self._mention(members[0], start=start)
-        noun = self.names.noun(first := self.scene.bodies[members[0]])
-        letters = [self.names.letters.get(address, "") for address in members]
-        if members[0] in self.introduced:
-            return listed(noun, letters, full=start)
-        self.introduced.update(dict.fromkeys(members))
-        alike = {self._of_body(first.alike, address) for address in members}
-        if first.alike and len(alike) == 1:
-            return f"{listed(noun, letters, full=True)} {alike.pop()}"
-        return f"{noun}s " + join([self._of_body(first.listed, address) for address in members])
