@@ -19,6 +19,7 @@ def steady(request: Request) -> Made:
     item = Item(
         id=request.id,
         prompt=f"Item {request.id}: a block of mass {mass:.2f} kg rests. Find its weight.\nAnswer in \\boxed{{}}.",
+        shape="scene_first",
         answer=Answer(value=9.81 * mass, unit="N"),
         mode=request.mode,
         kind="state",

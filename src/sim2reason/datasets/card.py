@@ -55,6 +55,7 @@ def _fields() -> Iterator[str]:
     rows = [
         ("id", "names the request that makes the item again"),
         ("prompt", "the problem, as a solver sees it"),
+        ("shape", "in which order the prompt says what it says"),
         ("answer", "value, unit, sense that counts as positive, relative tolerance"),
         ("mode, kind, recipe, difficulty", "what sort of problem it is"),
         ("entities", "the types of the scene's parts"),

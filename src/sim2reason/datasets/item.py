@@ -60,6 +60,8 @@ class Item(Record):
 
     id: str
     prompt: str
+    shape: str
+    """In which order the prompt says what it says."""
     answer: Answer
     mode: str
     kind: str

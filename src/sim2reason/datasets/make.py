@@ -59,6 +59,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
     return Item(
         id=request.id,
         prompt=found.prompt,
+        shape=found.shape,
         answer=Answer(
             value=question.answer, unit=question.unit, sign=question.sign, tolerance=found.candidate.tolerance
         ),

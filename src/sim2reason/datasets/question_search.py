@@ -10,7 +10,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate, sift
 from sim2reason.prose.writer import Description, describe
 from sim2reason.questions import KINDS, Mode, Query, Question, Study, Words
-from sim2reason.questions.prompt import prompt, words_of
+from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
@@ -28,6 +28,7 @@ class CertifiedQuestion:
     study: Study  # its motion is recorded beyond what is asked, and cut where the engines part
     certificate: Certificate
     description: Description
+    shape: str  # of the prompt
 
     @property
     def question(self) -> Question:
@@ -86,18 +87,15 @@ class QuestionSearch:
             if question is None:
                 refused["nothing to ask"] += 1
                 continue
+            prompt = shaped(description, question, rng)
             candidate = Candidate(
-                self.study,
-                question,
-                prompt(description, question, rng),
-                description.sentences,
-                difficulty=self._difficulty,
+                self.study, question, prompt.text, description.sentences, difficulty=self._difficulty
             )
             verdict = sift(candidate, witnessed=False)
             if verdict.keep:
                 study, certificate = self._certified(question.query)
                 verdict = sift(replace(candidate, certificate=certificate), witnessed=True)
                 if verdict.keep:
-                    return CertifiedQuestion(candidate, study, certificate, description)
+                    return CertifiedQuestion(candidate, study, certificate, description, prompt.shape)
             refused[verdict.counted] += 1
         return None

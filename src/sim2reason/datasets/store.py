@@ -21,6 +21,7 @@ SCHEMA = pa.schema(
     {
         "id": TEXT,
         "prompt": TEXT,
+        "shape": TEXT,
         "answer": pa.struct({"value": REAL, "unit": TEXT, "sign": TEXT, "tolerance": REAL}),
         "mode": TEXT,
         "kind": TEXT,

@@ -8,7 +8,20 @@ import numpy as np
 from annotated_types import Len
 from pydantic import model_validator
 
-from sim2reason.authoring import Chance, Count, Entity, Frame, Range, Restitution, Word, each, either, entity, scale
+from sim2reason.authoring import (
+    Chance,
+    Count,
+    Entity,
+    Frame,
+    Range,
+    Restitution,
+    Word,
+    assuming,
+    each,
+    either,
+    entity,
+    scale,
+)
 from sim2reason.bodies.glider import Glider, SlidingBall
 from sim2reason.bodies.track import Track
 from sim2reason.entities.parts.neighbours import (
@@ -80,7 +93,7 @@ class ComplexCollisionPlane(Entity):
         JOINED,
         BUFFERS,
         PAIRS,
-        either(
+        assuming(
             "{hits}.",
             "{pairs?whatever collides/whatever collides otherwise} will {they}.",
             "{pairs?in a collision/in any other collision} the two {they}.",

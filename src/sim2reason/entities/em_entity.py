@@ -7,7 +7,7 @@ from typing import Annotated, Any, Self
 import numpy as np
 from pydantic import model_validator
 
-from sim2reason.authoring import ZERO, Chance, Entity, Frame, X, Y, either, entity
+from sim2reason.authoring import ZERO, Chance, Entity, Frame, X, Y, assuming, either, entity
 from sim2reason.bodies.charge import ChargedBead, Launched, Released
 from sim2reason.bodies.field_region import CircularRegion, HalfPlane, Rectangle, Strip
 from sim2reason.dsl.model import rebuilt
@@ -42,7 +42,7 @@ class EmEntity(Entity):
             "at t = 0, {particle} {start}.",
             "at the time t = 0 {particle} {start}.",
         ),
-        either(
+        assuming(
             "there is no gravity.",
             "no gravity acts here.",
             "gravity is absent.",

@@ -19,6 +19,7 @@ from sim2reason.authoring import (
     Word,
     X,
     Z,
+    assuming,
     either,
     entity,
 )
@@ -62,7 +63,7 @@ class Projectile(Entity):
             "the ground is smooth, and at each landing {ball} rebounds with {bounce}.",
             "whenever {ball} lands, it rebounds with {bounce}, its horizontal velocity unchanged.",
         ),
-        either(
+        assuming(
             "air resistance is negligible.",
             "the resistance of the air is negligible.",
             "neglect air resistance.",

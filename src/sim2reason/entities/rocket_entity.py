@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import numpy as np
 from annotated_types import Le
 
-from sim2reason.authoring import GRAVITY, LEAST, Entity, Frame, Measure, Range, X, Z, either, entity
+from sim2reason.authoring import GRAVITY, LEAST, Entity, Frame, Measure, Range, X, Z, either, entity, starting
 from sim2reason.bodies.rocket import AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.dsl.model import as_said
 
@@ -35,7 +35,7 @@ class RocketEntity(Entity):
             "at first {rocket} {place}.",
             "before t = 0 {rocket} {place}.",
         ),
-        either(
+        starting(
             "at t = 0 the engine starts: it burns {rate} and ejects the gas backwards at {exhaust} relative to {rocket} until no fuel is left.",
             "from t = 0 on {rocket} burns fuel at the rate of {rate}, ejecting the gas backwards at {exhaust} relative to itself, until none is left.",
             "its engine, started at t = 0, ejects gas backwards at {exhaust} relative to {rocket} and burns {rate} until the fuel is spent.",

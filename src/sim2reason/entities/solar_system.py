@@ -9,7 +9,7 @@ import numpy as np
 from annotated_types import Len
 from pydantic import model_validator
 
-from sim2reason.authoring import Count, Entity, Frame, Range, X, Y, each, either, entity
+from sim2reason.authoring import Count, Entity, Frame, Range, X, Y, assuming, each, either, entity
 from sim2reason.bodies.star import HeavyPlanet, Planet, Star
 from sim2reason.dsl.model import as_said, rebuilt
 from sim2reason.dsl.units import ASTRONOMICAL, UnitSystem
@@ -53,7 +53,7 @@ class SolarSystem(Entity):
                 "for t = 0 the table lists the {columns} of each {noun}.",
             ),
         ),
-        either(
+        assuming(
             "{planets:{planets.first} is attracted by the star alone/the {planets:s} are attracted by the star and {planets.first.among} one another}.",
             "the star attracts {planets:{planets.first}, and nothing else does/the {planets:s}, which {planets.first.among} one another}.",
             "{planets:no force but the gravitation of the star acts on {planets.first}/the gravitation of the star acts on each of the {planets:s}, and they {planets.first.among} one another}.",

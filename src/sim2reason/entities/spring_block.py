@@ -7,7 +7,22 @@ from typing import Annotated, Self
 from annotated_types import Ge, Le, Len
 from pydantic import model_validator
 
-from sim2reason.authoring import Chance, Count, Damping, Entity, Frame, Measure, Part, Range, X, Y, each, either, entity
+from sim2reason.authoring import (
+    Chance,
+    Count,
+    Damping,
+    Entity,
+    Frame,
+    Measure,
+    Part,
+    Range,
+    X,
+    Y,
+    each,
+    either,
+    entity,
+    starting,
+)
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.entities.parts.springs import DASHPOTS
@@ -61,7 +76,7 @@ class SpringBlock(Entity):
             "{block} starts from the point ({x}, {y}).",
             "at the start {block} is held at ({x}, {y}).",
         ),
-        either(
+        starting(
             "from there it is launched with the velocity ({launch.x}, {launch.y}).",
             "there it is given the velocity ({launch.x}, {launch.y}).",
             "it leaves this point with the velocity ({launch.x}, {launch.y}).",

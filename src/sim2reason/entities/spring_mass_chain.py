@@ -6,7 +6,20 @@ from typing import Annotated, Literal, Self
 from annotated_types import Len
 from pydantic import model_validator
 
-from sim2reason.authoring import Chance, Count, Damping, Entity, Frame, FreeLength, Sized, Word, either, entity, scale
+from sim2reason.authoring import (
+    Chance,
+    Count,
+    Damping,
+    Entity,
+    Frame,
+    FreeLength,
+    Sized,
+    Word,
+    either,
+    entity,
+    scale,
+    starting,
+)
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack
@@ -63,7 +76,7 @@ class SpringMassChain(Entity):
         ),
         DASHPOTS,
         AT_FIRST,
-        either(
+        starting(
             "{blow.cart>carts} is struck and starts off {toward} at {blow.speed}{carts:/, the other being at rest/, the others being at rest}.",
             "at t = 0 a blow sends {blow.cart>carts} off {toward} at {blow.speed}{carts:/, while the other is at rest/, while the others are at rest}.",
             "at t = 0 {blow.cart>carts} moves {toward} with a speed of {blow.speed}{carts:/ and the other is at rest/ and all others are at rest}.",

@@ -21,6 +21,7 @@ from sim2reason.authoring import (
     Z,
     either,
     entity,
+    starting,
 )
 from sim2reason.bodies.ball import Bead
 from sim2reason.bodies.spring import Coil
@@ -65,7 +66,7 @@ class SpringMassRing(Entity):
         ),
         DASHPOTS,
         AT_FIRST,
-        either(
+        starting(
             "{tap.bead>beads} is struck and starts off {tap.toward} at {tap.speed}, {beads:/the other being/the others being} at rest.",
             "at t = 0 a blow sends {tap.bead>beads} off {tap.toward} at {tap.speed}, while {beads:/the other is/the others are} at rest.",
             "at t = 0 {tap.bead>beads} moves {tap.toward} with a speed of {tap.speed} and {beads:/the other is/all others are} at rest.",

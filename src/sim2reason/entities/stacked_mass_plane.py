@@ -4,7 +4,7 @@ from typing import Self
 
 from pydantic import model_validator
 
-from sim2reason.authoring import End, Entity, Frame, Friction, Speed, Vector, Word, either, entity, scale
+from sim2reason.authoring import End, Entity, Frame, Friction, Speed, Vector, Word, either, entity, scale, starting
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.slab import Slab
 from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
@@ -57,7 +57,7 @@ class StackedMassPlane(Entity):
         FRICTION_ON_PLANE,
         either("{friction1}.", "{friction2}.", "{friction3}."),
         either("{top_friction1}.", "{top_friction2}.", "{top_friction3}."),
-        either(
+        starting(
             "at t = 0 {upper} is moving {plane.uphill} at {speed}, and all else is at rest.",
             "{upper} is launched {plane.uphill} at t = 0 with a speed of {speed}, all else being at rest.",
             "at t = 0 {upper} has a velocity of {speed}, directed {plane.uphill}, and all else is at rest.",

@@ -19,6 +19,7 @@ from sim2reason.authoring import (
     Restitution,
     Word,
     X,
+    assuming,
     each,
     either,
     entity,
@@ -94,7 +95,7 @@ class TwoDCollisionPlane(Entity):
             "when {pairs.*.first>pucks} and {pairs.*.second>pucks} meet, the coefficient of restitution is {pairs.*.restitution}.",
             "the coefficient of restitution of {pairs.*.first>pucks} with {pairs.*.second>pucks} is {pairs.*.restitution}.",
         ),
-        either(
+        assuming(
             "{of_all}.",
             "{of_any}.",
             "{pairs?whenever two {pucks:s} meet/when any other two meet}, {of_two}.",

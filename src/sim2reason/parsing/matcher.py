@@ -1,7 +1,7 @@
 """Templates read backwards: where in a sentence they can end, and what they tell until there."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection
@@ -17,6 +17,9 @@ from sim2reason.prose.phrases import BODIES, another
 MAX_STEPS = 200_000
 NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
 
+SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
+NONE_GIVEN: Mapping[str, str] = {}
+
 Found = tuple[int, ParseState]
 """Where a match ends, and what was state until there."""
 
@@ -24,9 +27,10 @@ Found = tuple[int, ParseState]
 class Matcher:
     """Follows templates through the pieces of one text; counts its steps, so that no text takes for ever."""
 
-    def __init__(self, pieces: tuple[str, ...]) -> None:
-        """`reach` is the number of pieces that some reading got through."""
+    def __init__(self, pieces: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
+        """`reach` is the number of pieces that some reading got through; `given` tells symbols by their LaTeX."""
         self.pieces = pieces
+        self._given = given
         self.reach = 0
         self._steps = 0
 
@@ -140,10 +144,14 @@ class Matcher:
 
     def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
         """A number with its unit; hearing another one again at the same address is a contradiction."""
-        match = NUMBER.match(text, at)
+        symbol = SYMBOL.match(text, at) if text.startswith("$", at) else None
+        told, begin = (self._given.get(symbol[1], ""), 0) if symbol else (text, at)
+        match = NUMBER.match(told, begin)
         if match is None:
             return
-        end = self.literal(text, match.end(), join_unit("", measure.unit))
+        end = self.literal(told, match.end(), join_unit("", measure.unit))
+        if symbol and end is not None:
+            end = symbol.end() if end == len(told) else None
         then = state.with_value(address, float(match.group().replace("\N{MINUS SIGN}", "-")))
         if end is not None and then is not None:
             yield end, then

@@ -1,25 +1,36 @@
 """The proof of a reading: its scene, told again with the wordings that were state, has this very text."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from sim2reason.dsl.entity import Part
+from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Each, PartLines, Saying, wordings
 from sim2reason.errors import TextError
+from sim2reason.parsing.matcher import NONE_GIVEN
 from sim2reason.parsing.parse_state import ParseState
 from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import closings
 from sim2reason.prose.naming import Names, letters
-from sim2reason.prose.voices import numeric
+from sim2reason.prose.voices import Voice, numeric, symbolic
 from sim2reason.prose.writer import Description, Writer
 
 
 class ScriptedWriter(Writer):
     """A writer whose choices are prescribed; where they run out it takes the first wording."""
 
-    def __init__(self, scene: Scene, names: Names, script: tuple[int, ...]) -> None:
-        """`script` holds the choices for what is said; lines that stay unsaid take none."""
-        super().__init__(scene, names, np.random.default_rng(0), numeric)
+    def __init__(
+        self,
+        scene: Scene,
+        names: Names,
+        script: tuple[int, ...],
+        given: Mapping[str, str] = NONE_GIVEN,
+        order: tuple[str, ...] = (),
+    ) -> None:
+        """`script` holds the choices for what is said; lines that stay unsaid take none. A symbol in `given` stands."""
+        super().__init__(scene, names, np.random.default_rng(0), _voice(given), order)
         self._script = iter(script)
 
     def choose(self, options: tuple[str, ...]) -> str:
@@ -36,12 +47,21 @@ class ScriptedWriter(Writer):
         return super()._say(saying, part, address) if said else []
 
 
+def _voice(given: Mapping[str, str]) -> Voice:
+    """Numbers, but for those whose symbol has its number elsewhere."""
+
+    def said(parameter: Parameter, symbol: str) -> str:
+        return (symbolic if symbol in given else numeric)(parameter, symbol)
+
+    return said if given else numeric
+
+
 def unsaid(scene: Scene, state: ParseState) -> list[str]:
     """What matters in the scene and of which a reading says nothing."""
     return [closing.name for closing in closings(scene) if closing.name not in state.closings]
 
 
-def prove(scene: Scene, state: ParseState, text: tuple[str, ...]) -> None:
+def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
     """Return if the scene has this text; TextError names what should have been said or said otherwise."""
     needed = [closing.name for closing in closings(scene)]
     if lacking := unsaid(scene, state):
@@ -49,7 +69,12 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...]) -> None:
     for name in state.closings:
         if name not in needed:
             raise TextError("text", f"it speaks of {name!r}, which does not matter here", "leave it out")
-    echo = ScriptedWriter(scene, state.names, state.script)
+    order: tuple[str, ...] = ()
+    if given:
+        first = ScriptedWriter(scene, state.names, state.script)
+        first.sentences()
+        order = tuple(first.told)
+    echo = ScriptedWriter(scene, state.names, state.script, given, order)
     told = Description(scene, tuple(echo.sentences()), state.names, {})
     again = pieces(told.text)
     for number, (mine, theirs) in enumerate(zip(again, text, strict=False), start=1):

@@ -1,6 +1,6 @@
 """All readings of a text, proven one by one."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +13,7 @@ from sim2reason.errors import SceneError, TextError, UnsupportedError
 from sim2reason.parsing.assembly import assembled
 from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.lines import entity_lines
-from sim2reason.parsing.matcher import Matcher
+from sim2reason.parsing.matcher import NONE_GIVEN, Matcher
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
 from sim2reason.parsing.proof import prove, unsaid
 from sim2reason.parsing.string_routes import free_legs, must_end_at
@@ -37,9 +37,12 @@ class ParsedScene:
         return {name: address for address, name in reversed(self.mentions.items())}
 
 
-def parse_scene(text: str, rng: np.random.Generator | None = None) -> ParsedScene:
-    """The one scene that a text in the numeric voice tells; numbers that are never said are drawn with `rng`.
+def parse_scene(
+    text: str, rng: np.random.Generator | None = None, given: Mapping[str, str] = NONE_GIVEN
+) -> ParsedScene:
+    """The one scene that a text tells; numbers that are never said are drawn with `rng`.
 
+    `given` has the number, with its unit, of each symbol (LaTeX without dollars) that the text says in its stead.
     Readings that move alike and call things alike are one; the first is returned.
 
     Raises:
@@ -47,7 +50,7 @@ def parse_scene(text: str, rng: np.random.Generator | None = None) -> ParsedScen
     """
     rng = rng if rng is not None else np.random.default_rng(0)
     said = pieces(text)
-    matcher = Matcher(said)
+    matcher = Matcher(said, given)
     found: dict[Signature, ParsedScene] = {}
     refused: list[tuple[int, TextError]] = []
     for count, state in enumerate(_Grammar(matcher).scenes(0, ParseState({"world": World}))):
@@ -57,7 +60,7 @@ def parse_scene(text: str, rng: np.random.Generator | None = None) -> ParsedScen
         try:
             scene = assembled(state, rng)
             lacking = len(unsaid(scene, state))
-            prove(scene, state, said)
+            prove(scene, state, said, given)
             names = {address: state.mention(address, full=True) for address in state.letters}
             found.setdefault(signature(scene, names), ParsedScene(scene, names))
         except TextError as error:

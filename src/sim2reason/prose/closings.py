@@ -217,6 +217,14 @@ CLOSINGS: tuple[Closing, ...] = (
 )
 
 
+RESTS: dict[str, str] = {
+    (wording[0].upper() + wording[1:]).replace("{taut}", taut): taut
+    for wording in (*RELEASES, *LONE_RELEASES)
+    for taut in TAUT
+}
+"""All sentences that say that all starts from rest, and what each says of strings."""
+
+
 def closings(scene: Scene) -> list[Closing]:
     """The closings that a scene needs, in the order in which they are said."""
     return [closing for closing in CLOSINGS if closing.needed(scene)]

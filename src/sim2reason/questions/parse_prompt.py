@@ -1,6 +1,7 @@
 """Prompts read back: which scene and which question a text means."""
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,23 +11,25 @@ from sim2reason.parsing import ParsedScene, parse_scene
 from sim2reason.questions import KINDS, Query, Study, Words
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import FORMATS, WHOLE
+from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.simulation.scenes import simulate
 
 _UNIT = r"(\S{1,12})"
 _FORMS = [
-    *(re.compile(r"\s" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS),
-    *(re.compile(rf"\s{re.escape(form)}()$") for form in WHOLE),  # in no unit
+    *(re.compile(r"\s+" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS),
+    *(re.compile(rf"\s+{re.escape(form)}()$") for form in WHOLE),  # in no unit
 ]
 
 
 @dataclass(frozen=True)
 class ParsedPrompt:
-    """What a prompt means: a scene, its motion, what is asked of it, and the unit of the answer."""
+    """What a prompt means: a scene, its motion, what is asked of it, the unit of the answer; and the prompt's shape."""
 
     reading: ParsedScene
     study: Study
     query: Query
     unit: str
+    shape: str
 
     @property
     def answer(self) -> float | None:
@@ -43,20 +46,27 @@ def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPro
     form = next((match for pattern in _FORMS if (match := pattern.search(text))), None)
     if form is None:
         raise TextError("prompt", "its last sentence does not say how to answer", "end it with one of the known forms")
-    parts = _split(text[: form.start()])
-    if parts is None:
-        raise TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
-    story, question = parts
-    reading = parse_scene(story, rng)
+    refused: TextError | None = None
+    for shape, draft in _drafts(text[: form.start()]):
+        try:
+            return _understood(draft, form[1], shape, rng)
+        except TextError as error:
+            refused = error if refused is None or error.place == "prompt" else refused
+    raise refused or TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
+
+
+def _drafts(text: str) -> Iterator[tuple[str, Draft]]:
+    """All that a prompt may say, by the shape that it would have."""
+    for shape in shapes_to_try():
+        for draft in shape.drafts(text):
+            yield shape.name, draft
+
+
+def _understood(draft: Draft, unit: str, shape: str, rng: np.random.Generator | None) -> ParsedPrompt:
+    """What a draft means; TextError for one that means nothing."""
+    reading = parse_scene(draft.story, rng, draft.given)
     study = Study(reading.scene, simulate(reading.scene))
-    words = Words.of(reading.scene, reading.mentions)
-    query = parse_question(question, study, words)
+    query = parse_question(draft.question, study, Words.of(reading.scene, reading.mentions))
     if query is None:
-        raise TextError("prompt", f"no question is asked by {question!r}", "ask in the words of the library")
-    return ParsedPrompt(reading, study, query, form[1])
-
-
-def _split(text: str) -> tuple[str, str] | None:
-    """The story, and the last sentence; a sentence begins with a capital after a full stop or a table."""
-    starts = [match.end() for match in re.finditer(r"(?<=[.\n])\s+(?=[A-Z])", text)]
-    return (text[: starts[-1]].rstrip(), text[starts[-1] :]) if starts else None
+        raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
+    return ParsedPrompt(reading, study, query, unit, shape)

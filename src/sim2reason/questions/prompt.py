@@ -1,10 +1,13 @@
-"""Prompts: the text of a scene, one question, one line on how to answer."""
+"""Prompts: the text of a scene, one question, one line on how to answer, in one of several shapes."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.prose.writer import Description
 from sim2reason.questions import KINDS, Question, Words
+from sim2reason.questions.shapes import SHAPES
 
 FORMATS = (
     "Give your answer in {unit}, to three significant figures, inside \\boxed{{}}.",
@@ -19,6 +22,14 @@ WHOLE = (
 """For what is counted."""
 
 
+@dataclass(frozen=True)
+class Prompt:
+    """What is put to whoever solves it, and the name of the shape that it has."""
+
+    text: str
+    shape: str
+
+
 def words_of(description: Description) -> Words:
     """What questions need to know of a text."""
     scene = description.scene
@@ -27,11 +38,28 @@ def words_of(description: Description) -> Words:
 
 def prompt(description: Description, question: Question, rng: np.random.Generator) -> str:
     """The text of the scene, the question, and how to give the answer."""
+    return shaped(description, question, rng).text
+
+
+def shaped(description: Description, question: Question, rng: np.random.Generator) -> Prompt:
+    """The prompt in one of the shapes that this text and this question can have."""
+    form = _last_line(question, rng)
+    names, shares = list(SHAPES), np.array([member.share for member in SHAPES.values()])
+    order: list[int] = rng.choice(len(names), len(names), replace=False, p=shares / shares.sum()).tolist()
+    for number in order:
+        text = SHAPES[names[number]].compose(description, question.text, rng)
+        if text is not None:
+            after = "\n\n" if text.endswith("|") else " "
+            return Prompt(f"{text}{after}{form}", names[number])
+    raise LookupError("no shape of prompts takes every text; one must")
+
+
+def _last_line(question: Question, rng: np.random.Generator) -> str:
+    """How to give the answer."""
     whole = KINDS[question.query.kind].measured(question.query).whole
     forms = WHOLE if whole else FORMATS
     form = forms[int(rng.random() * len(forms))]
-    form = form if whole else form.format(unit=unit_in_words(question.unit))
-    return f"{description.text} {question.text} {form}"
+    return form if whole else form.format(unit=unit_in_words(question.unit))
 
 
 def unit_in_words(unit: str) -> str:

@@ -22,6 +22,7 @@ from sim2reason.authoring import (
     either,
     lines_of,
     scale,
+    starting,
 )
 from sim2reason.bodies.arm import Arm
 from sim2reason.bodies.uniform_rod import UniformRod
@@ -59,7 +60,7 @@ class WeldedArm(Entity):
             "{arm} reaches to {reach} from the axle.",
         ),
         either("at first {start}.", "{start} at first.", "when the motion begins, {start}."),
-        either(
+        starting(
             "{arm} is sent off {sent} at {rate}.",
             "at t = 0 {arm} turns {sent} at {rate}.",
             "with an angular velocity of {rate} {arm} is set turning {sent}.",

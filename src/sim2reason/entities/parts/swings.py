@@ -5,12 +5,12 @@ from typing import Annotated
 
 from annotated_types import Ge, Le
 
-from sim2reason.authoring import GRAVITY, Measure, Range, either
+from sim2reason.authoring import GRAVITY, Measure, Range, either, starting
 
 Deflection = Annotated[float, Ge(0), Le(180), Measure("deflection", "deg", r"\theta", decimals=0), Range(10.0, 150.0)]
 TILTED = "an angle of {angle} with the downward vertical"
 AT_FIRST = either("at first {start}.", "at the start {start}.", "to begin with, {start}.")
-SENT_OFF = either(
+SENT_OFF = starting(
     "{bob} is sent off {sent} at {speed}.",
     "{bob} is given a speed of {speed} {sent}.",
     "{bob} is launched {sent} with a speed of {speed}.",

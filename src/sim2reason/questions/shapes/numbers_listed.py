@@ -1,0 +1,75 @@
+"""The scene in symbols, and their numbers as a list."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from sim2reason.dsl.model import Parameter
+from sim2reason.prose.phrases import join
+from sim2reason.prose.voices import Voice, symbolic
+from sim2reason.prose.writer import Description
+from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes.parts.units import is_table, one_of, splits, text_of, units
+
+LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
+FEWEST, MOST = 2, 12
+_NUMBER = r"\$([^$]{1,40})\$ = ([^$]{1,30}?)"
+_LIST = re.compile(rf"(?:{'|'.join(LEADS)})((?:{_NUMBER}(?:, | and |\.$))+)")
+_ITEM = re.compile(rf"{_NUMBER}(?:, (?=\$)| and (?=\$)|\.$)")
+
+
+@shape
+class NumbersListed(Shape):
+    """Like this: “Block A of mass $m_A$ lies on … How fast is it moving? Data: $m_A$ = 2.0 kg, …”."""
+
+    name = "numbers_listed"
+
+    def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
+        """Of texts without a table in which some numbers, but not too many, are told besides g."""
+        lead, after = one_of(LEADS, rng), rng.random() < 0.5
+        told = self._numbers(description)
+        if any(map(is_table, description.sentences)) or not FEWEST <= len(told) <= MOST:
+            return None
+        story = description.voiced(_symbols_for(description.voice)).text
+        listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in told.items()])}."
+        return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
+
+    def drafts(self, text: str) -> Iterator[Draft]:
+        """The list is found before the question or after it."""
+        said = units(text)
+        for place in (len(said) - 1, len(said) - 2):
+            given = _listed(said[place]) if place > 0 else {}
+            for story, question in splits([*said[:place], *said[place + 1 :]]) if given else ():
+                yield Draft(text_of(story), question, given)
+
+    def _numbers(self, description: Description) -> Mapping[str, str]:
+        """By symbol, the numbers that the text tells, in its order; of g the closing tells."""
+        found: dict[str, str] = {}
+        parameters = {parameter.path: parameter for parameter in description.scene.parameters}
+        for path in description.told:
+            symbol, parameter = description.symbols.get(path), parameters.get(path)
+            if symbol is not None and parameter is not None and not _is_gravity(parameter):
+                spoken = description.voice(parameter, symbol)
+                if not spoken.startswith("$"):
+                    found[symbol] = spoken
+        return found
+
+
+def _is_gravity(parameter: Parameter) -> bool:
+    return parameter.path.startswith("world.")
+
+
+def _symbols_for(voice: Voice) -> Voice:
+    """Symbols, but for g, which stays as a voice says it."""
+
+    def said(parameter: Parameter, symbol: str) -> str:
+        return voice(parameter, symbol) if _is_gravity(parameter) else symbolic(parameter, symbol)
+
+    return said
+
+
+def _listed(sentence: str) -> dict[str, str]:
+    """The numbers of a list by symbol; none for any other sentence."""
+    match = _LIST.fullmatch(sentence)
+    return {item[1]: item[2] for item in _ITEM.finditer(match[1])} if match else {}

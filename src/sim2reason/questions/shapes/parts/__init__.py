@@ -1,0 +1,1 @@
+"""What shapes of prompts share."""

@@ -1,0 +1,76 @@
+"""A prompt as its sentences and tables, and the sentences that may change places."""
+
+import re
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from sim2reason.prose.closings import is_assumption
+from sim2reason.prose.phrases import paragraphs
+from sim2reason.prose.writer import Description
+
+_END = re.compile(r"(?:(?<=[.?])|(?<=[.?]\)))\s+(?=[A-Z(])")
+QUESTION = 2  # sentences, at most
+ASKS = re.compile(r"(?:What|How|By how much|Find|Determine|Calculate)\b")
+
+
+def units(text: str) -> list[str]:
+    """Sentences, and tables as descriptions have them."""
+    found: list[str] = []
+    for block in re.split(r"\n\n+", text.strip()):
+        found.extend([f"\n\n{block}\n\n"] if is_table(block) else _END.split(block.strip()))
+    return [unit for unit in found if unit]
+
+
+def is_table(unit: str) -> bool:
+    """Whether it is a table, and no sentence."""
+    return unit.lstrip().startswith("|")
+
+
+def text_of(said: Sequence[str]) -> str:
+    """Sentences and tables as one text."""
+    return paragraphs(said)
+
+
+def splits(said: Sequence[str]) -> Iterator[tuple[list[str], str]]:
+    """The story and the question at its end, which mostly is one sentence."""
+    for count in range(1, min(QUESTION, len(said) - 1) + 1):
+        if not any(map(is_table, said[-count:])):
+            yield list(said[:-count]), text_of(said[-count:])
+
+
+def begins_plainly(question: str) -> bool:
+    """Whether a question begins with the word that asks, so that a clause can stand before it."""
+    return ASKS.match(question) is not None
+
+
+def lowered(sentence: str) -> str:
+    """A sentence after a clause: without its capital, but for the letter that a body is called by."""
+    return sentence if re.match(r"[A-Z]\b(?! [a-z])", sentence) else sentence[0].lower() + sentence[1:]
+
+
+def raised(sentence: str) -> str:
+    """A sentence with its capital."""
+    return sentence[:1].upper() + sentence[1:]
+
+
+def one_of(options: Sequence[str], rng: np.random.Generator) -> str:
+    """One of several wordings; always one draw."""
+    return options[int(rng.random() * len(options))]
+
+
+def without_assumptions(said: Sequence[str]) -> tuple[list[str], list[str]]:
+    """A story up to the closings on what holds throughout, and those."""
+    count = len(said)
+    while count and is_assumption(said[count - 1]):
+        count -= 1
+    return list(said[:count]), list(said[count:])
+
+
+def assumptions(description: Description) -> list[str]:
+    """The last sentences of a text, as far as they say what holds throughout."""
+    said = list(description.sentences)
+    count = len(said)
+    while count and description.role(said[count - 1]) == "assumption":
+        count -= 1
+    return said[count:]

@@ -1,0 +1,45 @@
+"""The question first, then the scene."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sim2reason.prose.writer import Description
+from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes.parts.units import (
+    QUESTION,
+    begins_plainly,
+    lowered,
+    one_of,
+    raised,
+    text_of,
+    units,
+)
+
+FRONTS = (
+    "In the arrangement described below, ",
+    "In the situation described below, ",
+    "For the motion described below, ",
+    "For the arrangement that follows, ",
+    "In the following arrangement, ",
+    "In the motion described here, ",
+)
+
+
+@shape
+class QuestionFirst(Shape):
+    """Like this: “In the arrangement described below, what is the tension 0.50 s after release? Block A lies …”."""
+
+    name = "question_first"
+
+    def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
+        """Of questions that begin with the word that asks."""
+        front = one_of(FRONTS, rng)
+        return f"{front}{lowered(question)} {description.text}" if begins_plainly(question) else None
+
+    def drafts(self, text: str) -> Iterator[Draft]:
+        """What a front announces, up to the end of its sentence or the next, is the question."""
+        front = next((front for front in FRONTS if text.startswith(front)), None)
+        said = units(text)
+        for count in range(1, min(QUESTION, len(said) - 1) + 1) if front else ():
+            yield Draft(text_of(said[count:]), raised(text_of(said[:count])[len(front or "") :]))

@@ -1,0 +1,57 @@
+"""The release as a clause of the question."""
+
+import re
+from collections.abc import Iterator
+
+import numpy as np
+
+from sim2reason.prose.closings import RESTS, TAUT
+from sim2reason.prose.writer import Description
+from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes.parts.units import (
+    begins_plainly,
+    lowered,
+    one_of,
+    raised,
+    splits,
+    text_of,
+    units,
+    without_assumptions,
+)
+
+CLAUSES = (
+    "If everything is released from rest{taut}, ",
+    "If the motion starts from rest{taut}, ",
+    "After a release from rest{taut}, ",
+    "Given that the motion begins from rest{taut}, ",
+)
+_TAUT = "|".join(re.escape(taut) for taut in sorted(TAUT, key=len, reverse=True))
+_CLAUSE = re.compile("|".join(re.escape(c).replace(r"\{taut\}", f"(?:{_TAUT})") for c in CLAUSES))
+_ENDING = re.compile(f"({_TAUT}), $")
+
+
+@shape
+class ReleaseInQuestion(Shape):
+    """Like this: “If everything is released from rest with all strings taut, what is …?”."""
+
+    name = "release_in_question"
+
+    def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
+        """Of texts that say in a closing of their own that all starts from rest."""
+        rests = [sentence for sentence in description.sentences if sentence in RESTS]
+        clause = one_of(CLAUSES, rng)
+        if len(rests) != 1 or not begins_plainly(question):
+            return None
+        rest = [sentence for sentence in description.sentences if sentence != rests[0]]
+        return text_of([*rest, clause.replace("{taut}", RESTS[rests[0]]) + lowered(question)])
+
+    def drafts(self, text: str) -> Iterator[Draft]:
+        """The clause goes back to where the closings begin."""
+        for story, question in splits(units(text)):
+            clause = _CLAUSE.match(question)
+            if clause is None:
+                continue
+            taut = ending[1] if (ending := _ENDING.search(clause.group())) else ""
+            facts, closings = without_assumptions(story)
+            said = [*facts, f"The motion starts from rest{taut}.", *closings]
+            yield Draft(text_of(said), raised(question[clause.end() :]))

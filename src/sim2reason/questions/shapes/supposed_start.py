@@ -1,0 +1,43 @@
+"""How the motion begins, as a supposition right before the question."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sim2reason.prose.closings import RESTS
+from sim2reason.prose.writer import Description
+from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes.parts.units import (
+    lowered,
+    one_of,
+    raised,
+    splits,
+    text_of,
+    units,
+    without_assumptions,
+)
+
+FRONTS = ("Suppose that ", "Suppose now that ", "Imagine that ")
+
+
+@shape
+class SupposedStart(Shape):
+    """Like this: “Suppose that cart B is struck and starts off to the left at 0.47 m/s. How far …?”."""
+
+    name = "supposed_start"
+
+    def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
+        """Of texts whose last sentence before the closings on what holds throughout tells a start."""
+        facts, closings = without_assumptions(description.sentences)
+        front = one_of(FRONTS, rng)
+        if not facts or description.role(facts[-1]) != "start" or facts[-1] in RESTS:
+            return None
+        return text_of([*facts[:-1], *closings, front + lowered(facts[-1]), question])
+
+    def drafts(self, text: str) -> Iterator[Draft]:
+        """What is supposed goes back to before the closings."""
+        for story, question in splits(units(text)):
+            front = next((front for front in FRONTS if story and story[-1].startswith(front)), None)
+            if front is not None:
+                facts, closings = without_assumptions(story[:-1])
+                yield Draft(text_of([*facts, raised(story[-1].removeprefix(front)), *closings]), question)
