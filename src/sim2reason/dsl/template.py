@@ -62,10 +62,14 @@ class Word:
 
 @dataclass(frozen=True, slots=True)
 class Wordings:
-    """One sentence in its wordings, of which a seed chooses one."""
+    """One sentence in its wordings, of which a seed chooses one.
+
+    With `several`, a variable-length part, it is said only where that has two members or more.
+    """
 
     wordings: tuple[str, ...]
     role: Role = "fact"
+    several: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +97,11 @@ Saying = str | Wordings | Each | PartLines
 def either(*wordings: str) -> Wordings:
     """One sentence that can be said in several ways."""
     return Wordings(wordings)
+
+
+def among(field: str, *wordings: str) -> Wordings:
+    """A sentence on the members of `field` that is said only of several; one alone is told where a port names it."""
+    return Wordings(wordings, several=field)
 
 
 def starting(*wordings: str) -> Wordings:

@@ -31,7 +31,7 @@ def _strings(scene: Scene) -> int:
     return min(2, len({name.partition("/")[0] for name in lines}))
 
 
-def _is_lone(scene: Scene) -> bool:
+def is_lone(scene: Scene) -> bool:
     """Whether nothing but one body moves."""
     return sum(bool(body.coordinates) for body in scene.mechanism.bodies) == 1
 
@@ -120,7 +120,7 @@ def _release(strings: int, *, lone: bool) -> Closing:
     wordings = LONE_RELEASES if lone else RELEASES
     return Closing(
         f"rest{' of one body' * lone}{TAUT[strings]}",
-        lambda scene: _from_rest(scene) and _strings(scene) == strings and _is_lone(scene) is lone,
+        lambda scene: _from_rest(scene) and _strings(scene) == strings and is_lone(scene) is lone,
         tuple(wording.replace("{taut}", TAUT[strings]) for wording in wordings),
         role="start",
     )
@@ -132,7 +132,7 @@ def _stretched(strings: int) -> Closing:
         f"start{TAUT[strings]}",
         lambda scene: not _from_rest(scene) and _strings(scene) == strings,
         STRETCHED[strings],
-        role="start",
+        role="fact",
     )
 
 

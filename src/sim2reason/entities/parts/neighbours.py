@@ -13,7 +13,7 @@ from sim2reason.bodies.spring import Bumper, Coil
 from sim2reason.dsl.model import field_types, rebuilt
 
 Index = Annotated[int, Ge(0), Le(5), Member("gliders")]
-Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "x", decimals=2)]
+Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "X", decimals=2)]
 ROOM, SPRUNG = 0.3, 0.9  # m, at least, between neighbours that are drawn, and between those that a spring joins
 
 

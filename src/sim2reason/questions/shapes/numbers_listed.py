@@ -2,10 +2,12 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 
 import numpy as np
 
-from sim2reason.dsl.model import Parameter
+from sim2reason.dsl.body import BODIES
+from sim2reason.dsl.model import Parameter, field_types
 from sim2reason.prose.phrases import join
 from sim2reason.prose.voices import Voice, symbolic
 from sim2reason.prose.writer import Description
@@ -31,7 +33,7 @@ class NumbersListed(Shape):
         told = self._numbers(description)
         if any(map(is_table, description.sentences)) or not FEWEST <= len(told) <= MOST:
             return None
-        story = description.voiced(_symbols_for(description.voice)).text
+        story = _named(description, description.voiced(_symbols_for(description.voice)).text)
         listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in told.items()])}."
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 
@@ -41,7 +43,7 @@ class NumbersListed(Shape):
         for place in (len(said) - 1, len(said) - 2):
             given = _listed(said[place]) if place > 0 else {}
             for story, question in splits([*said[:place], *said[place + 1 :]]) if given else ():
-                yield Draft(text_of(story), question, given)
+                yield Draft(_bracket().sub(r"(\1)", text_of(story)), question, given)
 
     def _numbers(self, description: Description) -> Mapping[str, str]:
         """By symbol, the numbers that the text tells, in its order; of g the closing tells."""
@@ -54,6 +56,24 @@ class NumbersListed(Shape):
                 if not spoken.startswith("$"):
                     found[symbol] = spoken
         return found
+
+
+def _named(description: Description, story: str) -> str:
+    """A story in symbols, with the name of each that stands alone in a bracket: block A (mass $m_A$)."""
+    parameters = {parameter.path: parameter for parameter in description.scene.parameters}
+    for path in description.told:
+        symbol = description.symbols.get(path)
+        if symbol is not None and path in parameters and path.rpartition(".")[0] in description.scene.bodies:
+            story = story.replace(f"(${symbol}$)", f"({parameters[path].measure.name} ${symbol}$)")
+    return story
+
+
+@cache
+def _bracket() -> re.Pattern[str]:
+    """A symbol in a bracket behind the name of a number that some body has."""
+    held = (kind for body in BODIES.values() for kind in field_types(body).values())
+    names = {kind.measure.name for kind in held if kind.measure is not None}
+    return re.compile(rf"\((?:{'|'.join(map(re.escape, sorted(names)))}) (\$[^$]+\$)\)")
 
 
 def _is_gravity(parameter: Parameter) -> bool:

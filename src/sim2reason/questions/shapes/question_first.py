@@ -17,18 +17,18 @@ from sim2reason.questions.shapes.parts.units import (
 )
 
 FRONTS = (
-    "In the arrangement described below, ",
     "In the situation described below, ",
     "For the motion described below, ",
-    "For the arrangement that follows, ",
-    "In the following arrangement, ",
+    "In the situation that follows, ",
+    "In the following situation, ",
     "In the motion described here, ",
+    "In the case described below, ",
 )
 
 
 @shape
 class QuestionFirst(Shape):
-    """Like this: “In the arrangement described below, what is the tension 0.50 s after release? Block A lies …”."""
+    """Like this: “In the situation described below, what is the tension 0.50 s after release? Block A lies …”."""
 
     name = "question_first"
 

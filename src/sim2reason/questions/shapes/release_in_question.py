@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.prose.closings import RESTS, TAUT
+from sim2reason.prose.closings import RESTS, TAUT, is_lone
 from sim2reason.prose.writer import Description
 from sim2reason.questions.shapes import Draft, Shape, shape
 from sim2reason.questions.shapes.parts.units import (
@@ -20,13 +20,13 @@ from sim2reason.questions.shapes.parts.units import (
 )
 
 CLAUSES = (
-    "If everything is released from rest{taut}, ",
     "If the motion starts from rest{taut}, ",
     "After a release from rest{taut}, ",
     "Given that the motion begins from rest{taut}, ",
 )
+ALL = "If everything is released from rest{taut}, "
 _TAUT = "|".join(re.escape(taut) for taut in sorted(TAUT, key=len, reverse=True))
-_CLAUSE = re.compile("|".join(re.escape(c).replace(r"\{taut\}", f"(?:{_TAUT})") for c in CLAUSES))
+_CLAUSE = re.compile("|".join(re.escape(c).replace(r"\{taut\}", f"(?:{_TAUT})") for c in (ALL, *CLAUSES)))
 _ENDING = re.compile(f"({_TAUT}), $")
 
 
@@ -39,7 +39,7 @@ class ReleaseInQuestion(Shape):
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of texts that say in a closing of their own that all starts from rest."""
         rests = [sentence for sentence in description.sentences if sentence in RESTS]
-        clause = one_of(CLAUSES, rng)
+        clause = one_of(CLAUSES if is_lone(description.scene) else (ALL, *CLAUSES), rng)
         if len(rests) != 1 or not begins_plainly(question):
             return None
         rest = [sentence for sentence in description.sentences if sentence != rests[0]]
