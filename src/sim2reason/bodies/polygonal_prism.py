@@ -68,11 +68,11 @@ class LongPrism(Shape):
     nouns = ("prism",)
     lone = (
         "a long uniform {noun} of mass {mass} with a regular {shape} cross-section and its edges {radius} from its axis",
-        "a long regular {shape} {noun} (mass {mass}) whose edges are {radius} from its axis",
+        "a long regular {shape} {noun} of mass {mass} whose edges are {radius} from its axis",
     )
     named = (
         "a long uniform {noun} {letter} of mass {mass} with a regular {shape} cross-section and its edges {radius} from its axis",
-        "a long regular {shape} {noun} {letter} (mass {mass}) whose edges are {radius} from its axis",
+        "a long regular {shape} {noun} {letter} of mass {mass} whose edges are {radius} from its axis",
     )
 
     @property

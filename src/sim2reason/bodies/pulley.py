@@ -43,8 +43,8 @@ class MovablePulley(Pulley):
     """A pulley that rises and falls with the strings that hold it."""
 
     nouns = ("pulley",)
-    lone = ("a {light}movable pulley{disc}", "a {light}pulley{disc} that is free to rise and fall")
-    named = ("a {light}movable pulley {letter}{disc}", "a {light}pulley {letter}{disc} that is free to rise and fall")
+    lone = ("a {light}movable pulley{disc}", "a {light}pulley{disc} on a movable axle")
+    named = ("a {light}movable pulley {letter}{disc}", "a {light}pulley {letter}{disc} on a movable axle")
 
     @property
     def look(self) -> PulleyWheel:

@@ -1,6 +1,7 @@
 """A light inextensible string: one path, one constraint, one sentence, however many pulleys it passes."""
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import ClassVar, Generic, Self
@@ -33,7 +34,18 @@ OPENINGS = (
     "{string} is tied to {tied}; it {verbs}.",
     "from {tied} {string} {verbs}.",
 )
-LIGHT_STRING = "light string"
+HANGING = (
+    "{tied} hangs on {string} that {verbs}.",
+    "{tied} hangs from {string}, which {verbs}.",
+)
+"""Of what hangs: how the string leaves there need not be said."""
+AGAIN = (
+    ("a light string",),
+    ("another light string", "a second light string"),
+    ("another light string", "a further light string", "one more light string"),
+)
+"""What a string is called as the first one, after one and after more."""
+_ONE = re.compile(r"light string(?!s)|another (?:joins|runs|leads)")
 OVER, UNDER, ROUND = "passes over ", "passes under ", "passes round "
 WAYS = (OVER, UNDER, ROUND)
 LEVEL = 1e-9  # of a pull's direction: less is rounding
@@ -101,9 +113,11 @@ class String(Connection):
         first = stops[0]
         if not isinstance(first.port, StringEnd) or not _worth(first):
             raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
-        opening = writer.choose(OPENINGS)
+        opening = writer.choose((*HANGING, *OPENINGS) if first.port.hangs else OPENINGS)
+        string = writer.choose(AGAIN[told_before(writer.finished)])
         tied = writer.render(first.port.tied, first.owner)
-        verbs = [writer.render(first.port.leaves, first.owner)] if first.port.leaves else []
+        leaves = first.port.leaves and opening not in HANGING
+        verbs = [writer.render(first.port.leaves, first.owner)] if leaves else []
         gaps = turns(stops, writer.builder)
         order = [f"{name}.pulley{n}" for n in range(1, 1 + sum(turn is not None for turn in gaps))]
         if stops[0] != joint.stops[0]:
@@ -112,7 +126,6 @@ class String(Connection):
             if turn is not None:
                 verbs.append(winding(turn, writer.builder) + writer.at(order.pop(0)))
             verbs.append(writer.render(clause(stop.port, passed_by(stops, index, writer.builder)), stop.owner))
-        string = called(again=writer.has_said(LIGHT_STRING))
         return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
 
 
@@ -131,9 +144,10 @@ def passed_by(stops: Sequence[Stop], index: int, builder: Builder) -> str:
     return winding(turn, builder) if all(builder.faces[site] for site in turn) else OVER
 
 
-def called(*, again: bool) -> str:
-    """What a string is called, the first one or one after others."""
-    return f"another {LIGHT_STRING}" if again else f"a {LIGHT_STRING}"
+def told_before(sentences: Iterable[str]) -> int:
+    """How many strings some sentences tell, 2 standing for more."""
+    text = " ".join(sentences)
+    return min(2, len(_ONE.findall(text)) + 2 * text.count("light strings"))
 
 
 def _worth(stop: Stop) -> int:
@@ -204,20 +218,28 @@ class SentenceParser(Generic[S]):
         if place >= len(self._matcher.pieces):
             return
         self._text = self._matcher.pieces[place]
-        again = any(LIGHT_STRING in piece for piece in self._matcher.pieces[:place])
-        for number, opening in enumerate(OPENINGS):
-            start, rest = opening.replace("{string}", called(again=again)).split("{tied}")
-            between, self._end = rest.split("{verbs}")
-            at = self._matcher.literal(self._text, 0, start)
-            for told in self._tied(at, between, state.with_choice(number)) if at is not None else ():
-                self._matcher.reach = max(self._matcher.reach, place + 1)
-                yield told
+        names = AGAIN[told_before(self._matcher.pieces[:place])]
+        for hangs, openings in ((False, OPENINGS), (True, (*HANGING, *OPENINGS))):
+            for number, opening in enumerate(openings):
+                for which, string in enumerate(names):
+                    chosen = state.with_choice(number).with_choice(which)
+                    for told in self._opened(opening.replace("{string}", string), chosen, hangs=hangs):
+                        self._matcher.reach = max(self._matcher.reach, place + 1)
+                        yield told
 
-    def _tied(self, at: int, between: str, state: S) -> Iterator[ParsedSentence[S]]:
+    def _opened(self, opening: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
+        """All readings with one opening, at ends on which something hangs or at others."""
+        start, rest = opening.split("{tied}")
+        between, self._end = rest.split("{verbs}")
+        at = self._matcher.literal(self._text, 0, start)
+        if at is not None and between in self._text and self._text.endswith(self._end):
+            yield from self._tied(at, between, state, hangs=hangs)
+
+    def _tied(self, at: int, between: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
         """What it is tied to, and how it leaves there."""
         for leg in self._routes.legs(String, state, ()):
             stop = leg.stops[0]
-            if not isinstance(stop.port, StringEnd) or not stop.port.tied:
+            if not isinstance(stop.port, StringEnd) or not stop.port.tied or stop.port.hangs is not hangs:
                 continue
             for end, then in self._matcher.template(self._text, at, stop.port.tied, stop.owner, leg.state):
                 begin = self._matcher.literal(self._text, end, between)

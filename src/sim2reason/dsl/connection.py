@@ -55,8 +55,9 @@ class SentenceWriter(Protocol):
         """What the text has for an address: a number, a body, a list of bodies."""
         ...
 
-    def has_said(self, words: str) -> bool:
-        """Whether some words stand in an earlier sentence."""
+    @property
+    def finished(self) -> tuple[str, ...]:
+        """All earlier sentences."""
         ...
 
 

@@ -46,11 +46,15 @@ class StringPort(Port):
 
 @dataclass(frozen=True, kw_only=True)
 class StringEnd(SitePort, StringPort):
-    """One end of a string. Without `tied` it is always told last; without `leaves` it is told last if it can be."""
+    """One end of a string. Without `tied` it is always told last; without `leaves` it is told last if it can be.
+
+    With `hangs`, what it is tied to can be said to hang on the string, and how the string leaves need not be said.
+    """
 
     arrives: str
     tied: str = ""
     leaves: str = ""
+    hangs: bool = False
 
     @property
     def can_begin(self) -> bool:

@@ -36,9 +36,9 @@ class MassPrismPlane(Entity):
             "the left face carries {left_blocks}{left_blocks:/, the lower one first/, from the lowest up}, and the right one {right_blocks}{right_blocks:/, the lower one first/, from the lowest up}.",
         ),
         either(
-            "a light string over a light pulley at the apex joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.first} to {left_blocks.last}/; light strings join the others on the left face, each to the next}{right_blocks:/; another joins {right_blocks.first} to {right_blocks.last}/; light strings join the others on the right face, each to the next}.",
-            "across the apex, over a light pulley, a light string joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.first} to {left_blocks.last}/; on the left face light strings join each block to the next}{right_blocks:/; another joins {right_blocks.first} to {right_blocks.last}/; on the right face light strings join each block to the next}.",
-            "over a light pulley at the apex a light string runs from {left_blocks.last} to {right_blocks.last}{left_blocks:/; another runs from {left_blocks.first} to {left_blocks.last}/; neighbours on the left face are joined by light strings}{right_blocks:/; another runs from {right_blocks.first} to {right_blocks.last}/; neighbours on the right face are joined by light strings}.",
+            "a light string over a light pulley at the apex joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.last} to {left_blocks.first} below it/; light strings join the others on the left face, each to the next}{right_blocks:/; another joins {right_blocks.last} to {right_blocks.first} below it/; light strings join the others on the right face, each to the next}.",
+            "across the apex, over a light pulley, a light string joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.last} to {left_blocks.first} below it/; on the left face light strings join each block to the next}{right_blocks:/; another joins {right_blocks.last} to {right_blocks.first} below it/; on the right face light strings join each block to the next}.",
+            "over a light pulley at the apex a light string runs from {left_blocks.last} to {right_blocks.last}{left_blocks:/; another runs from {left_blocks.last} down to {left_blocks.first}/; neighbours on the left face are joined by light strings}{right_blocks:/; another runs from {right_blocks.last} down to {right_blocks.first}/; neighbours on the right face are joined by light strings}.",
         ),
         either(
             "the coefficient of friction (static and kinetic) on both faces is {prism.friction}.",
@@ -50,13 +50,13 @@ class MassPrismPlane(Entity):
         sites=("left_lowest", "left_foot"),
         tied="{left_blocks.first}",
         leaves="runs down the left face, round a light pulley at its foot and on horizontally to the left",
-        arrives="comes in horizontally from the left, round a light pulley at the foot of the face, to {left_blocks.first}",
+        arrives="runs horizontally to a light pulley at the foot of the left face and up that face to {left_blocks.first}",
     )
     right = StringEnd(
         sites=("right_lowest", "right_foot"),
         tied="{right_blocks.first}",
         leaves="runs down the right face, round a light pulley at its foot and on horizontally to the right",
-        arrives="comes in horizontally from the right, round a light pulley at the foot of the face, to {right_blocks.first}",
+        arrives="runs horizontally to a light pulley at the foot of the right face and up that face to {right_blocks.first}",
     )
 
     def build(self, room: Frame) -> None:

@@ -19,7 +19,7 @@ class MassWithReverseMovablePulley(Entity):
         either(
             "{load} hangs by a light string from the axle of {pulley}.",
             "from the axle of {pulley} {load} hangs on a light string.",
-            "a light string joins the axle of {pulley} to {load}, which hangs below it.",
+            "on a light string from the axle of {pulley} hangs {load}.",
         ),
     )
     under = Pass(

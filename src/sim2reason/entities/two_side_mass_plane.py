@@ -25,7 +25,7 @@ class TwoSideMassPlane(Entity):
         either(
             "at t = 0 {blocks:it moves/they move} {plane.uphill} at {speed}.",
             "{blocks:its/their} velocity at t = 0 is {speed}, directed {plane.uphill}.",
-            "{blocks:it is/they are} sent off {plane.uphill} at t = 0 with a speed of {speed}.",
+            "{blocks:it is/they are} launched {plane.uphill} at t = 0 with a speed of {speed}.",
         ),
     )
     left = End(

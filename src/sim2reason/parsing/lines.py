@@ -6,7 +6,7 @@ from functools import partial
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part, inside
 from sim2reason.dsl.model import FieldType, field_types
-from sim2reason.dsl.template import Each, PartLines, Saying, slots, wordings
+from sim2reason.dsl.template import Each, PartLines, Saying, Wordings, slots, wordings
 from sim2reason.parsing.declarations import thing_at
 from sim2reason.parsing.matcher import Matcher
 from sim2reason.parsing.parse_state import MANY, ParseState
@@ -99,9 +99,13 @@ def _saying(
     if isinstance(saying, Each):
         yield from _each(matcher, saying, address, place, state)
         return
+    several = f"{address}.{saying.several}" if isinstance(saying, Wordings) and saying.several else ""
+    many, one = (state.with_count(several, 2), state.with_count(several, 1, 1)) if several else (state, None)
     for number, template in enumerate(wordings(saying)):
-        for then in matcher.sentence(place, template, address, state.with_choice(number)):
+        for then in matcher.sentence(place, template, address, many.with_choice(number)) if many is not None else ():
             yield place + 1, then
+    if one is not None:
+        yield place, one
     for then in _unsaid(wordings(saying)[0], address, state):
         yield place, then
 

@@ -43,7 +43,7 @@ class ScriptedWriter(Writer):
         if isinstance(saying, Each):
             said = bool(getattr(part, saying.field))
         else:
-            said = self.is_said(wordings(saying)[0], part)
+            said = self.says_line(saying, wordings(saying)[0], part)
         return super()._say(saying, part, address) if said else []
 
 

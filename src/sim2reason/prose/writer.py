@@ -12,7 +12,7 @@ from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part, parts_at
 from sim2reason.dsl.model import field_types, lookup
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import COUNT_WORDS, Each, PartLines, Role, Saying, Slot, role_of, slots, wordings
+from sim2reason.dsl.template import COUNT_WORDS, Each, PartLines, Role, Saying, Slot, Wordings, role_of, slots, wordings
 from sim2reason.errors import SceneError
 from sim2reason.prose.closings import closings
 from sim2reason.prose.naming import Names, letters
@@ -152,7 +152,7 @@ class Writer(Terms):
             return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
         template = self.choose(wordings(saying))
         if not isinstance(saying, Each):
-            said = self.is_said(template, part)
+            said = self.says_line(saying, template, part)
             return [self._as(role_of(saying), self.finish(self.render(template, address)))] if said else []
         members = getattr(part, saying.field)
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
@@ -160,6 +160,11 @@ class Writer(Terms):
             self.introduced.update(dict.fromkeys(where))
             return table(self, saying.table, where, members)
         return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]
+
+    def says_line(self, saying: Saying, template: str, part: Part) -> bool:
+        """Whether a line is said in one of its wordings: one on several members only where there are several."""
+        several = saying.several if isinstance(saying, Wordings) else ""
+        return (not several or len(getattr(part, several)) > 1) and self.is_said(template, part)
 
     def is_said(self, template: str, part: Part) -> bool:
         """Whether a sentence is said: not if it needs something absent, or a number that a word has told."""
@@ -203,9 +208,10 @@ class Writer(Terms):
         self._finished.append(sentence[:1].upper() + sentence[1:])
         return self._finished[-1]
 
-    def has_said(self, words: str) -> bool:
-        """Whether some words stand in an earlier sentence."""
-        return any(words in sentence for sentence in self._finished)
+    @property
+    def finished(self) -> tuple[str, ...]:
+        """All earlier sentences."""
+        return tuple(self._finished)
 
     def render(self, template: str, address: str, *, start: bool = True) -> str:
         """A template of the entity or part at `address`, introducing bodies at their first mention.

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from annotated_types import Len
 
-from sim2reason.authoring import Count, End, Frame, FreeLength, Part, StringEnd, X, Z, either, scale
+from sim2reason.authoring import Count, End, Frame, FreeLength, Part, StringEnd, X, Z, among, either, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.wedge import Wedge
@@ -18,11 +18,10 @@ FRICTION_ON_PLANE = either(
     "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
     "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
     "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
-    "static and kinetic friction on this plane both have the coefficient {plane.friction}.",
+    "the coefficient of friction, static and kinetic, is {plane.friction} on this plane.",
     "take {plane.friction} as the coefficient of friction, static and kinetic, on this plane.",
     "for this plane the coefficient of friction is {plane.friction}, whether static or kinetic.",
-    "friction on this plane has the coefficient {plane.friction}, both static and kinetic.",
-    "between this plane and anything on it the coefficient of friction, static and kinetic, is {plane.friction}.",
+    "the coefficients of static and of kinetic friction on this plane are both {plane.friction}.",
 )
 
 
@@ -42,10 +41,11 @@ class Hanging(MassSystem):
     blocks: Blocks
 
     says = (
-        either(
-            "{blocks} {blocks:hangs freely/hang freely, {blocks.last} below {blocks.first} on a light string/hang freely one below the other in this order, joined by light strings}.",
-            "{blocks} {blocks:hangs vertically/hang vertically with {blocks.first} on top, joined by a light string/hang vertically in this order from the top down, joined by light strings}.",
-            "{blocks:/a hanging load consists of }{blocks}{blocks: hangs clear of the floor/, {blocks.last} below {blocks.first} on a light string/, in this order from the top down, joined by light strings}.",
+        among(
+            "blocks",
+            "{blocks} are joined by {blocks:/a light string, with {blocks.last} below {blocks.first}/light strings, one below the other in this order}.",
+            "{blocks} hang one below the other, {blocks:/{blocks.first} on top, joined by a light string/in this order from the top down, joined by light strings}.",
+            "{blocks:/a light string joins/light strings join} {blocks}, {blocks:/{blocks.last} hanging below {blocks.first}/which hang one below the other in this order}.",
         ),
     )
     tail = End(
@@ -53,6 +53,7 @@ class Hanging(MassSystem):
         tied="{blocks.first}",
         leaves="runs straight up",
         arrives="runs straight down to {blocks.first}",
+        hangs=True,
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:
@@ -118,7 +119,7 @@ class OnWedge(MassSystem):
         sites=("hook", "corner"),
         tied="{blocks.last}",
         leaves="runs up the face, over a light pulley at its top and on horizontally",
-        arrives="runs horizontally over a light pulley at the top of {wedge} and down to {blocks.last}",
+        arrives="runs horizontally to a light pulley at the top of {wedge} and from there down the face to {blocks.last}",
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:
