@@ -24,11 +24,11 @@ class SphereWithHole(Shape):
     words = {"gap": Word("mass", {}, "hole")}
     lone = (
         "a {noun} of mass {mass} and radius {radius} with a spherical hole of radius {hole} centred {offset} from its own centre",
-        "a {noun} of radius {radius} and mass {mass} that has inside it a spherical hole of radius {hole} whose centre is {offset} from its own",
+        "a {noun} of radius {radius} and mass {mass} with a spherical hole of radius {hole} whose centre is {offset} from its own",
     )
     named = (
         "a {noun} {letter} of mass {mass} and radius {radius} with a spherical hole of radius {hole} centred {offset} from its own centre",
-        "a {noun} {letter} of radius {radius} and mass {mass} that has inside it a spherical hole of radius {hole} whose centre is {offset} from its own",
+        "a {noun} {letter} of radius {radius} and mass {mass} with a spherical hole of radius {hole} whose centre is {offset} from its own",
     )
 
     @model_validator(mode="after")
@@ -60,12 +60,12 @@ class HollowSphereWithHole(Shape):
     nouns = ("sphere",)
     words = {"gap": Word("mass", {}, "opening")}
     lone = (
-        "a hollow {noun} of outer radius {radius} and wall thickness {thickness} from which all within {hole} of a point {offset} from its centre is cut away (mass after that: {mass})",
-        "a hollow {noun} (outer radius {radius}, wall thickness {thickness}), without the part of its wall that lies within {hole} of a point {offset} from its centre (its mass is {mass} without it)",
+        "a hollow {noun} of mass {mass}, outer radius {radius} and wall thickness {thickness} whose wall is missing within {hole} of a point {offset} from its centre",
+        "a hollow {noun} (outer radius {radius}, wall thickness {thickness}, mass {mass}) whose wall has an opening cut by a ball of radius {hole} centred {offset} from its centre",
     )
     named = (
-        "a hollow {noun} {letter} of outer radius {radius} and wall thickness {thickness} from which all within {hole} of a point {offset} from its centre is cut away (mass after that: {mass})",
-        "a hollow {noun} {letter} (outer radius {radius}, wall thickness {thickness}), without the part of its wall that lies within {hole} of a point {offset} from its centre (its mass is {mass} without it)",
+        "a hollow {noun} {letter} of mass {mass}, outer radius {radius} and wall thickness {thickness} whose wall is missing within {hole} of a point {offset} from its centre",
+        "a hollow {noun} {letter} (outer radius {radius}, wall thickness {thickness}, mass {mass}) whose wall has an opening cut by a ball of radius {hole} centred {offset} from its centre",
     )
 
     @model_validator(mode="after")

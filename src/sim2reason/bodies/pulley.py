@@ -43,8 +43,8 @@ class MovablePulley(Pulley):
     """A pulley that rises and falls with the strings that hold it."""
 
     nouns = ("pulley",)
-    lone = ("a {light}movable pulley{disc}", "a {light}pulley{disc} on a movable axle")
-    named = ("a {light}movable pulley {letter}{disc}", "a {light}pulley {letter}{disc} on a movable axle")
+    lone = ("a {light}movable pulley{disc}", "a {light}hanging pulley{disc}")
+    named = ("a {light}movable pulley {letter}{disc}", "a {light}hanging pulley {letter}{disc}")
 
     @property
     def look(self) -> PulleyWheel:

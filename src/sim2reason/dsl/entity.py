@@ -60,6 +60,16 @@ class Entity(Part):
         """Whether its text says what happens at t = 0, so that a start from rest is no release."""
         return False
 
+    @property
+    def tells_taut(self) -> bool:
+        """Whether its own lines say that its strings are taut at the start, so that no other line need say it."""
+        return False
+
+    def slackens(self, gravity: float) -> bool:
+        """Whether a string of its own can go slack and become taut again in free fall with `gravity`, m/s²."""
+        del gravity
+        return False
+
 
 NAME = r"^[a-z][a-z0-9_]{0,39}$"
 Name = Annotated[str, Field(pattern=NAME)]

@@ -46,6 +46,17 @@ class Pendulum(Entity):
         """Of a few swings, s."""
         return swings(self.hanger.length)
 
+    @property
+    def tells_taut(self) -> bool:
+        """It says how the string hangs."""
+        return isinstance(self.hanger, Cord)
+
+    def slackens(self, gravity: float) -> bool:
+        """With a speed v at the lowest point, a bob on a string leaves its circle if 2gℓ < v² < 5gℓ."""
+        height = self.hanger.length * (1.0 - cos(radians(self.angle)))
+        square = ((self.speed or 0.0) ** 2 + 2.0 * gravity * height) / (gravity * self.hanger.length)
+        return isinstance(self.hanger, Cord) and 2.0 < square < 5.0
+
     def build(self, room: Frame) -> None:
         """On a rod it turns about the point; on a string it moves in the plane, held by the string alone."""
         length, angle, speed = self.hanger.length, radians(self.angle), self.speed or 0.0

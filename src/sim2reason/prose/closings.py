@@ -26,9 +26,17 @@ def _from_rest(scene: Scene) -> bool:
 
 
 def _strings(scene: Scene) -> int:
-    """How many strings there are, 2 standing for more; a massive pulley parts one string into several lines."""
+    """How many strings there are of which no entity says that they are taut, 2 standing for more.
+
+    A massive pulley parts one string into several lines.
+    """
+    taut = tuple(f"{named.name}." for named in scene.entities if named.entity.tells_taut)
     lines = [line.name for line in scene.mechanism.lines if isinstance(line.law, Inextensible)]
-    return min(2, len({name.partition("/")[0] for name in lines}))
+    return min(2, len({name.partition("/")[0] for name in lines if not name.startswith(taut)}))
+
+
+def _slackens(scene: Scene) -> bool:
+    return any(named.entity.slackens(scene.world.gravity) for named in scene.entities)
 
 
 def is_lone(scene: Scene) -> bool:
@@ -36,21 +44,9 @@ def is_lone(scene: Scene) -> bool:
     return sum(bool(body.coordinates) for body in scene.mechanism.bodies) == 1
 
 
-def _pulleys(scene: Scene) -> list[float]:
-    """The masses of all pulleys."""
-    return [getattr(body, "mass", 0.0) for body in scene.bodies.values() if body.nouns[0] == "pulley"]
-
-
 def _has_massive_pulley(scene: Scene) -> bool:
-    return any(mass > 0.0 for mass in _pulleys(scene))
-
-
-def _is_one_massive_pulley(scene: Scene) -> bool:
-    return _has_massive_pulley(scene) and _turns(scene) == 1
-
-
-def _are_massive_pulleys(scene: Scene) -> bool:
-    return _has_massive_pulley(scene) and _turns(scene) > 1
+    pulleys = (body for body in scene.bodies.values() if body.nouns[0] == "pulley")
+    return any(getattr(body, "mass", 0.0) > 0.0 for body in pulleys)
 
 
 def _turns(scene: Scene) -> int:
@@ -61,14 +57,6 @@ def _turns(scene: Scene) -> int:
     return len(wheels) + len({corner for corner in corners if corner.rpartition(".")[0] + "." not in wheels})
 
 
-def _has_one_light_pulley(scene: Scene) -> bool:
-    return _turns(scene) == 1 and not _has_massive_pulley(scene)
-
-
-def _has_light_pulleys(scene: Scene) -> bool:
-    return _turns(scene) > 1 and not _has_massive_pulley(scene)
-
-
 def _has_edges(scene: Scene) -> bool:
     """Whether something lies on a face that has an end: on a body that moves. Planes fixed in the room have none."""
     mechanism = scene.mechanism
@@ -77,16 +65,8 @@ def _has_edges(scene: Scene) -> bool:
     return any(parents[face.subject] in moving for face in mechanism.faces)
 
 
-def _has_room(scene: Scene) -> bool:
-    return _turns(scene) > 0 and not _has_edges(scene)
-
-
 def _has_faces(scene: Scene) -> bool:
     return _turns(scene) == 0 and _has_edges(scene)
-
-
-def _has_both(scene: Scene) -> bool:
-    return _turns(scene) > 0 and _has_edges(scene)
 
 
 RELEASES = (
@@ -136,70 +116,65 @@ def _stretched(strings: int) -> Closing:
     )
 
 
+TURNING = {  # by whether there are several pulleys, and whether any has mass
+    (False, False): (
+        "the pulley is frictionless",
+        "there is no friction at the pulley",
+        "friction at the pulley is negligible",
+    ),
+    (True, False): (
+        "the pulleys are frictionless",
+        "there is no friction at pulleys",
+        "friction at pulleys is negligible",
+        "pulleys turn without friction",
+    ),
+    (False, True): (
+        "the pulley turns without friction, no string slips on it",
+        "no string slips on the pulley, which turns freely",
+        "the axle is frictionless, no string slips on the pulley",
+    ),
+    (True, True): (
+        "pulleys turn without friction, no string slips on them",
+        "strings do not slip on the pulleys, which turn freely",
+        "axles are frictionless, strings do not slip on pulleys",
+    ),
+}
+ROOM = {  # by whether there are edges
+    False: ("no body reaches a pulley", "every string is long enough", "there is string enough for the motion"),
+    True: ("nothing reaches a pulley or an edge", "no body gets to an edge or a pulley", "there is room enough"),
+}
+_EITHER = (False, True)
+
+
+def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT001 - the three ways in which they differ
+    """How pulleys turn, and that there is room: one sentence, and only where there are pulleys."""
+
+    def needed(scene: Scene) -> bool:
+        count = _turns(scene)
+        return count > 0 and (count > 1, _has_massive_pulley(scene), _has_edges(scene)) == (several, massive, edges)
+
+    pulleys = "massive " * massive + ("pulleys" if several else "pulley")
+    told = tuple(f"{turning}, and {room}." for turning in TURNING[several, massive] for room in ROOM[edges])
+    return Closing(f"{pulleys} and room{' on faces' * edges}", needed, told)
+
+
 CLOSINGS: tuple[Closing, ...] = (
     *(_release(strings, lone=lone) for lone in (False, True) for strings in range(3)),
     *(_stretched(strings) for strings in (1, 2)),
     Closing(
-        "light pulley",
-        _has_one_light_pulley,
+        "slack string",
+        _slackens,
         (
-            "the pulley turns without friction.",
-            "there is no friction at the pulley.",
-            "friction at the pulley is negligible.",
+            "whenever the string becomes taut again, the velocity along it is lost.",
+            "each time the slack string is stretched again, the velocity along it is lost.",
+            "the string does not bounce: where it becomes taut again, the velocity along it is lost.",
         ),
     ),
-    Closing(
-        "light pulleys",
-        _has_light_pulleys,
-        (
-            "no pulley has friction.",
-            "pulleys turn without friction.",
-            "friction at pulleys is negligible.",
-        ),
-    ),
-    Closing(
-        "massive pulley",
-        _is_one_massive_pulley,
-        (
-            "the pulley turns without friction, and no string slips on it.",
-            "no string slips on the pulley, which turns freely.",
-            "the axle is frictionless, and no string slips on the pulley.",
-            "there is neither friction at the axle nor slipping on the pulley.",
-        ),
-    ),
-    Closing(
-        "massive pulleys",
-        _are_massive_pulleys,
-        (
-            "pulleys turn without friction, and no string slips on them.",
-            "strings do not slip on the pulleys, which turn freely.",
-            "axles are frictionless, and strings do not slip on pulleys.",
-            "the pulleys turn freely, and strings do not slip on them.",
-            "there is neither friction at axles nor slipping on pulleys.",
-        ),
-    ),
-    Closing(
-        "room for strings",
-        _has_room,
-        (
-            "no body reaches a pulley.",
-            "every string is long enough for the motion.",
-            "there is string enough for the motion.",
-        ),
-    ),
+    *(_pulleys(several, massive, edges) for several in _EITHER for massive in _EITHER for edges in _EITHER),
     Closing(
         "room on faces",
         _has_faces,
         ("no edge is reached.", "no body gets to an edge.", "there is room for the motion."),
-    ),
-    Closing(
-        "room on faces and for strings",
-        _has_both,
-        (
-            "nothing reaches a pulley or an edge.",
-            "no body gets to a pulley or an edge.",
-            "there is room enough for the motion.",
-        ),
     ),
     Closing(
         "g",

@@ -6,10 +6,10 @@ In an arm's own axes x points along the arm, away from the axle, y along the axl
 from math import cos, radians, sin
 from typing import Annotated, Literal, Self
 
-from annotated_types import Gt, Lt
+from annotated_types import Gt, Le, Lt
 from pydantic import model_validator
 
-from sim2reason.authoring import Chance, Length, Measure, Part, Range, X, Y, Z, either, outer, scale
+from sim2reason.authoring import LEAST, Chance, Measure, Part, Range, X, Y, Z, either, outer, scale
 from sim2reason.bodies.bar import Bar
 from sim2reason.bodies.bowl import Bowl, SphericalCap
 from sim2reason.bodies.cylinder import Cylinder
@@ -24,7 +24,7 @@ from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Axes, axes_along, seen
 
-Distance = Annotated[Length, Range(0.15, 1.2)]
+Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d"), Range(0.15, 1.2)]
 Side = Literal["from the axle", "beyond the axle"]
 Tilt = Annotated[float, Gt(0), Lt(90), Measure("tilt", "deg", r"\beta", decimals=0), Range(15.0, 75.0)]
 Edge = Literal["length", "width", "thickness"]
@@ -125,7 +125,7 @@ class TiltedPiece(WeldedPiece):
     says = (
         either(
             "{body} is fixed to the arm with its centre on it, {distance} {side}, and its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
-            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side} and whose {body.axis} is tilted by {tilt} from the arm towards the direction of the axle.",
+            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side} and whose {body.axis} makes {tilt} with the arm, in the plane of arm and axle.",
             "welded to the arm is {body}, centred {distance} {side}, its {body.axis} in the plane of arm and axle, at {tilt} to the arm.",
         ),
     )
@@ -149,7 +149,7 @@ class CappedPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm with the centre of its {body.front} on it, {distance} {side}; this faces {faces}.",
+            "{body} is fixed to the arm; its {body.front} faces {faces} and has its centre on the arm, {distance} {side}.",
             "rigidly attached to the arm is {body}, whose {body.front} faces {faces} and has its centre on the arm {distance} {side}.",
             "welded to the arm is {body}, its {body.front} centred {distance} {side} and facing {faces}.",
         ),
@@ -174,8 +174,8 @@ class HoledPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm, which runs through its own centre, {distance} {side}, and through the {body.gap}, {hole}.",
-            "rigidly attached to the arm is {body}, whose own centre lies on it {distance} {side} and whose {body.gap} lies on it {hole}.",
+            "{body} is fixed to the arm, its own centre {distance} {side}; the {body.gap} lies on the line of the arm, {hole}.",
+            "{body} is welded to the arm with its own centre {distance} {side} and its {body.gap} on the line of the arm, {hole}.",
             "welded to the arm is {body}, centred {distance} {side}, with its {body.gap} on the line of the arm and {hole}.",
         ),
     )
@@ -200,8 +200,8 @@ class BarPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm with its centre on it, {distance} {side}, its {along} along the arm and its {across} parallel to the axle.",
-            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side}, whose {along} is along it and whose {across} is parallel to the axle.",
+            "{body} is fixed to the arm with its centre {distance} {side}, its {along} along the arm and its {across} parallel to the axle.",
+            "welded to the arm, with its centre {distance} {side}, is {body}: its {along} is along the arm, its {across} parallel to the axle.",
             "welded to the arm is {body}, centred {distance} {side}, its {along} along the arm, its {across} parallel to the axle.",
         ),
     )
