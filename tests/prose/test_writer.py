@@ -75,7 +75,9 @@ def test_letters_follow_the_order_of_first_mention() -> None:
     for seed in range(12):
         text = describe(atwood(), seed).text
         found = re.findall(r"(?:block|crate|pulley) ([A-Z])\b", text, re.IGNORECASE)
-        assert list(dict.fromkeys(found)) == ["A", "B", "P", "Q"], text
+        met = list(dict.fromkeys(found))
+        assert [letter for letter in met if letter in "AB"] == ["A", "B"], text
+        assert [letter for letter in met if letter in "PQ"] == ["P", "Q"], text
 
 
 def test_wordings_depend_on_the_seed_alone() -> None:

@@ -3,8 +3,9 @@
 from sim2reason.authoring import End, Entity, Frame, FreeLength, X, Z, either, entity, scale
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.box import Box
-from sim2reason.entities.parts.mass_systems import SPACING, Blocks, link
+from sim2reason.entities.parts.mass_systems import Blocks, link
 
+APART = 1.2  # m between neighbours on the top; their strings keep it, so it never matters
 EYE = 1.6  # times the free length of a string that hangs there, below the top; for looks
 
 
@@ -63,10 +64,10 @@ class MassBoxPlane(Entity):
         box = room.body("box", self.box.mass).rest(along=X, normal=Z)
         last = len(self.blocks) - 1
         for index, block in enumerate(self.blocks):
-            frame = box.body(f"blocks.{index}", block.mass, at=scale((index - 0.5 * last) * SPACING, X))
+            frame = box.body(f"blocks.{index}", block.mass, at=scale((index - 0.5 * last) * APART, X))
             frame.rest(X, Z, self.box.friction).site(f"hook{index}")
         link(box, len(self.blocks))
-        edge = self.length + 0.5 * last * SPACING
+        edge = self.length + 0.5 * last * APART
         for name, block, way, hook in (("left", self.left, -1.0, "hook0"), ("right", self.right, 1.0, f"hook{last}")):
             box.site(f"{name}_eye", at=(way * edge, 0.0, -EYE * self.length), faces=scale(way, X))
             if block is not None:

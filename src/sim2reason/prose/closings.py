@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
-from sim2reason.dsl.mechanism import Inextensible
+from sim2reason.dsl.mechanism import Drawn, Inextensible
 from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Role
@@ -26,13 +26,14 @@ def _from_rest(scene: Scene) -> bool:
 
 
 def _strings(scene: Scene) -> int:
-    """How many strings there are of which no entity says that they are taut, 2 standing for more.
+    """How many strings there are, 2 standing for more; none if all that can be slack are told to be taut already.
 
     A massive pulley parts one string into several lines.
     """
     taut = tuple(f"{named.name}." for named in scene.entities if named.entity.tells_taut)
-    lines = [line.name for line in scene.mechanism.lines if isinstance(line.law, Inextensible)]
-    return min(2, len({name.partition("/")[0] for name in lines if not name.startswith(taut)}))
+    lines = [line for line in scene.mechanism.lines if isinstance(line.law, Inextensible | Drawn)]
+    left = [line for line in lines if isinstance(line.law, Inextensible) and not line.name.startswith(taut)]
+    return min(2, len({line.name.partition("/")[0] for line in lines})) if left else 0
 
 
 def _slackens(scene: Scene) -> bool:

@@ -191,7 +191,8 @@ def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> Non
         far = max(ends, key=lambda end: abs(end - pivot))
         owner = body.name.split(".", maxsplit=1)[0]
         text = setting.stated(owner, setting.mechanism.units.length, abs(far - pivot) / setting.view.scale)
-        if text:
+        pieces = pieces_on(setting, body)
+        if text and not (len(pieces) > 1 and any(abs(setting.at(piece) - far) < NEAR for piece in pieces)):
             found.labels.append(Wanted(text, tuple(beside(pivot, far, text, SMALL)), owner, SMALL, name=False))
         _lettered(setting, body.name, pivot, far, found)
     if body.parent is None and not setting.view.level:
@@ -199,6 +200,14 @@ def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> Non
         found.shapes += plate(behind(unit(mean) if abs(mean) > NEAR else -UP), pivot, PLATE + 0.1, 0.9)
     if not stiff:
         front.shapes.append(Arc(pivot, PIVOT))
+
+
+def pieces_on(setting: Setting, arm: RigidBody) -> list[str]:
+    """What is welded to an arm: bodies of a stated size, whose distances from the axle are stated, too."""
+    sized = Spherical | Axial | Capped | Rectangular | Silhouette
+    return [
+        body.name for body in setting.members if body.parent == arm.name and isinstance(setting.look(body.name), sized)
+    ]
 
 
 def _lettered(setting: Setting, address: str, pivot: complex, far: complex, found: Sketch) -> None:

@@ -9,6 +9,7 @@ from sim2reason.figures.scaled.fields import fields
 from sim2reason.figures.scaled.grounds import grounds
 from sim2reason.figures.scaled.lines import lines
 from sim2reason.figures.scaled.setting import Setting
+from sim2reason.figures.scaled.stated import stated
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, LineShape, Shape, Sketch, Wanted, dot_at, outline, width
 from sim2reason.figures.vectors import box
 
@@ -31,6 +32,7 @@ def scaled(setting: Setting) -> Sketch:
             found.extend(bodies.body(setting, address, setting.along(address)))
     found.extend(front)
     found.extend(deflections(setting))
+    found.extend(stated(setting))
     found.extend(speeds(setting))
     found.extend(spins(setting))
     found.extend(heights(setting))

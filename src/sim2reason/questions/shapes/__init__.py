@@ -24,7 +24,7 @@ class Draft:
     given: Mapping[str, str] = field(default_factory=dict[str, str])
 
 
-class Shape(ABC):
+class PromptShape(ABC):
     """One shape of prompts. All that the library knows of it stands on its class.
 
     Class data:
@@ -53,8 +53,8 @@ def check_share(name: str, member: object) -> None:
         raise ValueError(f"questions.shapes: {name!r} has the share {share}, so it would never be drawn; declare one")
 
 
-S = TypeVar("S", bound=Shape)
-SHAPES: Registry[Shape] = Registry("questions.shapes", check_share)
+S = TypeVar("S", bound=PromptShape)
+SHAPES: Registry[PromptShape] = Registry("questions.shapes", check_share)
 
 
 def shape(cls: type[S]) -> type[S]:
@@ -63,6 +63,6 @@ def shape(cls: type[S]) -> type[S]:
     return cls
 
 
-def shapes_to_try() -> list[Shape]:
+def shapes_to_try() -> list[PromptShape]:
     """All shapes in the order in which a prompt is read: first those that words of their own tell."""
     return sorted(SHAPES.values(), key=lambda member: not member.marked)

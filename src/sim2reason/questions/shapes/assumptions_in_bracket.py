@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import assumptions, splits, text_of, units
 
 
 @shape
-class AssumptionsInBracket(Shape):
+class AssumptionsInBracket(PromptShape):
     """Like this: “How far apart are the pucks at t = 0.71 s? (All collisions are elastic.)”."""
 
     name = "assumptions_in_bracket"

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import splits, text_of, units, without_assumptions
 
 
 @shape
-class AssumptionsLast(Shape):
+class AssumptionsLast(PromptShape):
     """Like this: “How fast is block A moving? Friction at pulleys is negligible. Take g = 9.8 m/s².”."""
 
     name = "assumptions_last"

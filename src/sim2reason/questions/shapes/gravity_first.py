@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import one_of, splits, text_of, units
 
 FRONTS = (
@@ -22,7 +22,7 @@ _FRONT = re.compile("|".join(re.escape(front).replace(r"\{g\}", r"(\S.{0,20}?)")
 
 
 @shape
-class GravityFirst(Shape):
+class GravityFirst(PromptShape):
     """Like this: “Take g = 9.8 m/s² in this problem. Block A lies on …”."""
 
     name = "gravity_first"

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 
 LABELS = (
     ("Situation: ", "Question: "),
@@ -16,7 +16,7 @@ LABELS = (
 
 
 @shape
-class Labelled(Shape):
+class Labelled(PromptShape):
     """Like this: “Situation: Block A lies on …* and, in a paragraph of its own, *Question: how fast …?”."""
 
     name = "labelled"

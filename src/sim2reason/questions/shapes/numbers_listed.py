@@ -11,7 +11,7 @@ from sim2reason.dsl.model import Parameter, field_types
 from sim2reason.prose.phrases import join
 from sim2reason.prose.voices import Voice, symbolic
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import is_table, one_of, splits, text_of, units
 
 LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
@@ -22,7 +22,7 @@ _ITEM = re.compile(rf"{_NUMBER}(?:, (?=\$)| and (?=\$)|\.$)")
 
 
 @shape
-class NumbersListed(Shape):
+class NumbersListed(PromptShape):
     """Like this: “Block A of mass $m_A$ lies on … How fast is it moving? Data: $m_A$ = 2.0 kg, …”."""
 
     name = "numbers_listed"

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import (
     QUESTION,
     begins_plainly,
@@ -27,7 +27,7 @@ FRONTS = (
 
 
 @shape
-class QuestionFirst(Shape):
+class QuestionFirst(PromptShape):
     """Like this: “In the situation described below, what is the tension 0.50 s after release? Block A lies …”."""
 
     name = "question_first"

@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.prose.closings import RESTS, TAUT, is_lone
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import (
     begins_plainly,
     lowered,
@@ -31,7 +31,7 @@ _ENDING = re.compile(f"({_TAUT}), $")
 
 
 @shape
-class ReleaseInQuestion(Shape):
+class ReleaseInQuestion(PromptShape):
     """Like this: “If everything is released from rest with all strings taut, what is …?”."""
 
     name = "release_in_question"

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import splits, text_of, units
 
 
 @shape
-class SceneFirst(Shape):
+class SceneFirst(PromptShape):
     """The text of the scene with all that holds throughout, and the question last."""
 
     name = "scene_first"

@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.prose.closings import RESTS
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import (
     lowered,
     one_of,
@@ -21,7 +21,7 @@ FRONTS = ("Suppose that ", "Suppose now that ", "Imagine that ")
 
 
 @shape
-class SupposedStart(Shape):
+class SupposedStart(PromptShape):
     """Like this: “Suppose that cart B is struck and starts off to the left at 0.47 m/s. How far …?”."""
 
     name = "supposed_start"

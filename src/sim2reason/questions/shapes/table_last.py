@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.prose.writer import Description
-from sim2reason.questions.shapes import Draft, Shape, shape
+from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import is_table, splits, text_of, units
 
 
 @shape
-class TableLast(Shape):
+class TableLast(PromptShape):
     """The story and the question as they are, and between them and the last line the table of which they speak."""
 
     name = "table_last"

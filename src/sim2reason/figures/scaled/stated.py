@@ -1,0 +1,105 @@
+"""Numbers that a text states of what is drawn to scale: where pieces sit on an arm, how strings leave, friction."""
+
+from cmath import phase
+from collections.abc import Iterator
+from math import degrees, dist
+
+from sim2reason.dsl.mechanism import RigidBody
+from sim2reason.figures.scaled.lines import beside, pieces_on
+from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.shapes import SMALL, Arc, LineShape, Sketch, Wanted, width
+from sim2reason.figures.vectors import dot, unit
+
+CLEAR, APART = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
+ARC = 0.35  # units beyond the body at which an angle is marked
+
+
+def stated(setting: Setting) -> Sketch:
+    """All of them."""
+    found = Sketch()
+    if not setting.view.level:
+        for body in setting.members:
+            _pieces(setting, body, found)
+        for site, wheel in _turned(setting):
+            _leaving(setting, site, wheel, found)
+        for upper, lower in setting.stacked.items():
+            _rubbing(setting, upper, lower, found)
+    return found
+
+
+def _owner(address: str) -> str:
+    return address.split(".", maxsplit=1)[0]
+
+
+def _pieces(setting: Setting, arm: RigidBody, found: Sketch) -> None:
+    """The distance of each of several pieces from the axle of their arm, beside it, the nearest one innermost."""
+    pieces = pieces_on(setting, arm)
+    if len(pieces) < 2:
+        return  # its one distance stands at the arm itself
+    pivot = setting.view.at(vector(setting.frames[arm.name].origin))
+    first = unit(setting.at(pieces[0]) - pivot)
+    out = first * (1j if (first * 1j).real >= 0.0 else -1j)
+    aside = max(setting.radius(piece) for piece in pieces) + CLEAR
+    for piece in sorted(pieces, key=lambda name: abs(setting.at(name) - pivot)):
+        end, far = setting.at(piece), dist(setting.place(piece), vector(setting.frames[arm.name].origin))
+        text = setting.stated(_owner(piece), setting.mechanism.units.length, far)
+        if text:
+            _dimension(pivot, end, aside * out, text, piece, found)
+            aside += APART
+
+
+def _dimension(start: complex, end: complex, by: complex, text: str, subject: str, found: Sketch) -> None:
+    """A double arrow beside what it measures, with fine lines to both ends."""
+    middle = 0.5 * (start + end) + by
+    found.shapes += [LineShape((middle, tip + by), "hair", arrow=True) for tip in (start, end)]
+    found.shapes += [LineShape((tip, tip + 1.05 * by), "hair") for tip in (start, end)]
+    places = beside(start + by, end + by, text, SMALL, far=0.08)
+    found.labels.append(Wanted(text, tuple(places), subject, SMALL, name=False))
+
+
+def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
+    """Where strings leave a body for a point of its entity in the room round which they turn."""
+    for line in setting.mechanism.lines:
+        for one, other in ((line.through[:2]), line.through[:-3:-1]):
+            ends = setting.mechanism.site[one].body, setting.mechanism.site[other].body
+            turns = len(line.through) > 2 and ends[0] is not None and ends[1] is None
+            if turns and setting.owns(one) and _owner(one) == _owner(other):
+                yield one, other
+
+
+def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
+    """How far a point is to which a string leads, and the angle of the string to the level, if both are stated."""
+    start, end = setting.site(site), setting.site(wheel)
+    way, owner = unit(end - start), _owner(site)
+    text = setting.stated(owner, setting.mechanism.units.length, abs(end - start) / setting.view.scale)
+    rim = setting.edge(site, way)
+    if text:
+        found.labels.append(Wanted(text, tuple(beside(rim, end, text, SMALL)), wheel, SMALL, name=False))
+    raised = degrees(phase(way if way.real >= 0.0 else complex(-way.real, way.imag)))
+    angle = setting.stated(owner, "deg", abs(raised))
+    if not angle:
+        return
+    level = 0.0 if way.real >= 0.0 else 180.0
+    turn = sorted((level, raised if way.real >= 0.0 else 180.0 - raised))
+    radius = max(abs(rim - start), 0.5 * setting.sizes(setting.mechanism.site[site].body or "")[0]) + ARC
+    middle = 1j ** (0.5 * sum(turn) / 90.0)
+    beyond = radius + 0.1 + 0.5 * width(angle, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
+    found.shapes.append(Arc(start, radius, *turn, weight="thin"))
+    places = tuple(start + (beyond + 0.12 * n) * middle for n in range(5))
+    found.labels.append(Wanted(angle, places, wheel, SMALL, name=False))
+
+
+def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
+    """The friction between two slabs, at either end of the face where they touch."""
+    friction = setting.mechanism.contacts[upper].friction
+    text = setting.stated(_owner(upper), "", friction) if friction else ""
+    if not text:
+        return
+    along, at = setting.along(upper), setting.at(upper)
+    normal = along * 1j if dot(at - setting.at(lower), along * 1j) >= 0.0 else along * -1j
+    text, half = f"µ = {text}", 0.5 * setting.sizes(upper)[0]
+    wide = 0.5 * width(text, SMALL)
+    foot = at - 0.1 * normal
+    ends = (foot + side * (half + 0.12 + wide * abs(along.real) + 0.4 * abs(along.imag)) * along for side in (-1, 1))
+    places = (end + far * normal for far in (0.0, 0.3, 0.6) for end in ends)
+    found.labels.append(Wanted(text, tuple(places), upper, SMALL, name=False))
