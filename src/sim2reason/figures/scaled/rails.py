@@ -12,7 +12,7 @@ from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Sketch,
 from sim2reason.figures.vectors import RIGHT, UP, cross, unit
 
 RAIL = 2.0  # units on either side of what it leads
-WHEEL = 0.16  # radius of a small pulley
+WHEEL = 0.24  # radius of a small pulley
 GAP, FOOT, ROOM = 0.1, 0.6, 0.5  # units between a box and what slides at it, below that, and beside what lies on top
 FLAT = 1e-6
 
