@@ -1,0 +1,132 @@
+"""Shapes of prompts: each can be undone, none is drawn too often, and every one leads back to its answer."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.datasets.random_scenes import sample
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SimulationError, TextError, UnsupportedError
+from sim2reason.prose import describe
+from sim2reason.prose.voices import hiding
+from sim2reason.prose.writer import Description
+from sim2reason.questions import MODES, Question
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import FORMATS, shaped, unit_in_words
+from sim2reason.questions.shapes import SHAPES
+from sim2reason.questions.shapes.parts.units import is_table, text_of, units
+from sim2reason.recipes import DIFFICULTIES, RECIPES
+
+SCENES = 6  # of each recipe and difficulty
+MOST = 0.25  # of the prompts of a recipe
+
+
+def asked(recipe: str, count: int) -> Iterator[tuple[QuestionSearch, Question]]:
+    """Random scenes, each with a question about it."""
+    for difficulty in DIFFICULTIES:
+        for seed in range(count):
+            try:
+                search = QuestionSearch(sample(recipe, difficulty, seed=seed), seed)
+            except (SimulationError, UnsupportedError):
+                continue
+            question = MODES["numeric"](search.study, search.words, "", np.random.default_rng(seed))
+            if question is not None:
+                yield search, question
+
+
+def composed(description: Description, question: str) -> dict[str, str]:
+    """By name, the text in every shape that it can have."""
+    made = {name: shape.compose(description, question, np.random.default_rng(3)) for name, shape in SHAPES.items()}
+    return {name: text for name, text in made.items() if text is not None}
+
+
+def ended(text: str, question: Question) -> str:
+    return f"{text}\n\n{FORMATS[0].format(unit=unit_in_words(question.unit))}"
+
+
+@pytest.mark.parametrize("recipe", RECIPES)
+def test_no_shape_is_drawn_too_often(recipe: str) -> None:
+    """The mean of the chance that each has among those that a text and a question can have."""
+    chances, number = Counter[str](), 0
+    for search, question in asked(recipe, SCENES):
+        shares = {name: SHAPES[name].share for name in composed(search.description, question.text)}
+        total = sum(shares.values())
+        chances.update({name: share / total for name, share in shares.items()})  # type: ignore[arg-type]
+        number += 1
+    assert number >= SCENES
+    assert max(chances.values()) <= MOST * number, chances
+    assert len(chances) >= 5
+
+
+@pytest.mark.parametrize("recipe", RECIPES)
+def test_every_shape_leads_back_to_query_and_answer(recipe: str) -> None:
+    for search, question in asked(recipe, 1):
+        for name, text in composed(search.description, question.text).items():
+            read = parse_prompt(ended(text, question), np.random.default_rng(5))
+            assert read.shape == name, text
+            assert read.query.kind == question.query.kind, text
+            assert read.answer == pytest.approx(question.answer, rel=0.01), text
+
+
+def test_ten_shapes_are_drawn() -> None:
+    search, question = next(asked("pulley", 1))
+    drawn = Counter(shaped(search.description, question, np.random.default_rng(n)).shape for n in range(300))
+    able = composed(search.description, question.text)
+    assert drawn.keys() == able.keys()
+    for name, count in drawn.items():  # three standard deviations
+        chance = SHAPES[name].share / sum(SHAPES[other].share for other in able)
+        assert abs(count - 300 * chance) <= 3.0 * (300 * chance * (1.0 - chance)) ** 0.5
+    assert len(SHAPES) >= 6
+
+
+def first_mass(scene: Scene) -> str:
+    return next(p.path for p in scene.parameters if p.measure.name == "mass" and not p.hidden)
+
+
+def test_what_a_voice_hides_is_in_no_list() -> None:
+    search, question = next(asked("pulley", 1))
+    scene = search.study.scene
+    shown = describe(scene, 4)
+    path = first_mass(scene)
+    hidden = describe(scene, 4, hiding(path))
+    listed = SHAPES["numbers_listed"].compose(hidden, question.text, np.random.default_rng(0))
+    usual = SHAPES["numbers_listed"].compose(shown, question.text, np.random.default_rng(0))
+    assert listed is not None
+    assert usual is not None
+    assert f"${hidden.symbols[path]}$ =" not in listed
+    assert f"${hidden.symbols[path]}$ =" in usual
+    for shape in SHAPES.values():
+        text = shape.compose(hidden, question.text, np.random.default_rng(0))
+        assert text is None or f"${hidden.symbols[path]}$" in text
+
+
+@pytest.mark.parametrize("change", ["kg", "$m"])
+def test_a_list_that_lacks_a_number_or_has_one_to_spare_is_refused(change: str) -> None:
+    search, question = next(asked("pulley", 1))
+    text = SHAPES["numbers_listed"].compose(search.description, question.text, np.random.default_rng(0))
+    assert text is not None
+    spoiled = text.replace("kg", "m", 1) if change == "kg" else text.replace("$m_A$ = ", "$m_Z$ = ", 1)
+    assert spoiled != text
+    with pytest.raises(TextError):
+        parse_prompt(ended(spoiled, question))
+
+
+@pytest.mark.parametrize("recipe", ["collision", "springs", "orbital", "box"])
+def test_sentences_and_tables_come_apart_and_together(recipe: str) -> None:
+    for seed in range(SCENES):
+        description = describe(sample(recipe, "medium", seed=seed), seed)
+        apart = units(description.text)
+        assert text_of(apart) == description.text
+        assert sum(map(is_table, apart)) == sum(map(is_table, description.sentences))
+        assert len(apart) == len(description.sentences)
+
+
+def test_symbols_are_numbered_as_they_are_told() -> None:
+    for seed in range(SCENES):
+        description = describe(sample("incline", "hard", seed=seed), seed)
+        told = [description.symbols[path] for path in description.told if path in description.symbols]
+        numbered = [symbol for symbol in told if symbol.startswith(r"\theta_")]
+        assert numbered == sorted(numbered)
