@@ -1,10 +1,12 @@
 """How often a prompt alone leads back to its answer: ``python benchmarks/round_trip.py [ITEMS] [SEED]``.
 
 Each prompt is read back into a scene and a question, hidden numbers are drawn anew, and the scene is solved again.
+How often each shape of prompts was drawn is printed as well, and the largest share of one within a recipe.
 """
 
 import sys
 import time
+from collections import Counter
 
 import numpy as np
 
@@ -21,14 +23,18 @@ def main(items: int = 500, seed: int = 11) -> int:
     """Print the share, and every item that is not answered again; exit code 1 if fewer than 99 % are."""
     config = Config(items=items, recipes=tuple(RECIPES), seed=seed)
     right, asked, spent = 0, 0, 0.0
+    drawn, of_recipe = Counter[tuple[str, str]](), Counter[str]()
     for position in range(items):
         item = make(config.request(position)).item
         if item is None:
             continue
         asked += 1
+        drawn[item.recipe, item.shape] += 1
+        of_recipe[item.recipe] += 1
         begin = time.process_time()
         try:
-            answer = parse_prompt(item.prompt, np.random.default_rng(position)).answer
+            read = parse_prompt(item.prompt, np.random.default_rng(position))
+            answer = read.answer if read.shape == item.shape else None
         except Sim2ReasonError as error:
             print(f"{item.id}: {error}")
             continue
@@ -39,6 +45,12 @@ def main(items: int = 500, seed: int = 11) -> int:
         else:
             print(f"{item.id}: {answer} for {item.answer.value}")
     print(f"{right} of {asked} prompts lead back to their answer; {1e3 * spent / asked:.1f} ms of CPU each")
+    shapes = Counter[str]()
+    for (_, shape), count in drawn.items():
+        shapes[shape] += count
+    print(", ".join(f"{shape} {count / asked:.0%}" for shape, count in shapes.most_common()))
+    share, recipe, shape = max((count / of_recipe[recipe], recipe, shape) for (recipe, shape), count in drawn.items())
+    print(f"at most {share:.0%} of one recipe: {shape} of {recipe}")
     return 0 if right >= 0.99 * asked else 1
 
 

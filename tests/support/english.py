@@ -4,7 +4,10 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 
-FORMAT = re.compile(r"(?:Give|State|Write)[^.]*\\boxed\{\}\.$")
+from sim2reason.questions.shapes import SHAPES, Draft
+from sim2reason.questions.shapes.parts.units import is_table, units
+
+FORMAT = re.compile(r"(?:Give your|State the|Write the)[^.]*\\boxed\{\}\.$")
 VERBS = ("what", "how", "find", "determine", "calculate")
 VERB = re.compile(rf"\b(?:{'|'.join(VERBS)})\b", re.IGNORECASE)
 UNITS = r"kg·m/s|m/s²|m/s|kg|m|s|N|J|°"
@@ -18,9 +21,15 @@ STRING = re.compile(
 
 @dataclass(frozen=True)
 class Prose:
-    """A prompt: its story with its table, its question and its format line."""
+    """A prompt of some shape: its story with its table, its question and its format line."""
 
     text: str
+    shape: str = "scene_first"
+
+    @cached_property
+    def usual(self) -> Draft:
+        """Its story and its question as they would stand in the usual shape."""
+        return next(iter(SHAPES[self.shape].drafts(self.body)))
 
     @cached_property
     def body(self) -> str:
@@ -40,12 +49,12 @@ class Prose:
     @property
     def question(self) -> str:
         """The sentence that asks."""
-        return self.sentences[-1]
+        return self.usual.question
 
-    @property
+    @cached_property
     def story(self) -> list[str]:
-        """The sentences before it."""
-        return self.sentences[:-1]
+        """All others, in the usual order."""
+        return [unit for unit in units(self.usual.story) if not is_table(unit)]
 
     @property
     def words(self) -> int:

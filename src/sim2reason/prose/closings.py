@@ -141,7 +141,7 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
     ),
 }
 ROOM = {  # by whether there are edges
-    False: ("no body reaches a pulley", "every string is long enough", "there is string enough for the motion"),
+    False: ("no body reaches a pulley", "every string is long enough", "no pulley is reached"),
     True: ("nothing reaches a pulley or an edge", "no body gets to an edge or a pulley", "there is room enough"),
 }
 _EITHER = (False, True)
