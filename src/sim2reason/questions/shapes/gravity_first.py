@@ -10,11 +10,11 @@ from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import one_of, splits, text_of, units
 
 FRONTS = (
-    "Take g = {g} in this problem.",
+    "Take g = {g} here.",
     "In this problem g = {g}.",
-    "Throughout, the free-fall acceleration is g = {g}.",
+    "The acceleration of free fall is taken as g = {g}.",
     "Let the acceleration of free fall be g = {g}.",
-    "Use g = {g} in what follows.",
+    "Use g = {g} below.",
 )
 USUAL = "Take g = {g}."
 _TOLD = re.compile(r"\bg = (\S.{0,20})\.$")
@@ -23,7 +23,7 @@ _FRONT = re.compile("|".join(re.escape(front).replace(r"\{g\}", r"(\S.{0,20}?)")
 
 @shape
 class GravityFirst(PromptShape):
-    """Like this: “Take g = 9.8 m/s² in this problem. Block A lies on …”."""
+    """Like this: “Take g = 9.8 m/s² here. Block A lies on …”."""
 
     name = "gravity_first"
 

@@ -19,10 +19,10 @@ from sim2reason.questions.shapes.parts.units import (
 FRONTS = (
     "In the situation described below, ",
     "For the motion described below, ",
-    "In the situation that follows, ",
+    "In the situation below, ",
     "In the following situation, ",
-    "In the motion described here, ",
-    "In the case described below, ",
+    "In what follows, ",
+    "In the case below, ",
 )
 
 
