@@ -78,7 +78,7 @@ class SpringBlock(Entity):
         ),
         starting(
             "from there it is launched with the velocity ({launch.x}, {launch.y}).",
-            "there it is given the velocity ({launch.x}, {launch.y}).",
+            "it starts from there with the velocity ({launch.x}, {launch.y}).",
             "it leaves this point with the velocity ({launch.x}, {launch.y}).",
         ),
     )

@@ -86,7 +86,6 @@ RELEASES = (
 LONE_RELEASES = (
     "the motion starts from rest{taut}.",
     "the motion begins from rest{taut}.",
-    "at first all is at rest{taut}.",
 )
 TAUT = ("", " with the string taut", " with all strings taut")
 STRETCHED = (
@@ -140,9 +139,15 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
         "axles are frictionless, strings do not slip on pulleys",
     ),
 }
-ROOM = {  # by whether there are edges
-    False: ("no body reaches a pulley", "every string is long enough", "no pulley is reached"),
-    True: ("nothing reaches a pulley or an edge", "no body gets to an edge or a pulley", "there is room enough"),
+ROOM = {  # by whether there are several pulleys, and whether there are edges
+    (False, False): ("no body reaches it", "every string is long enough"),
+    (True, False): ("no body reaches a pulley", "every string is long enough", "no pulley is reached"),
+    (False, True): ("no body reaches it or an edge", "there is room enough", "no body gets to an edge or to it"),
+    (True, True): (
+        "nothing reaches a pulley or an edge",
+        "there is room enough",
+        "no body gets to an edge or a pulley",
+    ),
 }
 _EITHER = (False, True)
 
@@ -155,7 +160,7 @@ def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT
         return count > 0 and (count > 1, _has_massive_pulley(scene), _has_edges(scene)) == (several, massive, edges)
 
     pulleys = "massive " * massive + ("pulleys" if several else "pulley")
-    told = tuple(f"{turning}, and {room}." for turning in TURNING[several, massive] for room in ROOM[edges])
+    told = tuple(f"{turning}, and {room}." for turning in TURNING[several, massive] for room in ROOM[several, edges])
     return Closing(f"{pulleys} and room{' on faces' * edges}", needed, told)
 
 

@@ -16,6 +16,7 @@ from sim2reason.questions.shapes.parts.units import is_table, one_of, splits, te
 
 LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
 FEWEST, MOST = 2, 12
+_FORMULA = re.compile(r"ω = |\(\$[^$]+\$\) [xyzt]\b")  # in the letters of the text, which do not go with symbols
 _NUMBER = r"\$([^$]{1,40})\$ = ([^$]{1,30}?)"
 _LIST = re.compile(rf"(?:{'|'.join(LEADS)})((?:{_NUMBER}(?:, | and |\.$))+)")
 _ITEM = re.compile(rf"{_NUMBER}(?:, (?=\$)| and (?=\$)|\.$)")
@@ -34,6 +35,8 @@ class NumbersListed(PromptShape):
         if any(map(is_table, description.sentences)) or not FEWEST <= len(told) <= MOST:
             return None
         story = _named(description, description.voiced(_symbols_for(description.voice)).text)
+        if _FORMULA.search(story):
+            return None
         listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in told.items()])}."
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 

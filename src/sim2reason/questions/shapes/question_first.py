@@ -31,6 +31,7 @@ class QuestionFirst(PromptShape):
     """Like this: “In the situation described below, what is the tension 0.50 s after release? Block A lies …”."""
 
     name = "question_first"
+    share = 1.2
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of questions that begin with the word that asks."""

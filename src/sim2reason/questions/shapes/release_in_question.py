@@ -35,6 +35,7 @@ class ReleaseInQuestion(PromptShape):
     """Like this: “If everything is released from rest with all strings taut, what is …?”."""
 
     name = "release_in_question"
+    share = 1.5
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of texts that say in a closing of their own that all starts from rest."""

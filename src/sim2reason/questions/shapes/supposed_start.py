@@ -25,6 +25,7 @@ class SupposedStart(PromptShape):
     """Like this: “Suppose that cart B is struck and starts off to the left at 0.47 m/s. How far …?”."""
 
     name = "supposed_start"
+    share = 1.2
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of texts whose last sentence before the closings on what holds throughout tells a start."""

@@ -14,6 +14,7 @@ class TableLast(PromptShape):
     """The story and the question as they are, and between them and the last line the table of which they speak."""
 
     name = "table_last"
+    share = 1.2
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of texts with one table."""
