@@ -219,8 +219,11 @@ def reasons_to_be_silent(part: type[Part], text: str) -> Iterator[str]:
 
 
 STORY = (
-    "Block A of mass 2.0 kg hangs freely. Block B (3.0 kg) hangs freely. A light string tied to block A runs"
-    " straight up, passes over a light fixed pulley P, then over a light fixed pulley Q and runs straight down to B."
+    "A light string tied to block A of mass 2.0 kg runs straight up, passes over a light fixed pulley P,"
+    " then over a light fixed pulley Q and runs straight down to block B (3.0 kg)."
+)
+HANGS = (
+    "hangs on a light string that passes over a light fixed pulley and ends in a hand that pulls with a steady 9.0 N."
 )
 HOSTILE = {
     "nothing": "",
@@ -231,16 +234,16 @@ HOSTILE = {
     "braces": "{" * 5_000 + "}" * 5_000,
     "nesting": "(" * 9_000 + ".",
     "code": "__import__('os').system('true'). {0.__class__}.",
-    "many digits": f"A block of mass {'9' * 19_000} kg hangs freely.",
-    "huge": "A block of mass 1e308 kg hangs freely.",
-    "infinite": "A block of mass 1e999 kg hangs freely.",
-    "negative": "A block of mass \N{MINUS SIGN}1.0 kg hangs freely.",
-    "other digits": "A block of mass ٣.٢ kg hangs freely.",
+    "many digits": f"A block of mass {'9' * 19_000} kg {HANGS}",
+    "huge": f"A block of mass 1e308 kg {HANGS}",
+    "infinite": f"A block of mass 1e999 kg {HANGS}",
+    "negative": f"A block of mass \N{MINUS SIGN}1.0 kg {HANGS}",
+    "other digits": f"A block of mass ٣.٢ kg {HANGS}",
     "controls": "\x00\u202e\ufeff\ud7ff" * 500,
     "other letters": STORY.replace("A", "\N{GREEK CAPITAL LETTER ALPHA}"),
     "shouted": STORY.upper(),
-    "same block again": "Block A of mass 1.0 kg hangs freely. " * 50,
-    "many blocks": " ".join(f"Block {letter} of mass 1.0 kg hangs freely." for letter in "ABCDEFGHIJKLMN"),
+    "same block again": f"Block A of mass 1.0 kg {HANGS} " * 50,
+    "many blocks": " ".join(f"Block {letter} of mass 1.0 kg {HANGS}" for letter in "ABCDEFGHIJKLMN"),
     "many listed": "Blocks " + ", ".join(f"{letter} (1.0 kg)" for letter in "ABCDEFGHIJKLM") + " and N (1.0 kg) hang.",
     "empty table": "|\n|\n|\n",
     "table": "The discs at t = 0 are these.\n\n| disc | $m$ (kg) |\n| --- | --- |\n| A | 1.0 |\n| B |",
@@ -259,12 +262,10 @@ def test_hostile_texts_are_refused_at_once(text: str) -> None:
 
 
 def test_the_story_of_the_hostile_texts_is_a_good_one_when_whole() -> None:
-    closed = (
-        "The motion starts from rest with the string taut. Pulleys turn without friction. {room} Take g = 9.8 m/s²."
-    )
+    closed = "The motion starts from rest with the string taut. Pulleys turn without friction, and {room}. Take g = 9.8 m/s²."
     with pytest.raises(TextError, match="fits nowhere"):
-        parse_scene(f"{STORY} {closed.format(room='And so on.')}")
-    description = describe(parse_scene(f"{STORY} {closed.format(room='No body reaches a pulley.')}").scene)
+        parse_scene(f"{STORY} {closed.format(room='so on')}")
+    description = describe(parse_scene(f"{STORY} {closed.format(room='no body reaches a pulley')}").scene)
     assert [type(named.entity).__name__ for named in description.scene.entities] == ["MassWithFixedPulley"] * 2
 
 
