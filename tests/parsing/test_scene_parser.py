@@ -262,7 +262,10 @@ def test_hostile_texts_are_refused_at_once(text: str) -> None:
 
 
 def test_the_story_of_the_hostile_texts_is_a_good_one_when_whole() -> None:
-    closed = "The motion starts from rest with the string taut. Pulleys turn without friction, and {room}. Take g = 9.8 m/s²."
+    closed = (
+        "The motion starts from rest with the string taut. Pulleys turn without friction, and {room}."
+        " Take g = 9.8 m/s²."
+    )
     with pytest.raises(TextError, match="fits nowhere"):
         parse_scene(f"{STORY} {closed.format(room='so on')}")
     description = describe(parse_scene(f"{STORY} {closed.format(room='no body reaches a pulley')}").scene)

@@ -88,9 +88,7 @@ class QuestionSearch:
                 refused["nothing to ask"] += 1
                 continue
             prompt = shaped(description, question, rng)
-            candidate = Candidate(
-                self.study, question, prompt.text, description.sentences, difficulty=self._difficulty
-            )
+            candidate = Candidate(self.study, question, prompt.text, description.sentences, difficulty=self._difficulty)
             verdict = sift(candidate, witnessed=False)
             if verdict.keep:
                 study, certificate = self._certified(question.query)

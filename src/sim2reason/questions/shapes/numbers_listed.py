@@ -1,7 +1,7 @@
 """The scene in symbols, and their numbers as a list."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache
 
 import numpy as np
@@ -31,10 +31,11 @@ class NumbersListed(PromptShape):
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of texts without a table in which some numbers, but not too many, are told besides g."""
         lead, after = one_of(LEADS, rng), rng.random() < 0.5
-        told = self._numbers(description)
-        if any(map(is_table, description.sentences)) or not FEWEST <= len(told) <= MOST:
+        marked = description.voiced(_symbols_for(description.voice))
+        told = _numbers(description, marked)
+        if told is None or any(map(is_table, marked.sentences)) or not FEWEST <= len(told) <= MOST:
             return None
-        story = _named(description, description.voiced(_symbols_for(description.voice)).text)
+        story = _named(marked)
         if _FORMULA.search(story):
             return None
         listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in told.items()])}."
@@ -48,25 +49,29 @@ class NumbersListed(PromptShape):
             for story, question in splits([*said[:place], *said[place + 1 :]]) if given else ():
                 yield Draft(_bracket().sub(r"(\1)", text_of(story)), question, given)
 
-    def _numbers(self, description: Description) -> Mapping[str, str]:
-        """By symbol, the numbers that the text tells, in its order; of g the closing tells."""
-        found: dict[str, str] = {}
-        parameters = {parameter.path: parameter for parameter in description.scene.parameters}
-        for path in description.told:
-            symbol, parameter = description.symbols.get(path), parameters.get(path)
-            if symbol is not None and parameter is not None and not _is_gravity(parameter):
-                spoken = description.voice(parameter, symbol)
-                if not spoken.startswith("$"):
-                    found[symbol] = spoken
-        return found
 
-
-def _named(description: Description, story: str) -> str:
-    """A story in symbols, with the name of each that stands alone in a bracket: block A (mass $m_A$)."""
+def _numbers(description: Description, marked: Description) -> dict[str, str] | None:
+    """By symbol, the numbers that a text tells, in its order, but for g; None if an unknown has another symbol."""
+    found: dict[str, str] = {}
     parameters = {parameter.path: parameter for parameter in description.scene.parameters}
     for path in description.told:
-        symbol = description.symbols.get(path)
-        if symbol is not None and path in parameters and path.rpartition(".")[0] in description.scene.bodies:
+        symbol, parameter = marked.symbols.get(path), parameters.get(path)
+        if symbol is None or parameter is None or _is_gravity(parameter):
+            continue
+        spoken = description.voice(parameter, description.symbols.get(path, ""))
+        if spoken.startswith("$") and spoken != f"${symbol}$":
+            return None  # the question speaks of it, too
+        if not spoken.startswith("$"):
+            found[symbol] = spoken
+    return found
+
+
+def _named(marked: Description) -> str:
+    """A text in symbols, with the name of each that stands alone in a bracket: block A (mass $m_A$)."""
+    story, parameters = marked.text, {parameter.path: parameter for parameter in marked.scene.parameters}
+    for path in marked.told:
+        symbol = marked.symbols.get(path)
+        if symbol is not None and path in parameters and path.rpartition(".")[0] in marked.scene.bodies:
             story = story.replace(f"(${symbol}$)", f"({parameters[path].measure.name} ${symbol}$)")
     return story
 
