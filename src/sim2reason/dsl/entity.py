@@ -65,9 +65,9 @@ class Entity(Part):
         """Whether its own lines say that its strings are taut at the start, so that no other line need say it."""
         return False
 
-    def slackens(self, gravity: float) -> bool:
-        """Whether a string of its own can go slack and become taut again in free fall with `gravity`, m/s²."""
-        del gravity
+    @property
+    def slackens(self) -> bool:
+        """Whether a string of its own may go slack and become taut again, as far as its text tells."""
         return False
 
 

@@ -37,7 +37,7 @@ def _strings(scene: Scene) -> int:
 
 
 def _slackens(scene: Scene) -> bool:
-    return any(named.entity.slackens(scene.world.gravity) for named in scene.entities)
+    return any(named.entity.slackens for named in scene.entities)
 
 
 def is_lone(scene: Scene) -> bool:
