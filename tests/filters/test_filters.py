@@ -5,9 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from motions import spring_block
 from plain_scenes import G, atwood, half_atwood, massive, ramp, table
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate, sift
+from sim2reason.filters.parts.effects import effects
 from sim2reason.questions import KINDS, Moment, Query, Question, Study, Target
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
@@ -171,3 +173,14 @@ def test_too_few_numbers_that_matter_make_no_problem() -> None:
     """g sin θ is one number."""
     start = candidate(ramp(), AtStart(), Target("acceleration", "ramp.blocks.0"))
     assert reason("sensitivity", replace(start, difficulty="easy")) == "reach: 1 numbers matter"
+
+
+def test_slips_that_are_about_the_whole_are_made_where_nothing_is_asked_of_a_part() -> None:
+    """A period is of no subject."""
+    study, words = spring_block().told()
+    query = KINDS["period"].draw(study, words, {}, np.random.default_rng(1))
+    assert query is not None
+    answer = KINDS["period"].answer(query, study)
+    assert answer is not None
+    found = Candidate(study, Question("numeric", query, "?", answer, "s"), "a b c")
+    assert "length as extension" in {effect.simplification.name for effect in effects(found, part=False)}

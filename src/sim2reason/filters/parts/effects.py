@@ -45,7 +45,7 @@ def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
     What the question itself speaks of stays as it is.
     """
     query, study = candidate.question.query, candidate.study
-    asked = {query.subject, *(query.moment.subjects if query.moment is not None else ())}
+    asked = {query.subject, *(query.moment.subjects if query.moment is not None else ())} - {""}
     until = candidate.until if candidate.until is not None else float(study.trace.state.times[-1])
     for simplification in SIMPLIFICATIONS.values():
         if simplification.part != part:
