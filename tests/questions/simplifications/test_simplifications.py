@@ -6,6 +6,7 @@ from math import log, radians, sin, sqrt
 import numpy as np
 import pytest
 
+from motions import rod_pendulum
 from plain_scenes import G, atwood, half_atwood, massive, ramp, table
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.scene import Scene
@@ -132,6 +133,7 @@ def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
         "spring left out": "springs",
         "no damping": "springs",
         "later root": "pendulum",
+        "small angle": "pendulum",
         "no mutual attraction": "orbital",
         "no slip": "rolling",
         "point mass": "rotation",
@@ -163,3 +165,15 @@ def test_gravity_that_is_the_same_everywhere() -> None:
     given = next(p.value for p in study.scene.parameters if p.measure.unit == "m/s^2" and p.path.startswith("rocket"))
     assert given is not None, planet
     assert -found.mechanism.gravity[0] == pytest.approx(given, rel=1e-9)
+
+
+def test_a_wide_swing_taken_as_small() -> None:
+    """Released at θ₀, a uniform rod that hangs from its end then swings as θ₀ cos ωt with ω² = 3g/2ℓ."""
+    study, _ = rod_pendulum(60.0).told()
+    slip = SIMPLIFICATIONS["small angle"]
+    assert list(slip.subjects(ASKED, study)) == [""]
+    found = slip.simplified(study, "", 1.0)
+    assert found is not None
+    times = np.linspace(0.0, 1.0, 11)
+    swung = 1.0 - np.cos(sqrt(1.5 * G / 1.2) * times)  # from θ₀ on, in θ₀
+    assert np.abs(found.trace.sample(times).q[:, 0]) == pytest.approx(radians(60.0) * swung, rel=1e-9, abs=1e-12)
