@@ -20,7 +20,7 @@ from sim2reason.simulation.scenes import simulate
 
 def questions(study: Study, words: Words, draws: int = 60) -> list[Question]:
     """What is asked over many draws."""
-    found = (MODES["numeric"](study, words, "", np.random.default_rng(seed)) for seed in range(draws))
+    found = (MODES["numeric"].ask(study, words, "", np.random.default_rng(seed)) for seed in range(draws))
     return [question for question in found if question is not None]
 
 

@@ -117,7 +117,7 @@ def test_a_mode_asks_what_it_answers() -> None:
     scene = ramp(speed=2.0)
     words, study = words_of(describe(scene)), Study(scene, simulate(scene))
     for seed in range(30):
-        question = MODES["numeric"](study, words, "", np.random.default_rng(seed))
+        question = MODES["numeric"].ask(study, words, "", np.random.default_rng(seed))
         if question is not None:
             assert question.answer == KINDS[question.query.kind].answer(question.query, study)
             assert question.text[0].isupper()

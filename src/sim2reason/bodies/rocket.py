@@ -10,7 +10,9 @@ from sim2reason.dsl.looks import BodyLook, Globe, Small, Unseen
 from sim2reason.dsl.measures import LEAST, Mass, Measure, Range
 
 PlanetRadius = Annotated[float, LEAST, Le(1e6), Measure("radius", "km", "R"), Range(500.0, 3000.0)]
-SurfaceGravity = Annotated[float, Gt(0), Le(1e3), Measure("gravity", "m/s^2", "g"), Range(1.0, 6.0)]
+SurfaceGravity = Annotated[
+    float, Gt(0), Le(1e3), Measure("gravity", "m/s^2", "g", called="acceleration of free fall"), Range(1.0, 6.0)
+]
 
 
 @body

@@ -40,6 +40,11 @@ class QueryRecord(Record):
     quantity: str
     time: FiniteFloat | None = None
     event: str | None = None
+    unknown: str | None = None
+    """The address of the number that the text leaves open, if it does."""
+    given: FiniteFloat | None = None
+    """What the prompt says that the quantity is, where the answer is the unknown, or the time (in `given_unit`)."""
+    given_unit: str | None = None
 
 
 class Provenance(Record):

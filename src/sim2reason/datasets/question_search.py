@@ -8,8 +8,9 @@ import numpy as np
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate, sift
+from sim2reason.prose.voices import hiding
 from sim2reason.prose.writer import Description, describe
-from sim2reason.questions import KINDS, Mode, Query, Question, Study, Words
+from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
 from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND
 from sim2reason.recipes import Difficulty
@@ -60,38 +61,54 @@ class QuestionSearch:
         """Its text."""
         return describe(self.study.scene, self._wording)
 
+    def _described(self, question: Question) -> Description:
+        """Its text, as a question needs it: with its unknown, if it has one."""
+        if not question.unknown:
+            return self.description
+        return describe(self.study.scene, self._wording, hiding(question.unknown))
+
     @cached_property
     def words(self) -> Words:
         """What questions need to know of its text."""
         return words_of(self.description)
 
-    def _certified(self, query: Query) -> tuple[Study, Certificate]:
+    def _certified(self, query: Query, study: Study) -> tuple[Study, Certificate]:
         """The motion as far as both engines vouch for it; the second follows it no further than a question needs."""
-        time = KINDS[query.kind].time(query, self.study)
-        trace = self.study.trace if time is None else self.study.trace.through(BEYOND * time)
-        if self._vouched is None or len(self._vouched[0].trace.state.times) < len(trace.state.times):
+        time = KINDS[query.kind].time(query, study)
+        trace = study.trace if time is None else study.trace.through(BEYOND * time)
+        known = self._vouched if study is self.study else None
+        if known is None or len(known[0].trace.state.times) < len(trace.state.times):
             seen, certificate = witnessed(trace)
-            self._vouched = Study(self.study.scene, seen), certificate
-        return self._vouched
+            known = Study(study.scene, seen), certificate
+        if study is self.study:
+            self._vouched = known
+        return known
 
     def ask(
-        self, mode: Mode, rng: np.random.Generator, refused: Counter[str], kind: str = ""
+        self, mode: QuestionMode, rng: np.random.Generator, refused: Counter[str], kind: str = ""
     ) -> CertifiedQuestion | None:
         """A question that passes every filter, or None; what was refused is counted by filter in `refused`."""
         if self.study.trace.stable_until < SHORTEST * self.study.scene.horizon:
             refused[f"unstable: {self.study.trace.cut}"] += 1
             return None
-        description, words = self.description, self.words
         for _ in range(QUESTIONS):
-            question = mode(self.study, words, kind, rng)
+            question = mode.ask(self.study, self.words, kind, rng)
             if question is None:
                 refused["nothing to ask"] += 1
                 continue
+            description, study = self._described(question), mode.study(question, self.study)
             prompt = shaped(description, question, rng)
-            candidate = Candidate(self.study, question, prompt.text, description.sentences, difficulty=self._difficulty)
+            candidate = Candidate(
+                study,
+                question,
+                prompt.text,
+                description.sentences,
+                self.words,
+                difficulty=self._difficulty,
+            )
             verdict = sift(candidate, witnessed=False)
             if verdict.keep:
-                study, certificate = self._certified(question.query)
+                study, certificate = self._certified(question.query, study)
                 verdict = sift(replace(candidate, certificate=certificate), witnessed=True)
                 if verdict.keep:
                     return CertifiedQuestion(candidate, study, certificate, description, prompt.shape)

@@ -28,7 +28,17 @@ SCHEMA = pa.schema(
         "recipe": TEXT,
         "difficulty": TEXT,
         "entities": pa.list_(TEXT),
-        "asked": pa.struct({"subject": TEXT, "quantity": TEXT, "time": REAL, "event": TEXT}),
+        "asked": pa.struct(
+            {
+                "subject": TEXT,
+                "quantity": TEXT,
+                "time": REAL,
+                "event": TEXT,
+                "unknown": TEXT,
+                "given": REAL,
+                "given_unit": TEXT,
+            }
+        ),
         "distractors": pa.list_(pa.struct({"value": REAL, "simplification": TEXT, "reason": TEXT})),
         "idle": pa.list_(TEXT),
         "idle_numbers": pa.list_(TEXT),

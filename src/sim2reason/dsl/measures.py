@@ -76,16 +76,23 @@ class Measure:
 
     `unit` is canonical (``m/s^2``), `symbol` is LaTeX without dollars. It is spoken either with
     `decimals` places, though not with more than three significant digits, or, where that is None, with two.
+    `called` is what a question that asks for it calls it, where that is not its name.
     """
 
     name: str
     unit: str
     symbol: str
     decimals: int | None = None
+    called: str = ""
 
     def __post_init__(self) -> None:
         """Refuse a unit outside the table (UnitError)."""
         show_unit(self.unit)
+
+    @property
+    def noun(self) -> str:
+        """What a question calls it; whatever is counted in degrees is an angle."""
+        return self.called or ("angle" if self.unit == "deg" else self.name)
 
     def places(self, value: float) -> int:
         """How many decimal places `value` is spoken with; negative would be tens, so at least 0."""
@@ -128,7 +135,9 @@ def join_unit(number: str, unit: str) -> str:
 LEAST = Ge(1e-6)  # of what must be greater than zero: less is a slip of the pen, and lost beside a kilogram in engines
 Mass = Annotated[float, LEAST, Le(1e6), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
 Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]
-Friction = Annotated[float, Ge(0), Le(2), Measure("friction", "", r"\mu", decimals=2), Range(0.1, 0.7)]
+Friction = Annotated[
+    float, Ge(0), Le(2), Measure("friction", "", r"\mu", decimals=2, called="coefficient of friction"), Range(0.1, 0.7)
+]
 Force = Annotated[float, LEAST, Le(1e6), Measure("force", "N", "F"), Range(0.5, 10.0)]
 Speed = Annotated[float, LEAST, Le(1e3), Measure("speed", "m/s", "v"), Range(0.5, 5.0)]
 AngularVelocity = Annotated[float, LEAST, Le(1e4), Measure("angular velocity", "rad/s", r"\omega_0"), Range(0.5, 5.0)]
@@ -139,7 +148,13 @@ FreeLength = Annotated[float, LEAST, Le(1e3), Measure("free length", "m", r"\ell
 Height = Annotated[float, LEAST, Le(1e4), Measure("height", "m", "h"), Range(1.0, 5.0)]
 Stiffness = Annotated[float, LEAST, Le(1e6), Measure("stiffness", "N/m", "k"), Range(20.0, 250.0)]
 NaturalLength = Annotated[float, LEAST, Le(1e3), Measure("natural length", "m", r"\ell_0"), Range(0.2, 1.0)]
-Strain = Annotated[float, Ge(0), Le(1e3), Measure("strain", "m", "d"), Range(0.05, 0.3)]
+Strain = Annotated[float, Ge(0), Le(1e3), Measure("strain", "m", "d", called="distance"), Range(0.05, 0.3)]
 Damping = Annotated[float, LEAST, Le(1e6), Measure("damping constant", "N*s/m", "b"), Range(0.2, 3.0)]
-Restitution = Annotated[float, Ge(0), Le(1), Measure("restitution", "", "e", decimals=2), Range(0.3, 0.95)]
+Restitution = Annotated[
+    float,
+    Ge(0),
+    Le(1),
+    Measure("restitution", "", "e", decimals=2, called="coefficient of restitution"),
+    Range(0.3, 0.95),
+]
 Gravity = Annotated[float, Ge(0), Le(100), Measure("gravity", "m/s^2", "g")]

@@ -4,11 +4,13 @@ import types
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from math import inf
 from typing import Annotated, Any, Literal, Self, TypeGuard, TypeVar, Union, cast, get_args, get_origin
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 
+from sim2reason.dsl.bounds import bounds
 from sim2reason.dsl.measures import Chance, Count, Hidden, Measure, Member, Range, Sized
 from sim2reason.dsl.relations import relations, unfitting
 from sim2reason.errors import SceneError
@@ -78,6 +80,8 @@ class FieldType:
     member: str = ""  # the field whose members it counts, of an index
     size: Callable[[Mapping[str, Any]], int] | None = None  # how many members it has, where other fields demand it
     chance: float | None = None  # of something optional to be drawn
+    least: float = -inf  # that is allowed
+    most: float = inf
 
 
 def _flatten(annotation: Any) -> Iterator[Any]:  # annotations are untyped by nature
@@ -107,6 +111,7 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
     found: dict[str, FieldType] = {}
     for name, info in model.model_fields.items():
         leaves = [*_flatten(info.annotation), *info.metadata]
+        least, most = bounds(leaves)
         found[name] = FieldType(
             measure=next((leaf for leaf in leaves if isinstance(leaf, Measure)), None),
             drawn=next((leaf for leaf in reversed(leaves) if isinstance(leaf, Range)), None),
@@ -118,6 +123,8 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
             member=next((leaf.field for leaf in leaves if isinstance(leaf, Member)), ""),
             size=next((leaf.by for leaf in leaves if isinstance(leaf, Sized)), None),
             chance=next((leaf.likelihood for leaf in leaves if isinstance(leaf, Chance)), None),
+            least=least,
+            most=most,
         )
     return found
 

@@ -7,7 +7,7 @@ from functools import cached_property
 from math import inf, isfinite
 from typing import ClassVar
 
-from sim2reason.questions import KINDS, Kind, Question, Study
+from sim2reason.questions import KINDS, MODES, Kind, Question, Study, Words
 from sim2reason.questions.study import BEYOND
 from sim2reason.recipes import Difficulty
 from sim2reason.registry import Registry
@@ -25,6 +25,7 @@ class Candidate:
     question: Question
     prompt: str
     sentences: tuple[str, ...] = ()  # of the scene's text
+    words: Words | None = None  # in which the question is asked
     certificate: Certificate | None = None  # once the witness has been heard
     difficulty: Difficulty = "medium"
     tolerance: float = TOLERANCE
@@ -48,11 +49,10 @@ class Candidate:
         """The answer to the same question about a changed scene; None if it has none there."""
         if other is None:
             return None
-        query = self.question.query
-        time = self.kind.time(query, other)
+        time = self.kind.time(self.question.query, other)
         if time is None or time > other.trace.stable_until:
             return None
-        found = self.kind.answer(query, other)
+        found = MODES[self.question.mode].response(self.question, self.study, other)
         return found if found is not None and isfinite(found) else None
 
     def change(self, other: Study | None) -> float:

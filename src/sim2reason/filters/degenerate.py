@@ -18,9 +18,9 @@ class Degenerate(Filter):
     order = 0
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare the answer with zero, with the scene's scale and with every number of the text."""
+        """Compare the result with zero and with the scene's scale, and the answer with every number of the text."""
         answer = abs(candidate.question.answer)
-        if answer <= max(_least(candidate), SMALLEST * _scale(candidate)):
+        if abs(candidate.question.result) <= max(_least(candidate), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"
         near = candidate.tolerance * answer  # who repeats it is paid
         if any(abs(answer - abs(said)) <= near for said in _stated(candidate, candidate.question.unit)):
@@ -29,7 +29,7 @@ class Degenerate(Filter):
 
 
 def _least(candidate: Candidate) -> float:
-    """The smallest answer; of what grows with mass in proportion to the heaviest body, where that is light."""
+    """The smallest result; of what grows with mass in proportion to the heaviest body, where that is light."""
     least, quantity = KINDS[candidate.question.query.kind].measured(candidate.question.query).least, _asked(candidate)
     heaviest = max(body.mass for body in candidate.study.mechanism.bodies)
     return least * min(1.0, heaviest) if quantity is not None and quantity.heavy else least
@@ -38,8 +38,12 @@ def _least(candidate: Candidate) -> float:
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
     """The numbers of a unit in the text of the scene and in the question."""
     for parameter in candidate.study.scene.parameters:
-        if not parameter.hidden and parameter.value is not None and parameter.measure.unit == unit:
+        open_to_all = not parameter.hidden and parameter.path != candidate.question.unknown
+        if open_to_all and parameter.value is not None and parameter.measure.unit == unit:
             yield parameter.value
+    given = candidate.question.given
+    if given is not None and given.unit == unit:
+        yield given.value
     moment, units = candidate.question.query.moment, candidate.study.mechanism.units
     yield from (number for number, of in (moment.stated if moment is not None else ()) if units.spell(of) == unit)
 
@@ -55,7 +59,7 @@ def _asked(candidate: Candidate) -> Quantity | None:
 def _lasting(candidate: Candidate) -> bool:
     """Whether a quantity at a later moment still has the value that it has just after the start."""
     query, study = candidate.question.query, candidate.study
-    quantity, target, answer = _asked(candidate), query.target, candidate.question.answer
+    quantity, target, answer = _asked(candidate), query.target, candidate.question.result
     if quantity is None or target is None or not KINDS[query.kind].time(query, study):
         return False
     start = target.value(study.trace.sample(np.zeros(1)))

@@ -30,7 +30,7 @@ class HiddenNumbers(Filter):
         time = kind.time(query, tight)
         if time is None or time > tight.trace.stable_until:
             return "with shorter strings the moment does not come"
-        again = kind.answer(query, tight)
+        again = candidate.response(tight)
         return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "an unsaid length matters"
 
 

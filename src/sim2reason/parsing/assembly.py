@@ -11,21 +11,38 @@ from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.model import FieldType, M, Model, field_types
 from sim2reason.dsl.scene import Scene, World
 from sim2reason.errors import TextError
+from sim2reason.parsing.declarations import thing_at
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
 from sim2reason.scene_files.mistakes import explained
 
 
-def assembled(state: ParseState, rng: np.random.Generator) -> Scene:
-    """The scene of a reading.
+def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -> Scene:
+    """The scene of a reading; a number for which a symbol stands lies at a `share` of the way through its range.
 
     Raises:
         TextError: something is not told.
         SceneError, ValueError: what is told can't be.
     """
+    state = _guessed(state, share)
     entities = [Named(name=name, entity=_model(state, name, state.kind(name, Entity), rng)) for name in state.entities]
     connections = tuple(_connection(state, joined, rng) for joined in state.joined)
     told = {path.removeprefix("world."): value for path, value in state.values.items() if path.startswith("world.")}
     return Scene(entities=tuple(entities), connections=connections, world=World.model_validate(told))
+
+
+def _guessed(state: ParseState, share: float) -> ParseState:
+    """A state with numbers in place of symbols; TextError for symbols of several numbers, or of what has no range."""
+    unknowns = state.unknowns
+    if len(unknowns) > 1:
+        raise TextError("text", f"it does not tell {' and '.join(unknowns.values())}", "leave one number unknown")
+    values = dict(state.values)
+    for path, symbol in unknowns.items():
+        owner, _, name = path.rpartition(".")
+        held = next(field_types(kind)[name] for kind in thing_at(state, owner).models if name in field_types(kind))
+        if held.drawn is None:
+            raise TextError("text", f"it does not tell {symbol}", "say it")
+        values[path] = held.drawn.low + share * (held.drawn.high - held.drawn.low)
+    return state._replace(values=values)
 
 
 def _connection(state: ParseState, joined: ParsedConnection, rng: np.random.Generator) -> Connection:

@@ -143,8 +143,13 @@ class Matcher:
             yield from self._mention(text, at, address, thing, state, start=start)
 
     def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
-        """A number with its unit; hearing another one again at the same address is a contradiction."""
+        """A number with its unit, or a symbol for one; hearing another at the same address is a contradiction."""
         symbol = SYMBOL.match(text, at) if text.startswith("$", at) else None
+        if symbol and symbol[1] not in self._given:
+            unknown = state.with_value(address, symbol.group())
+            if unknown is not None:
+                yield symbol.end(), unknown
+            return
         told, begin = (self._given.get(symbol[1], ""), 0) if symbol else (text, at)
         match = NUMBER.match(told, begin)
         if match is None:

@@ -39,6 +39,11 @@ class ParseState(NamedTuple):
     joined: tuple[ParsedConnection, ...] = ()
     closings: tuple[str, ...] = ()
 
+    @property
+    def unknowns(self) -> dict[str, str]:
+        """The symbols that stand in place of numbers, with their dollars, by address."""
+        return {path: told for path, told in self.values.items() if isinstance(told, str) and told.startswith("$")}
+
     def with_choice(self, number: int) -> "ParseState":
         """With one more wording."""
         return self._replace(script=(*self.script, number))

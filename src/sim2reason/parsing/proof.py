@@ -1,6 +1,6 @@
 """The proof of a reading: its scene, told again with the wordings that were state, has this very text."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from sim2reason.parsing.parse_state import ParseState
 from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import closings
 from sim2reason.prose.naming import Names, letters
-from sim2reason.prose.voices import Voice, numeric, symbolic
+from sim2reason.prose.voices import Voice, hiding, numeric, symbolic
 from sim2reason.prose.writer import Description, Writer
 
 
@@ -28,9 +28,10 @@ class ScriptedWriter(Writer):
         script: tuple[int, ...],
         given: Mapping[str, str] = NONE_GIVEN,
         order: tuple[str, ...] = (),
+        unknown: Collection[str] = (),
     ) -> None:
-        """`script` holds the choices for what is said; lines that stay unsaid take none. A symbol in `given` stands."""
-        super().__init__(scene, names, np.random.default_rng(0), _voice(given), order)
+        """`script` holds the choices for what is said; lines that stay unsaid take none. Symbols in `given` stand."""
+        super().__init__(scene, names, np.random.default_rng(0), _voice(given, unknown), order)
         self._script = iter(script)
 
     def choose(self, options: tuple[str, ...]) -> str:
@@ -47,13 +48,13 @@ class ScriptedWriter(Writer):
         return super()._say(saying, part, address) if said else []
 
 
-def _voice(given: Mapping[str, str]) -> Voice:
-    """Numbers, but for those whose symbol has its number elsewhere."""
+def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
+    """Numbers, but for those whose symbol has its number elsewhere, and for what is unknown."""
 
     def said(parameter: Parameter, symbol: str) -> str:
-        return (symbolic if symbol in given else numeric)(parameter, symbol)
+        return (symbolic if symbol in given or parameter.path in unknown else numeric)(parameter, symbol)
 
-    return said if given else numeric
+    return said if given else hiding(*unknown)
 
 
 def unsaid(scene: Scene, state: ParseState) -> list[str]:
@@ -74,7 +75,7 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping
         first = ScriptedWriter(scene, state.names, state.script)
         first.sentences()
         order = tuple(first.told)
-    echo = ScriptedWriter(scene, state.names, state.script, given, order)
+    echo = ScriptedWriter(scene, state.names, state.script, given, order, state.unknowns)
     told = Description(scene, tuple(echo.sentences()), state.names, {})
     again = pieces(told.text)
     for number, (mine, theirs) in enumerate(zip(again, text, strict=False), start=1):

@@ -1,7 +1,7 @@
 """All readings of a text, proven one by one."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -22,14 +22,28 @@ from sim2reason.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
 ENDS = 2  # of a connection
+SHARES = (
+    0.6,
+    0.3,
+    0.8,
+    0.1,
+    0.9,
+    0.0,
+    1.0,
+)  # of the way through the range of an unknown, where a scene may fit together
 
 
 @dataclass(frozen=True)
 class ParsedScene:
-    """A scene as its text tells it; `mentions` is what bodies are called (*block A*), by address."""
+    """A scene as its text tells it; `mentions` is what bodies are called (*block A*), by address.
+
+    `unknown` has the symbol, without dollars, of a number that the text leaves open, by its address; the scene has some
+    number of its range there.
+    """
 
     scene: Scene
     mentions: dict[str, str]
+    unknown: dict[str, str] = field(default_factory=dict[str, str])
 
     @property
     def names(self) -> dict[str, str]:
@@ -56,18 +70,26 @@ def parse_scene(
     for count, state in enumerate(_Grammar(matcher).scenes(0, ParseState({"world": World}))):
         if count == MAX_READINGS:
             raise TextError("text", "it can be read in too many ways", "give the text of one scene")
-        lacking = 0
-        try:
-            scene = assembled(state, rng)
-            lacking = len(unsaid(scene, state))
-            prove(scene, state, said, given)
-            names = {address: state.mention(address, full=True) for address in state.letters}
-            found.setdefault(signature(scene, names), ParsedScene(scene, names))
-        except TextError as error:
-            refused.append((lacking, error))
-        except (SceneError, UnsupportedError, ValueError) as error:
-            refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
+        for share in SHARES if state.unknowns else SHARES[:1]:
+            lacking = 0
+            try:
+                scene = assembled(state, rng, share)
+                lacking = len(unsaid(scene, state))
+                prove(scene, state, said, given)
+                found.setdefault(*_read(scene, state))
+                break
+            except TextError as error:
+                refused.append((lacking, error))
+            except (SceneError, UnsupportedError, ValueError) as error:
+                refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
     return _only(list(found.values()), refused, matcher)
+
+
+def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
+    """A proven reading, and what it has in common with those that mean the same."""
+    names = {address: state.mention(address, full=True) for address in state.letters}
+    unknown = {path: symbol.strip("$") for path, symbol in state.unknowns.items()}
+    return signature(scene, names), ParsedScene(scene, names, unknown)
 
 
 def _only(found: list[ParsedScene], refused: list[tuple[int, TextError]], matcher: Matcher) -> ParsedScene:

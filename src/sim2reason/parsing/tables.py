@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.measures import Measure, show_unit
 from sim2reason.dsl.model import field_types
-from sim2reason.parsing.matcher import NUMBER, Matcher
+from sim2reason.parsing.matcher import NUMBER, SYMBOL, Matcher
 from sim2reason.parsing.parse_state import ParseState
 from sim2reason.prose.tables import LEAD_INS, headings, introduced, shared_start
 
@@ -72,13 +72,15 @@ def _filled(state: ParseState, kind: type[Body], members: list[str], grid: _Grid
     for address, row in zip(members, grid.cells, strict=True):
         for heading, cell in zip(grid.headings, row, strict=True):
             name = columns.get(heading, "")
-            value = _number(cell, field_types(kind)[name].measure) if name else None
+            value = _told(cell, field_types(kind)[name].measure) if name else None
             found = found.with_value(f"{address}.{name}", value) if found is not None and value is not None else None
     return found
 
 
-def _number(cell: str, measure: Measure | None) -> float | None:
-    """A number whose unit stands in the heading, but for the sign of a degree."""
+def _told(cell: str, measure: Measure | None) -> float | str | None:
+    """A symbol, or a number whose unit stands in the heading, but for the sign of a degree."""
+    if SYMBOL.fullmatch(cell):
+        return cell
     digits = cell.removesuffix(show_unit("deg")) if measure is not None and measure.unit == "deg" else cell
     return float(digits.replace("\N{MINUS SIGN}", "-")) if NUMBER.fullmatch(digits) else None
 

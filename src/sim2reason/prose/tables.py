@@ -53,7 +53,7 @@ def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: 
     """A lead-in, one of `leads`, the columns that agree in sentences, the others as Markdown rows."""
     noun, kind = writer.names.noun(members[0]), type(members[0])
     columns = headings(kind)
-    shared = [name for name in columns if len({getattr(member, name) for member in members}) == 1]
+    shared = [name for name in columns if _agrees(writer, name, where, members)]
     shown = [name for name in columns if name not in shared]
     owner = where[0].rpartition(".")[0].rpartition(".")[0]
     lead = writer.finish(writer.render(introduced(writer.choose(leads or LEAD_INS), noun, kind, shown), owner))
@@ -65,6 +65,12 @@ def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: 
         rows.append((writer.names.letters.get(address, ""), *cells))
     drawn = "\n".join("| " + " | ".join(row) + " |" for row in rows)
     return [lead, *said, f"\n\n{drawn}\n\n"]
+
+
+def _agrees(writer: RowWriter, name: str, where: list[str], members: tuple[Body, ...]) -> bool:
+    """Whether a column has the same number in all rows, and none of them alone is an unknown."""
+    said = {writer.at(f"{address}.{name}") for address in where}
+    return len({getattr(member, name) for member in members}) == 1 and len(said) in (1, len(where))
 
 
 def introduced(lead: str, noun: str, kind: type[Body], shown: list[str]) -> str:

@@ -10,7 +10,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Word, slots
 from sim2reason.prose.naming import Names, listed, symbols
 from sim2reason.prose.phrases import another, join
-from sim2reason.prose.voices import Voice
+from sim2reason.prose.voices import Hiding, Voice
 
 
 class Terms(ABC):
@@ -36,10 +36,12 @@ class Terms(ABC):
 
     @cached_property
     def symbols(self) -> dict[str, str]:
-        """The symbol of every number that is neither hidden nor absent nor said by a word."""
+        """The symbol of every number that is neither hidden nor absent nor said by a word, or of the unknown alone."""
         first = [self.parameters[path] for path in self._order]
         every = {p.path: p for p in (*first, *self.parameters.values())}.values()
         said = [p for p in every if not p.hidden and p.value is not None and not self._by_word(p.path)]
+        if isinstance(self._voice, Hiding):
+            said = [p for p in said if p.path in self._voice.paths]
         return symbols(said, self.scene.bodies, self.names)
 
     def word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:

@@ -1,6 +1,7 @@
 """How numbers are spoken: as numbers, as symbols, or some of each."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from sim2reason.dsl.model import Parameter
 
@@ -20,9 +21,20 @@ def symbolic(parameter: Parameter, symbol: str) -> str:
     return f"${symbol}$"
 
 
+@dataclass(frozen=True, slots=True)
+class Hiding:
+    """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""
+
+    paths: tuple[str, ...]
+
+    def __call__(self, parameter: Parameter, symbol: str) -> str:
+        """The symbol of what is hidden, else the number."""
+        return (symbolic if parameter.path in self.paths else numeric)(parameter, symbol)
+
+
 def hiding(*paths: str) -> Voice:
     """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""
-    return lambda parameter, symbol: (symbolic if parameter.path in paths else numeric)(parameter, symbol)
+    return Hiding(paths)
 
 
 def voice_named(voice: str, hide: tuple[str, ...] = ()) -> Voice:

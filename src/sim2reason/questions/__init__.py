@@ -3,11 +3,13 @@
 A `Query` is what is asked, without words; a `Question` has words and an answer.
 """
 
-from collections.abc import Callable
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import ClassVar, TypeVar
 
 import numpy as np
 
+from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.query import Query
@@ -21,7 +23,9 @@ from sim2reason.registry import Registry
 class Question:
     """A question in words with its answer.
 
-    `sign` is the sense that counts as positive, in words; empty for a magnitude.
+    `sign` is the sense that counts as positive, in words; empty for a magnitude. `unknown` is the address of the number
+    that the text must leave open, empty for none. Where the query's answer R is not what is asked for, `given` is what
+    the question says that it is, and `elasticity` is d ln R/d ln p, p being the answer to the question.
     """
 
     mode: str
@@ -30,24 +34,85 @@ class Question:
     answer: float
     unit: str
     sign: str = ""
+    unknown: str = ""
+    given: StatedResult | None = None
+    elasticity: float = 1.0
+
+    @property
+    def result(self) -> float:
+        """The answer to its query: what is given where a number is unknown, else the answer itself."""
+        return self.given.value if self.given is not None and self.unknown else self.answer
 
 
-Mode = Callable[[Study, Words, str, np.random.Generator], Question | None]
-"""Asks one question of a kind, or of any kind if that is empty."""
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What a sentence that was read asks: the query, and the answer to it that the sentence gives, if it does."""
 
-MODES: Registry[Mode] = Registry("questions.modes")
+    mode: str
+    query: Query
+    given: StatedResult | None = None
+
+
+class QuestionMode(ABC):
+    """What of a question is unknown. Filters ask a mode, not a kind, what its answer becomes in a changed scene.
+
+    Class data:
+        name: under which it is registered.
+    """
+
+    name: ClassVar[str]
+
+    @abstractmethod
+    def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
+        """A question of a kind (by default drawn by share) about a motion, or None if it offers none."""
+
+    @abstractmethod
+    def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
+        """What a sentence asks in this mode, found by trying every phrase; None if it is none of them."""
+
+    def study(self, question: Question, study: Study) -> Study:
+        """The motion that a question is about, where `study` is that of the scene as it was drawn; by default this."""
+        del question
+        return study
+
+    def response(self, question: Question, study: Study, other: Study) -> float | None:
+        """What the answer becomes if the motion is another's; None if what is asked about does not come.
+
+        `study` is the one that the question is about. By default the query is asked again.
+        """
+        del study
+        return KINDS[question.query.kind].answer(question.query, other)
+
+    def solution(self, reading: Reading, study: Study, words: Words) -> float | None:
+        """The answer to what was read, in SI units or those of the text; None if there is none, or more than one."""
+        del words
+        return KINDS[reading.query.kind].answer(reading.query, study)
+
+
+MODES: Registry[QuestionMode] = Registry("questions.modes")
+M = TypeVar("M", bound=QuestionMode)
+
+
+def mode(cls: type[M]) -> type[M]:
+    """Enter a mode under its name."""
+    MODES.add(cls.name, cls())
+    return cls
+
 
 __all__ = [
     "KINDS",
     "MODES",
     "MOMENTS",
     "Kind",
-    "Mode",
     "Moment",
     "Noun",
     "Query",
     "Question",
+    "QuestionMode",
+    "Reading",
+    "StatedResult",
     "Study",
     "Target",
     "Words",
+    "mode",
 ]

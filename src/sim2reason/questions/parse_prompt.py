@@ -8,16 +8,15 @@ import numpy as np
 
 from sim2reason.errors import TextError
 from sim2reason.parsing import ParsedScene, parse_scene
-from sim2reason.questions import KINDS, Query, Study, Words
-from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.prompt import FORMATS, WHOLE
+from sim2reason.questions import MODES, Query, Reading, Study, Words
+from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.simulation.scenes import simulate
 
 _UNIT = r"(\S{1,12})"
 _FORMS = [
     *(re.compile(r"\s+" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS),
-    *(re.compile(rf"\s+{re.escape(form)}()$") for form in WHOLE),  # in no unit
+    *(re.compile(rf"\s+{re.escape(form)}()$") for form in (*WHOLE, *PLAIN_FORMATS)),  # in no unit
 ]
 
 
@@ -27,14 +26,19 @@ class ParsedPrompt:
 
     reading: ParsedScene
     study: Study
-    query: Query
+    asked: Reading
     unit: str
     shape: str
 
     @property
+    def query(self) -> Query:
+        """What is asked, or stated as a condition."""
+        return self.asked.query
+
+    @property
     def answer(self) -> float | None:
         """The answer that the text alone leads to."""
-        return KINDS[self.query.kind].answer(self.query, self.study)
+        return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
 
 
 def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPrompt:
@@ -66,7 +70,12 @@ def _understood(draft: Draft, unit: str, shape: str, rng: np.random.Generator | 
     """What a draft means; TextError for one that means nothing."""
     reading = parse_scene(draft.story, rng, draft.given)
     study = Study(reading.scene, simulate(reading.scene))
-    query = parse_question(draft.question, study, Words.of(reading.scene, reading.mentions))
-    if query is None:
+    asked = (mode.parsed(draft.question, study, _words(reading)) for mode in MODES.values())
+    found = next((each for each in asked if each is not None), None)
+    if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
-    return ParsedPrompt(reading, study, query, unit, shape)
+    return ParsedPrompt(reading, study, found, unit, shape)
+
+
+def _words(reading: ParsedScene) -> Words:
+    return Words.of(reading.scene, reading.mentions, reading.unknown)

@@ -63,6 +63,15 @@ def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     return tuple(dict.fromkeys(shapes))
 
 
+def naming_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
+    """A quantity as a noun phrase with its moment, in every phrase for that."""
+    assert query.moment is not None
+    if noun.timeless:
+        return (noun.phrase,)
+    whens = query.moment.phrases(words)
+    return tuple(f"{noun.phrase} {again(query.moment, noun.phrase, when, words)}" for when in whens)
+
+
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:
     """The words for a moment, *when it stops*, after a noun phrase that names what it is about and no other body."""
     subject = moment.subject(words)

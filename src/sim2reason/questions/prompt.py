@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.dsl.measures import show_unit
+from sim2reason.prose.naming import symbols
 from sim2reason.prose.writer import Description
 from sim2reason.questions import KINDS, Question, Words
 from sim2reason.questions.shapes import SHAPES
@@ -22,6 +23,14 @@ WHOLE = (
 """For what is counted."""
 
 
+PLAIN_FORMATS = (
+    "Give your answer to three significant figures, inside \\boxed{}.",
+    "State the answer to three significant figures, inside \\boxed{}.",
+    "Write the final answer, to three significant figures, in \\boxed{}.",
+)
+"""Of a pure number."""
+
+
 @dataclass(frozen=True)
 class Prompt:
     """What is put to whoever solves it, and the name of the shape that it has."""
@@ -33,7 +42,10 @@ class Prompt:
 def words_of(description: Description) -> Words:
     """What questions need to know of a text."""
     scene = description.scene
-    return Words.of(scene, {address: description.mention(address) for address in scene.bodies})
+    said = [(p.path, p) for p in scene.parameters if p.path in description.symbols]
+    mentions = {address: description.mention(address) for address in scene.bodies}
+    alone = {path: symbols([parameter], scene.bodies, description.names) for path, parameter in said}
+    return Words.of(scene, mentions, {path: found[path] for path, found in alone.items()})
 
 
 def prompt(description: Description, question: Question, rng: np.random.Generator) -> str:
@@ -57,9 +69,9 @@ def shaped(description: Description, question: Question, rng: np.random.Generato
 def _last_line(question: Question, rng: np.random.Generator) -> str:
     """How to give the answer."""
     whole = KINDS[question.query.kind].measured(question.query).whole
-    forms = WHOLE if whole else FORMATS
+    forms = WHOLE if whole else FORMATS if question.unit else PLAIN_FORMATS
     form = forms[int(rng.random() * len(forms))]
-    return form if whole else form.format(unit=unit_in_words(question.unit))
+    return form.format(unit=unit_in_words(question.unit)) if forms is FORMATS else form
 
 
 def unit_in_words(unit: str) -> str:

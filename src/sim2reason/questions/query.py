@@ -15,6 +15,11 @@ class Query:
     moment: Moment | None = None
 
     @property
+    def hides(self) -> str:
+        """The address of the number that the text must leave unknown for it; empty, by default, for none."""
+        return ""
+
+    @property
     def subject(self) -> str:
         """What it is about: the subject of its quantity, else the first that its moment speaks of."""
         if self.target is not None:

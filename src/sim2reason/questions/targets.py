@@ -8,7 +8,9 @@ from itertools import groupby
 
 import numpy as np
 
-from sim2reason.dsl.state import State
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.vectors import Vector
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.words import Words
@@ -39,12 +41,24 @@ class Target:
 
     def value(self, state: State) -> float:
         """The value at the first instant of a state."""
-        found = QUANTITIES[self.quantity].evaluate(state, self.subject)[0]
-        if np.ndim(found) == 0:
-            return float(found) if self.signed else abs(float(found))
-        if self.sense is None:
-            return float(np.linalg.norm(found))
-        return float(np.dot(found, self.sense.vector))
+        return float(self.values(state)[0])
+
+    def values(self, state: State) -> Array:
+        """The values at all instants of a state, (n,)."""
+        found = QUANTITIES[self.quantity].evaluate(state, self.subject)
+        if found.ndim == 1:
+            return found if self.signed else np.abs(found)
+        return np.linalg.norm(found, axis=1) if self.sense is None else found @ np.array(self._way(state.mechanism))
+
+    def _way(self, mechanism: Mechanism) -> Vector:
+        """Along which the component is taken: the sense of that name in this mechanism, whose slope may be another."""
+        assert self.sense is not None
+        quantity = QUANTITIES[self.quantity]
+        if self.sense.fixed or quantity.sense is not None:
+            return self.sense.vector
+        named = (self.sense.positive, self.sense.axis)
+        here = quantity.of.senses(mechanism, self.subject)
+        return next((sense.vector for sense in here if (sense.positive, sense.axis) == named), self.sense.vector)
 
 
 @dataclass(frozen=True, slots=True)

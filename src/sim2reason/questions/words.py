@@ -1,6 +1,6 @@
 """What a question needs to know of the text before it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Self
 
@@ -8,6 +8,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import UnitSystem
 from sim2reason.quantities.subjects import Subject
+from sim2reason.questions.unknown import Unknown, unknowns
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,14 +18,15 @@ class Words:
     mechanism: Mechanism
     mentions: Mapping[str, str]  # by address
     released: bool  # from rest; else the text counts time from t = 0
-    said: frozenset[str] = frozenset()  # the paths of all numbers that the text says
+    said: frozenset[str] = frozenset()  # the paths of all numbers that the text says, or speaks of as unknown
+    unknowns: Sequence[Unknown] = ()  # the numbers that it leaves unknown, or could
     _called: dict[str, Mapping[str, str]] = field(default_factory=dict[str, Mapping[str, str]], repr=False)
 
     @classmethod
-    def of(cls, scene: Scene, mentions: Mapping[str, str]) -> Self:
-        """Those of a text about a scene that calls its bodies by `mentions`."""
+    def of(cls, scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, str] | None = None) -> Self:
+        """Those of a text about a scene that calls its bodies by `mentions` and its unknown, if any, by `symbols`."""
         said = frozenset(p.path for p in scene.parameters if p.value is not None and not p.hidden)
-        return cls(scene.mechanism, mentions, scene.starts_from_rest, said)
+        return cls(scene.mechanism, mentions, scene.starts_from_rest, said, unknowns(scene, mentions, symbols or {}))
 
     @property
     def since(self) -> str:

@@ -54,11 +54,11 @@ class Elasticity:
     reordered: bool  # whether the shift changes what happens on the way, or the answer is gone
 
 
-def givens(scene: Scene) -> list[Given]:
-    """What the text says in numbers; zeros and what a word tells are not among it."""
+def givens(scene: Scene, unknown: str = "") -> list[Given]:
+    """What the text says in numbers; zeros, what a word tells and what is `unknown` are not among it."""
     found: dict[tuple[str, str], list[Parameter]] = {}
     for parameter in scene.parameters:
-        if _is_said(scene, parameter):
+        if parameter.path != unknown and _is_said(scene, parameter):
             name = parameter.measure.name
             owner = parameter.path.rpartition(".")[0]
             found.setdefault((owner, name) if name in VECTORS else (parameter.path, ""), []).append(parameter)
@@ -77,7 +77,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
     """That of the answer to all that is given, each shifted by one part in a thousand."""
     study = candidate.study
     before = _story(study.trace, candidate.time)
-    for given in givens(study.scene):
+    for given in givens(study.scene, candidate.question.unknown):
         other = shifted(study, given, candidate.until)
         answer = candidate.response(other)
         if other is None or answer is None:

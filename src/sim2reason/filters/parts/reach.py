@@ -14,11 +14,11 @@ MASS = "kg"
 def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
     """What those that move the answer fall short of, in a few words; empty if they are enough.
 
-    The numbers that the question itself states count as well, g does not.
+    The numbers that the question itself states count as well, and what it leaves unknown; g does not.
     """
     mechanism, moment = candidate.study.mechanism, candidate.question.query.moment
     bodies = [body for body in mechanism.bodies if body.mass > 0.0 and body.coordinates]
-    count = len(moving) + len(moment.stated if moment is not None else ())
+    count = len(moving) + len(moment.stated if moment is not None else ()) + bool(candidate.question.unknown)
     if len(bodies) < 2:
         return "" if count >= ALONE[candidate.difficulty] else f"{count} numbers matter"
     masses = sum(given.parameters[0].measure.unit == mechanism.units.spell(MASS) for given in moving)

@@ -50,7 +50,8 @@ class StringWork(Integral):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """None after an impact, at which a string may jerk, and where it is against the motion on the whole."""
-        work = super().value(trace, name, end) if is_smooth(trace, end) else None
+        known = is_smooth(trace, end) and _tied(trace.mechanism, name)  # the string may have been left out
+        work = super().value(trace, name, end) if known else None
         return work if work is not None and work > 0.0 else None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:

@@ -12,7 +12,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import at
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.phrasing import asking_then
+from sim2reason.questions.phrasing import asking_then, naming_then
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets
@@ -49,6 +49,11 @@ class Kind(ABC):
     name: ClassVar[str]
     share: ClassVar[float]
 
+    @property
+    def stated(self) -> bool:
+        """Whether it has words for its answers as conditions."""
+        return type(self).called is not Kind.called
+
     @abstractmethod
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something to ask about this motion, or None if it offers nothing of this kind."""
@@ -60,6 +65,18 @@ class Kind(ABC):
     @abstractmethod
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """All sentences that ask it, the most usual first; `noun` is how its target is called, if it has one."""
+
+    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """Noun phrases for what it asks, its moment included: *the speed of A when B first stops*.
+
+        They are for questions that state it as a condition; by default there are none, and it is never stated.
+        """
+        del query, words, noun
+        return ()
+
+    def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
+        """Statements that it has a value, which is said with its unit; the first one may stand in a clause."""
+        return tuple(f"{called} is {value}" for called in self.called(query, words, noun))
 
     @abstractmethod
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
@@ -126,6 +143,19 @@ class ValueKind(Kind):
         assert noun is not None
         return asking_then(query, words, noun)
 
+    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: the speed of A when B first stops."""
+        assert noun is not None
+        return naming_then(query, words, noun)
+
+    def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
+        """Also with the moment first: *when B first stops, the speed of A is 2.1 m/s*."""
+        assert query.moment is not None
+        assert noun is not None
+        whens = () if noun.timeless else query.moment.phrases(words)
+        first = (f"{when}, {noun.phrase} is {value}" for when in whens if when[0].isalpha())
+        return (*super().told(query, words, noun, value), *first)
+
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every quantity at every moment that it names."""
         named = [target for target, noun in targets.items() if self.timeless or not noun.timeless]
@@ -154,6 +184,14 @@ def kind(cls: type[K]) -> type[K]:
     """Enter a kind of question under its name."""
     KINDS.add(cls.name, cls())
     return cls
+
+
+def by_share(rng: np.random.Generator) -> list[Kind]:
+    """All kinds, each the next one by its share among those that are left: most motions offer only some."""
+    kinds = list(KINDS.values())
+    shares = np.array([kind.share for kind in kinds])
+    order = rng.choice(len(kinds), size=len(kinds), replace=False, p=shares / shares.sum())
+    return [kinds[number] for number in order.tolist()]
 
 
 def by_cause() -> list[type[Moment]]:

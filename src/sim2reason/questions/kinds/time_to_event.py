@@ -54,6 +54,23 @@ class TimeToEventKind(Kind):
             f"determine how long after {since} {clause.statement}.",
         )
 
+    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: the time from release until B first stops."""
+        del noun
+        assert isinstance(query.moment, Happening)
+        clause = query.moment.clause(words)
+        return (f"the time from {words.since} until {clause.statement}",) if clause is not None else ()
+
+    def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
+        """Also: B first stops 1.2 s after release."""
+        assert isinstance(query.moment, Happening)
+        clause, since = query.moment.clause(words), words.since
+        if clause is None:
+            return ()
+        takes = f"from {since} on, {clause.subject} takes {value} {clause.takes}"
+        other = takes if clause.takes else f"{clause.statement} {value} after {since}"
+        return (*super().told(query, words, noun, value), other)
+
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Whatever it names that can happen."""
         del targets

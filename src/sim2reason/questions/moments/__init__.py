@@ -74,6 +74,10 @@ class Moment(ABC):
         del words
         return ()
 
+    def first(self) -> "Moment":
+        """The same moment, told without what comes after it, where a question calls it the first; by default this."""
+        return self
+
     def subject(self, words: Words) -> str:
         """How a question calls the one that it is about; by default it is about nothing."""
         del words

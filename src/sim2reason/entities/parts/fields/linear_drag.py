@@ -8,7 +8,7 @@ from sim2reason.authoring import LEAST, Law, Measure, Range, Resistance, either
 from sim2reason.entities.parts.fields import Medium, force_field
 
 MILLI = 1e-3
-Drag = Annotated[float, LEAST, Le(1e6), Measure("drag", "mN s/m", "b"), Range(0.1, 1.0)]
+Drag = Annotated[float, LEAST, Le(1e6), Measure("drag", "mN s/m", "b", called="constant"), Range(0.1, 1.0)]
 
 
 @force_field

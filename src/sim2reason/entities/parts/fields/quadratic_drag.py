@@ -8,7 +8,7 @@ from sim2reason.authoring import LEAST, Law, Measure, Range, Resistance, either
 from sim2reason.entities.parts.fields import Medium, force_field
 from sim2reason.entities.parts.fields.linear_drag import MILLI
 
-SquareDrag = Annotated[float, LEAST, Le(1e6), Measure("drag", "mN s^2/m^2", "c"), Range(0.1, 0.5)]
+SquareDrag = Annotated[float, LEAST, Le(1e6), Measure("drag", "mN s^2/m^2", "c", called="constant"), Range(0.1, 0.5)]
 
 
 @force_field

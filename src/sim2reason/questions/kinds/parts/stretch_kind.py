@@ -102,6 +102,17 @@ class StretchKind(Kind):
             )
         )
 
+    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: the greatest speed of A before the string first goes slack; no count is stated as a condition."""
+        del noun
+        assert isinstance(query, StretchQuery)
+        moment, functional = query.moment, FUNCTIONALS[query.functional]
+        named = nouns(functional, words).get(query.name)
+        if moment is None or named is None or self.whole:
+            return ()
+        whens = [when for when in functional.when(moment, words, query.name) if when not in ADVERBS]
+        return tuple(f"{named.phrase} {again(moment, named.phrase, when, words)}" for when in whens)
+
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every functional of every subject that it names, to every moment that it speaks of."""
         del targets

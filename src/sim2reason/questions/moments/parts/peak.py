@@ -1,9 +1,9 @@
 """Moments at which something is the greatest that it gets."""
 
 from abc import abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from sim2reason.dsl.state import Array, State
 from sim2reason.questions.choices import at
@@ -26,6 +26,12 @@ class Peak(Passage):
 
     above: ClassVar[float] = -inf
 
+    exceeded: bool = False  # whether it may be, later
+
+    def first(self) -> Self:
+        """The first time that it turns back, even if it gets beyond that later."""
+        return replace(self, exceeded=True)
+
     @abstractmethod
     def extent(self, state: State) -> Array:
         """What is greatest then, (n,); `excess` is the rate at which it sinks."""
@@ -36,8 +42,8 @@ class Peak(Passage):
             return None
         reached = ((time, float(self.extent(at(trace, time))[0])) for time in crossings(trace, self.excess))
         first = next(((time, value) for time, value in reached if value > self.above), None)
-        if first is None:
-            return None
+        if first is None or self.exceeded:
+            return first[0] if first is not None else None
         everywhere = self.extent(trace.scan)
         greatest, least = float(everywhere.max()), float(everywhere.min())
         return first[0] if first[1] >= greatest - SAME * (greatest - least) else None

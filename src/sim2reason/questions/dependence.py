@@ -1,0 +1,149 @@
+"""The answer to a query as a function of one number of the scene, and where it has a given value."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from math import inf, isfinite
+
+import numpy as np
+
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.questions.kinds import KINDS
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST, Study
+from sim2reason.simulation.certify import RECORDED
+from sim2reason.simulation.trace import ENGINES, FINEST
+
+LONGER = 2.0  # times the scene's own horizon, until which something is waited for that may come later
+BORDER = 5  # bisections towards where there is no answer
+STEP = 1e-4  # relative: for a rate of change
+SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
+
+
+class Dependence:
+    """How a query's answer depends on the number at an address of the scene, all others being what they are."""
+
+    def __init__(self, query: Query, study: Study, path: str, *, rough: bool = False) -> None:
+        """`study` is that of any scene in which that number has some value; `rough` answers have some eight digits."""
+        moment = query.moment.first() if query.moment is not None else None
+        self._query, self._study, self._path = replace(query, moment=moment), study, path
+        self._error = ENOUGH if rough else FINEST
+        self._known: dict[float, float | None] = {}
+        self._times: dict[float, float] = {}  # when what is asked about came
+
+    def __call__(self, value: float) -> float | None:
+        """The answer; inf for a time to what comes later than the motion is followed, None if there is no answer."""
+        if value not in self._known:
+            self._known[value] = self._answer(value)
+        return self._known[value]
+
+    def _answer(self, value: float) -> float | None:
+        try:
+            scene = self._study.scene.having(self._path, value)
+        except (SceneError, ValueError):
+            return None
+        kind = KINDS[self._query.kind]
+        for until in self._stages(value, scene):
+            try:
+                other = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, until]), self._error))
+            except (SceneError, SimulationError, UnsupportedError):
+                return None
+            found = kind.answer(self._query, other)
+            if found is not None:
+                self._times[value] = kind.time(self._query, other) or 0.0
+                return found if isfinite(found) else None
+            if other.trace.cut or other.trace.stable_until < until:
+                return None
+        return inf if kind.measured(self._query).name == "time" else None
+
+    def _stages(self, value: float, scene: Scene) -> Iterator[float]:
+        """How long to follow a motion, s: to a stated time; until what is waited for comes; else to its own horizon.
+
+        It comes about when it came at the nearest of the values that are known.
+        """
+        moment, end = self._query.moment, scene.horizon
+        if moment is None:
+            yield end
+        elif not moment.event and not moment.channels:  # a time, the start, or all of the motion
+            known = [time for time, _ in moment.stated] or ([0.0] if moment.kind == "start" else [])
+            yield max(BEYOND * known[0], SHORTEST * end) if known else end
+        else:
+            near = min(self._times, key=lambda known: abs(known - value), default=None)
+            if near is not None:
+                yield min(1.2 * self._times[near], LONGER * end)
+            yield end
+            yield LONGER * end
+
+    def rate(self, value: float) -> float | None:
+        """The derivative, from one side, which is known to `STEP`; None where there is none."""
+        here, beside = self(value), self(value * (1.0 + STEP))
+        if here is None or beside is None or inf in (here, beside):
+            return None
+        return (beside - here) / (STEP * value)
+
+    def solved(self, value: float, near: float) -> float | None:
+        """Where the answer is `value`, looked for by secants beginning close to one end; None if they lead nowhere."""
+        a, b = near, near * (1.0 + STEP)
+        fa, fb = self._excess(a, value), self._excess(b, value)
+        for _ in range(SECANTS):
+            if fa is None or fb is None or not (isfinite(fa) and isfinite(fb)):
+                return None
+            if abs(fb) <= EXACT * abs(value):
+                return b
+            if fa == fb:
+                return None
+            a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
+            fb = self._excess(b, value)
+        return None
+
+    def between(self, value: float, low: float, high: float) -> float | None:
+        """Where the answer is `value` between two numbers at which it is not on one side; None if it jumps over it.
+
+        The rule of false position, whose standing end counts half (Illinois).
+        """
+        fa, fb = self._excess(low, value), self._excess(high, value)
+        if fa is None or fb is None:
+            return None
+        a, b = low, high
+        for _ in range(ROUNDS):
+            if abs(b - a) <= EXACT * abs(b) or abs(fb) <= EXACT * abs(value):
+                break
+            plain = isfinite(fa) and isfinite(fb)
+            middle = b - fb * (b - a) / (fb - fa) if plain else 0.5 * (a + b)
+            found = self._excess(middle, value)
+            if found is None:
+                return None
+            if (found > 0.0) != (fb > 0.0):
+                a, fa = b, fb
+            elif plain:
+                fa *= 0.5
+            b, fb = middle, found
+        here = self(b)
+        return b if here is not None and abs(here - value) <= 1e-6 * abs(value) else None
+
+    def _excess(self, at: float, value: float) -> float | None:
+        found = self(at)
+        return None if found is None else found - value
+
+
+def towards_border(dependence: Callable[[float], float | None], one: float, other: float) -> Iterator[float]:
+    """Numbers ever closer to where there ceases to be an answer, between one that has it and one that has none."""
+    has = [dependence(at) is not None for at in (one, other)]
+    inside, outside = (one, other) if has[0] else (other, one)
+    for _ in range(BORDER if has[0] != has[1] else 0):
+        middle = 0.5 * (inside + outside)
+        yield middle
+        inside, outside = (middle, outside) if dependence(middle) is not None else (inside, middle)
+
+
+def roots(dependence: Dependence, values: Sequence[float], given: float) -> list[float]:
+    """Where the answer is `given`, between neighbours among `values` at which it lies on its two sides.
+
+    Between a value that has an answer and one that has none the last ones that do are looked for, too.
+    """
+    tried = sorted({*values, *(at for pair in pairwise(values) for at in towards_border(dependence, *pair))})
+    excess = [(at, found - given) for at in tried if (found := dependence(at)) is not None]
+    pairs = [(low, high) for (low, a), (high, b) in pairwise(excess) if (a > 0.0) != (b > 0.0)]
+    found = (dependence.between(given, low, high) for low, high in pairs)
+    return [root for root in found if root is not None]

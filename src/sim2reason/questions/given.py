@@ -1,0 +1,58 @@
+"""Results that a question states, with two or three digits."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from math import floor, log10
+from typing import Self
+
+from sim2reason.dsl.measures import join_unit
+
+SMALLEST, LARGEST = -3, 4  # powers of ten between which a number is said without one
+MINUS = "\N{MINUS SIGN}"
+
+
+@dataclass(frozen=True, slots=True)
+class StatedResult:
+    """A number as it is said, and its unit."""
+
+    digits: str
+    unit: str
+
+    @classmethod
+    def rounded(cls, value: float, unit: str, digits: int) -> Self | None:
+        """A number rounded to significant digits; None if it is too small or too large to be said plainly."""
+        if value == 0.0 or not SMALLEST <= floor(log10(abs(value))) <= LARGEST:
+            return None
+        power = floor(log10(abs(float(f"{value:.{digits - 1}e}"))))
+        places = digits - 1 - power
+        return cls(f"{round(value, places):.{max(0, places)}f}".replace("-", MINUS), unit)
+
+    @classmethod
+    def found(cls, text: str, unit: str) -> Iterator[Self]:
+        """All numbers of a unit that stand in a text."""
+        return (cls(number, unit) for number in _number(unit).findall(text))
+
+    @property
+    def value(self) -> float:
+        """The number."""
+        return float(self.digits.replace(MINUS, "-"))
+
+    @property
+    def half(self) -> float:
+        """By how much at most it differs from what was rounded, as its digits show; of a large one three count."""
+        whole, _, decimals = self.digits.removeprefix(MINUS).partition(".")
+        return 0.5 * 10.0 ** (-len(decimals) if decimals else max(0, len(whole) - 3))
+
+    @property
+    def said(self) -> str:
+        """With its unit."""
+        return join_unit(self.digits, self.unit)
+
+
+@cache
+def _number(unit: str) -> re.Pattern[str]:
+    """A number as it is said with its unit, or followed by no letter where it has none."""
+    shown = join_unit("", unit)
+    return re.compile(rf"(?<![\w.])({MINUS}?\d{{1,5}}(?:\.\d{{1,6}})?){re.escape(shown)}(?![\w/]|\.\d)")

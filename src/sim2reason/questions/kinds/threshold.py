@@ -1,0 +1,147 @@
+"""At which value of a number does an outcome change?"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import product
+
+import numpy as np
+
+from sim2reason.questions.kinds import Kind, Measured, kind
+from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
+from sim2reason.questions.query import Query
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.trial import Trial
+from sim2reason.questions.unknown import is_usual, some
+from sim2reason.questions.words import Words
+from sim2reason.simulation.certify import WITNESS, Certificate
+from sim2reason.simulation.channels import Channel
+
+SIDE = 5e-3  # relative: how far to either side of it the second engine is asked
+
+
+@dataclass(frozen=True, slots=True)
+class ThresholdQuery(Query):
+    """The least or the greatest value of a number for which something happens, or does not."""
+
+    outcome: PossibleOutcome | None = None
+    parameter: str = ""
+    unit: str = ""
+    greatest: bool = False
+    happens: bool = True
+    about: float = field(default=0.0, compare=False)  # where it is, if that is known of a scene like this one
+
+    @property
+    def hides(self) -> str:
+        """The number."""
+        return self.parameter
+
+    @property
+    def subject(self) -> str:
+        """That of the outcome."""
+        return self.outcome.name if self.outcome is not None else ""
+
+    def trial(self, study: Study) -> Trial:
+        """Of its outcome, in a scene."""
+        assert self.outcome is not None
+        return Trial(study, self.outcome, self.parameter)
+
+
+@kind
+class ThresholdKind(Kind):
+    """What is the least or the greatest value for which something happens, or does not?"""
+
+    name = "threshold"
+    share = 0.1
+
+    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+        """An outcome that changes just once within ten times the range of one of the numbers."""
+        del targets
+        found = [outcome for cls in OUTCOMES.values() for outcome in cls.found(words)]
+        if not found:
+            return None
+        outcome = found[int(rng.integers(len(found)))]
+        for unknown in some(words.unknowns, rng):
+            trial = Trial(study, outcome, unknown.path)
+            critical = trial.change()
+            if critical is not None and is_usual(study.scene, unknown.path, critical):
+                happens = bool(rng.random() < 0.5)
+                greatest = trial(critical * (1.0 + SIDE)) is not happens
+                return ThresholdQuery(
+                    self.name, None, None, outcome, unknown.path, unknown.unit, greatest, happens, critical
+                )
+        return None
+
+    def answer(self, query: Query, study: Study) -> float | None:
+        """Where the outcome changes: looked for near where that is known to be, else everywhere.
+
+        None for a mechanism that is not its scene's: no other value of the number can be tried in it.
+        """
+        assert isinstance(query, ThresholdQuery)
+        if study.mechanism is not study.scene.mechanism:
+            return None
+        trial = query.trial(study)
+        return trial.near(query.about) if query.about else trial.change()
+
+    def time(self, query: Query, study: Study) -> float | None:
+        """The start: the motion that is recorded, with the number as it was drawn, tells nothing."""
+        del query, study
+        return 0.0
+
+    def measured(self, query: Query) -> Measured:
+        """The number."""
+        assert isinstance(query, ThresholdQuery)
+        return Measured("threshold", query.unit, least=0.0)
+
+    def channels(self, query: Query) -> tuple[Channel, ...]:
+        """None: what counts is the outcome on either side."""
+        del query
+        return ()
+
+    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+        """The second engine must see on either side what the first one sees."""
+        del certificate
+        assert isinstance(query, ThresholdQuery)
+        assert query.outcome is not None
+        first, second = query.trial(study), Trial(study, query.outcome, query.parameter, WITNESS)
+        sides = (query.about * (1.0 - SIDE), query.about * (1.0 + SIDE))
+        agreed = all(first(side) is not None and first(side) == second(side) for side in sides)
+        return "" if agreed else "the engines disagree on what happens next to the threshold"
+
+    def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: what is the least mass of B for which A begins to slip?"""
+        del noun
+        assert isinstance(query, ThresholdQuery)
+        assert query.outcome is not None
+        phrases = next((found.phrases for found in words.unknowns if found.path == query.parameter), ())
+        clauses = query.outcome.does(words) if query.happens else query.outcome.does_not(words)
+        extremes = ("greatest", "largest") if query.greatest else ("least", "smallest")
+        return tuple(
+            shape
+            for extreme, phrase, clause in product(extremes, phrases, clauses)
+            for shape in _asking(_extreme(extreme, phrase), clause)
+        )
+
+    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+        """Every outcome of whatever is named, with every number that the text may leave unknown."""
+        del study, targets
+        outcomes = [outcome for cls in OUTCOMES.values() for outcome in cls.parsed(text, words)]
+        for outcome, unknown in product(outcomes, words.unknowns):
+            for greatest, happens in product((False, True), repeat=2):
+                yield ThresholdQuery(self.name, None, None, outcome, unknown.path, unknown.unit, greatest, happens)
+
+
+def _extreme(extreme: str, phrase: str) -> str:
+    """*The least mass of block A*, *the least value of m*."""
+    if phrase.startswith("the "):
+        return f"the {extreme} {phrase.removeprefix('the ')}"
+    return f"the {extreme} value of {phrase}"
+
+
+def _asking(number: str, clause: str) -> tuple[str, ...]:
+    return (
+        f"what is {number} for which {clause}?",
+        f"find {number} for which {clause}.",
+        f"determine {number} for which {clause}.",
+        f"calculate {number} for which {clause}.",
+    )

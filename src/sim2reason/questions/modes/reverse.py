@@ -1,0 +1,162 @@
+"""The reverse mode: one number of the text is unknown, and a result is given that it follows from; or a time is."""
+
+from collections.abc import Iterator
+from math import isfinite
+
+import numpy as np
+
+from sim2reason.questions import (
+    KINDS,
+    Kind,
+    Noun,
+    Query,
+    Question,
+    QuestionMode,
+    Reading,
+    StatedResult,
+    Study,
+    Words,
+    mode,
+)
+from sim2reason.questions.choices import at
+from sim2reason.questions.conditions import asking_for
+from sim2reason.questions.dependence import STEP, Dependence, roots
+from sim2reason.questions.kinds import by_share
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.only_root import Scan
+from sim2reason.questions.phrasing import chosen, sentence
+from sim2reason.questions.targets import targets
+from sim2reason.questions.unknown import range_of, some
+
+FIXED = 1e-2  # relative: how well what is given must fix the answer
+DIGITS = (2, 3)  # of what is given: as few as do
+TIMES = 0.1  # of all questions: how often the unknown is a time
+
+
+@mode
+class Reverse(QuestionMode):
+    """Which number makes a result what it is said to be, or when is it that?"""
+
+    name = "reverse"
+
+    def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
+        """A result of this motion, and a number that it fixes, or the time at which it is first so."""
+        if kind in ("", "state") and rng.random() < TIMES:
+            return _asking_when(study, words, rng)
+        found = (self._asked(asked, study, words, rng) for asked in ([KINDS[kind]] if kind else by_share(rng)))
+        return next((question for question in found if question is not None), None)
+
+    def _asked(self, asked: Kind, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+        query = asked.draw(study, words, targets(words), rng) if asked.stated else None
+        if query is None or not asked.called(query, words, _noun(query, words)):
+            return None
+        result = asked.answer(query, study)
+        if result is None or not isfinite(result):
+            return None
+        unit = words.units.spell(asked.measured(query).unit)
+        for unknown in some(words.unknowns, rng):
+            found = _fixed(Dependence(query, study, unknown.path), float(study.scene.value(unknown.path)), result, unit)
+            values = range_of(study.scene, unknown.path)
+            if found is not None and values[0] <= found[1] <= values[-1]:
+                given, answer, elasticity = found
+                text = sentence(chosen(asking_for(unknown, query, given, words, _noun(query, words)), rng))
+                return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
+        return None
+
+    def study(self, question: Question, study: Study) -> Study:
+        """The motion that has exactly the result that is given."""
+        if not question.unknown:
+            return study
+        return Study.of(study.scene.having(question.unknown, question.answer), study.trace.state.times)
+
+    def response(self, question: Question, study: Study, other: Study) -> float | None:
+        """To first order in the logarithms: ln p falls by ln(R'/R) / elasticity, R being the result that is given."""
+        result = super().response(question, study, other)
+        if result is None or question.given is None or not question.unknown:
+            return result
+        ratio = result / question.given.value
+        if ratio <= 0.0:
+            return question.answer * (1.0 - (ratio - 1.0) / question.elasticity)
+        return question.answer * float(np.exp(-np.log(ratio) / question.elasticity))
+
+    def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
+        """Every query that the sentence could state as a condition, with every number in it as its answer."""
+        heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
+        for unknown in words.unknowns:
+            for query, unit in _stated(heard, study, words):
+                noun = _noun(query, words)
+                for given in dict.fromkeys(StatedResult.found(text, unit)):
+                    if any(sentence(shape) == text for shape in asking_for(unknown, query, given, words, noun)):
+                        return Reading(self.name, query, given)
+        for moment in Reached.parsed(text, study.trace, words) if not words.unknowns else ():
+            query = Query("time_to_event", None, moment)
+            if any(sentence(shape) == text for shape in KINDS[query.kind].shapes(query, words, None)):
+                return Reading(self.name, query, moment.given)
+        return None
+
+    def solution(self, reading: Reading, study: Study, words: Words) -> float | None:
+        """The only value in its range for which the query has the answer that is given."""
+        if reading.given is None or isinstance(reading.query.moment, Reached):
+            return super().solution(reading, study, words)
+        for unknown in words.unknowns:
+            dependence = Dependence(reading.query, study, unknown.path, rough=True)
+            found = roots(dependence, range_of(study.scene, unknown.path), reading.given.value)
+            return found[0] if len(found) == 1 else None
+        return None
+
+
+def another(question: Question, study: Study) -> float | None:
+    """A value of a question's unknown, beside the answer, that the result does not exclude; None if none is seen."""
+    if question.given is None or not question.unknown:
+        return None
+    dependence = Dependence(question.query, study, question.unknown, rough=True)
+    return Scan(dependence, question.answer, question.given.value, question.given.half).another(
+        range_of(study.scene, question.unknown)
+    )
+
+
+def _noun(query: Query, words: Words) -> Noun | None:
+    return targets(words)[query.target] if query.target is not None else None
+
+
+def _fixed(dependence: Dependence, drawn: float, result: float, unit: str) -> tuple[StatedResult, float, float] | None:
+    """The result as it is said, the number that gives just that, and the elasticity; None if it is not fixed by it."""
+    rate = dependence.rate(drawn)
+    if not rate:
+        return None
+    for digits in DIGITS:
+        given = StatedResult.rounded(result, unit, digits)
+        if given is None:
+            return None
+        if given.half <= FIXED * abs(rate * drawn):
+            answer = dependence.solved(given.value, drawn)
+            if answer is not None and abs(answer - drawn) <= FIXED * abs(drawn):
+                return given, answer, rate * answer / given.value
+    return None
+
+
+def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str]]:
+    """All queries that a sentence could state, with the units of their answers."""
+    named = {target: noun for target, noun in targets(words).items() if noun.heard(heard)}
+    for kind in KINDS.values():
+        for query in dict.fromkeys(kind.parsed(heard, study, words, named)):
+            yield query, words.units.spell(kind.measured(query).unit)
+
+
+def _asking_when(study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+    """When a quantity has a value for the first time."""
+    drawn = KINDS["state"].draw(study, words, targets(words), rng)
+    time = study.time(drawn.moment) if drawn is not None and drawn.moment is not None else None
+    if drawn is None or drawn.target is None or time is None:
+        return None
+    value, later = (drawn.target.value(at(study.trace, when)) for when in (time, time * (1.0 + STEP)))
+    for digits in DIGITS:
+        given = StatedResult.rounded(value, words.units.spell(drawn.target.unit), digits) if isfinite(value) else None
+        if given is None or given.half > FIXED * abs(later - value) / STEP:
+            continue
+        query = Query("time_to_event", None, Reached(drawn.target, given))
+        answer = KINDS[query.kind].answer(query, study)
+        if answer is not None and abs(answer - time) <= FIXED * time:
+            text = sentence(chosen(KINDS[query.kind].shapes(query, words, None), rng))
+            return Question("reverse", query, text, answer, words.units.time, given=given)
+    return None

@@ -1,0 +1,89 @@
+"""The first time that any quantity has a stated value."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.state import Array, State
+from sim2reason.questions.crossing import first_crossing
+from sim2reason.questions.given import StatedResult
+from sim2reason.questions.moments import Clause, Happening
+from sim2reason.questions.study import Study
+from sim2reason.questions.targets import Target, targets
+from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Trace
+
+
+@dataclass(frozen=True, slots=True)
+class Reached(Happening):
+    """When a quantity first has a value, which it passes through. It is of the mode that asks for times alone."""
+
+    label = "reached"
+
+    target: Target
+    given: StatedResult
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """None: whoever asks for a time draws the value."""
+        del study, words, rng
+        return ()
+
+    @classmethod
+    def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
+        """Every quantity that is named, with every number of its unit."""
+        del trace
+        for target, noun in targets(words).items():
+            if noun.phrase in text:
+                yield from (cls(target, given) for given in StatedResult.found(text, words.units.spell(target.unit)))
+
+    @property
+    def subjects(self) -> tuple[str, ...]:
+        """That of the quantity."""
+        return (self.target.subject,)
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """The quantity."""
+        return (Channel(self.target.subject, self.target.quantity),)
+
+    @property
+    def stated(self) -> tuple[tuple[float, str], ...]:
+        """The value."""
+        return ((self.given.value, self.target.unit),)
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """The quantity."""
+        return self.channels
+
+    def time(self, trace: Trace) -> float | None:
+        """Whichever comes first: it was smaller before, or larger."""
+
+        def excess(state: State) -> Array:
+            return self.target.values(state) - self.given.value
+
+        found = [first_crossing(trace, excess), first_crossing(trace, lambda state: -excess(state))]
+        return min((time for time in found if time is not None), default=None)
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """As in: when the speed of A is 2.1 m/s for the first time."""
+        first = f"{self._noun(words)} is {self._said()} for the first time"
+        return (f"when {first}", f"at the moment when {first}", f"at the instant at which {first}")
+
+    def clause(self, words: Words) -> Clause | None:
+        """As in: the speed of A is 2.1 m/s for the first time."""
+        first = f"{self._said()} for the first time"
+        return Clause(self._noun(words), "is", first, f"is {first}")
+
+    def _noun(self, words: Words) -> str:
+        return targets(words)[self.target].phrase
+
+    def _said(self) -> str:
+        sense = self.target.sense
+        return self.given.said + (
+            f" ({sense.positive} being positive)" if sense is not None and not sense.fixed else ""
+        )

@@ -1,0 +1,82 @@
+"""Whether a result fixes a number of the scene: whether any other value of it gives the same result."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from math import isfinite
+
+from sim2reason.questions.dependence import Dependence, towards_border
+
+STRIDES = (16, 4, 1)  # of the scan: first some points far apart, which most often tell
+NEAR = 0.02  # relative: what is closer to the root is not told from it
+DIP = 3  # guesses for the bottom of a dip
+SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into
+
+
+class Scan:
+    """Looks for another root. Below one root answers must lie on one side of what is given, above it on the other."""
+
+    def __init__(self, dependence: Dependence, root: float, given: float, margin: float) -> None:
+        """`margin` is by how much an answer must differ from what is given to be told from it."""
+        rate = dependence.rate(root)
+        self._dependence, self._root, self._given = dependence, root, given
+        self._scale = margin if rate is not None and rate > 0.0 else -margin
+        self._known: dict[float, float | None] = {}
+
+    def another(self, values: Sequence[float]) -> float | None:
+        """A number at which the answer could be what is given, or for which it is on the wrong side; None if none is.
+
+        Looked for at all `values`, towards the borders of where there is an answer, and at the bottom of each dip.
+        """
+        return next((at for at in self._tried(values) if self._could_be(at)), None)
+
+    def _tried(self, values: Sequence[float]) -> Iterator[float]:
+        for stride in STRIDES:
+            yield from (at for at in values[stride // 2 :: stride] if abs(at - self._root) > NEAR * abs(self._root))
+        yield from self._borders()
+        yield from self._dips()
+
+    def _could_be(self, at: float) -> bool:
+        clear = self._clear(at)
+        return clear is not None and clear <= 1.0
+
+    def _clear(self, at: float) -> float | None:
+        """By how many margins the answer is beyond what is given, on the side where it must be; None without answer."""
+        if at not in self._known:
+            found = self._dependence(at)
+            side = 1.0 if at > self._root else -1.0
+            self._known[at] = None if found is None else side * (found - self._given) / self._scale
+        return self._known[at]
+
+    def _borders(self) -> Iterator[float]:
+        """Numbers ever closer to where there ceases to be an answer."""
+        for one, other in pairwise(sorted({*self._known, self._root})):
+            yield from towards_border(self._dependence, one, other)
+
+    def _dips(self) -> Iterator[float]:
+        """Guesses for where the answer comes closest to what is given between three neighbours, the middle lowest."""
+        for side in (-1.0, 1.0):
+            beyond = sorted(at for at in self._known if (at - self._root) * side > 0.0)
+            for index in range(1, len(beyond) - 1):
+                yield from self._bottom(beyond[index - 1], beyond[index], beyond[index + 1])
+
+    def _bottom(self, low: float, middle: float, high: float) -> Iterator[float]:
+        for _ in range(DIP):
+            heights = [self._clear(at) for at in (low, middle, high)]
+            if any(height is None or not isfinite(height) for height in heights):
+                return
+            a, b, c = (height or 0.0 for height in heights)
+            if not (b < a and b <= c):
+                return
+            left, right = (middle - low) * (b - c), (middle - high) * (b - a)
+            bottom = middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)
+            bend = ((a - b) / (middle - low) + (c - b) / (high - middle)) / (high - low)
+            if b - bend * (bottom - middle) ** 2 > SHALLOW * b or bottom in self._known:
+                return
+            yield bottom
+            lower = self._clear(bottom)
+            if lower is None:
+                return
+            if lower < b:
+                low, middle, high = (low, bottom, middle) if bottom < middle else (middle, bottom, high)
+            else:
+                low, high = (bottom, high) if bottom < middle else (low, bottom)

@@ -1,0 +1,92 @@
+"""Outcomes: what a motion does or does not do, so that a question can ask from where on it does; one file each."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.scene import Scene
+from sim2reason.quantities.subjects import Subject
+from sim2reason.questions.words import Words
+from sim2reason.registry import Registry
+from sim2reason.simulation.trace import Trace
+
+AT_ONCE = 0.01  # of the horizon: how long it takes to see what a release brings about
+
+
+@dataclass(frozen=True, slots=True)
+class PossibleOutcome(ABC):
+    """What one subject does or does not do.
+
+    Class data:
+        of: the kind of subject.
+    """
+
+    of: ClassVar[Subject]
+
+    name: str
+
+    @classmethod
+    def found(cls, words: Words) -> Sequence[Self]:
+        """Those that a scene may have."""
+        return [cls(name) for name in cls.candidates(words)]
+
+    @classmethod
+    def parsed(cls, text: str, words: Words) -> Iterator[Self]:
+        """Every subject that is named."""
+        return (cls(name) for name, phrase in cls.candidates(words).items() if phrase in text)
+
+    @classmethod
+    @abstractmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        """The subjects that may do it, by name, as the text calls them."""
+
+    @abstractmethod
+    def duration(self, scene: Scene) -> float:
+        """How long a motion must be followed to see it, s, as a rule."""
+
+    @abstractmethod
+    def happens(self, trace: Trace) -> bool | None:
+        """Whether it does it in a motion of any engine; None if that must be followed for longer."""
+
+    @abstractmethod
+    def does(self, words: Words) -> tuple[str, ...]:
+        """Clauses that it does: *A slips on B*."""
+
+    @abstractmethod
+    def does_not(self, words: Words) -> tuple[str, ...]:
+        """Clauses that it does not: *A stays at rest on B*."""
+
+    def subject(self, words: Words) -> str:
+        """How a question calls it."""
+        return self.candidates(words)[self.name]
+
+
+@dataclass(frozen=True, slots=True)
+class Swinging(PossibleOutcome):
+    """What swings does, so that it shows in part of a swing or in some, and is followed until it does."""
+
+    def duration(self, scene: Scene) -> float:
+        """A part of the horizon, which is that of some swings."""
+        return scene.horizon / 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Onset(PossibleOutcome):
+    """What a release brings about at once, or never, since no force changes."""
+
+    def duration(self, scene: Scene) -> float:
+        """A moment."""
+        return AT_ONCE * scene.horizon
+
+
+def is_steady_release(words: Words) -> bool:
+    """Whether all starts from rest, and what it does at first it goes on doing."""
+    mechanism: Mechanism = words.mechanism
+    return words.released and not changing(mechanism, start(mechanism))
+
+
+OUTCOMES: Registry[type[PossibleOutcome]] = Registry("questions.outcomes")

@@ -1,0 +1,92 @@
+"""Numbers that a text may leave unknown: which they are, what they are called, and where they may lie."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Self, cast
+
+import numpy as np
+
+from sim2reason.dsl.model import FieldType, Model, Parameter, field_types
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.state import Array
+
+BEYOND = 10.0  # times what it is drawn from, either way
+POINTS = 64
+LEAST = 1e-2  # of the high end of a range that begins at zero
+OWN = frozenset({"mass", "charge", "radius"})  # what is said of a body that has a name: *the mass of A*
+LENGTHS = frozenset({"m", "au"})
+USUAL = 2.0  # times what it is drawn from, either way
+TRIES = 3  # numbers that are looked at for one question
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """A number that the text speaks of by its symbol alone."""
+
+    path: str
+    name: str  # of what it is: *mass*
+    unit: str
+    symbol: str  # with its dollars
+    phrases: tuple[str, ...]  # the symbol last
+
+    @classmethod
+    def of(cls, scene: Scene, parameter: Parameter, mentions: Mapping[str, str], symbol: str) -> Self | None:
+        """A number of a scene; None if it says where something is, or no range says what it could be."""
+        held, measure, owner = _field(scene, parameter.path), parameter.measure, parameter.path.rpartition(".")[0]
+        if held.drawn is None or held.drawn.low == held.drawn.high or (held.least < 0.0 and measure.unit in LENGTHS):
+            return None
+        shown = f"${symbol}$"
+        named = measure.noun in OWN and owner in scene.bodies and bool(scene.bodies[owner].letters)
+        own = (f"the {measure.noun} of {mentions[owner]}",) if named else ()
+        return cls(parameter.path, measure.noun, measure.unit, shown, (*own, f"the {measure.noun} {shown}", shown))
+
+
+def unknowns(scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, str]) -> list[Unknown]:
+    """All numbers of a scene that its text says as numbers, so that it could leave them unknown, with their symbols."""
+    spoken = [p for p in scene.parameters if p.path in symbols and p.value and not p.hidden]
+    found = (Unknown.of(scene, p, mentions, symbols[p.path]) for p in spoken)
+    return [unknown for unknown in found if unknown is not None]
+
+
+def some(offered: Sequence[Unknown], rng: np.random.Generator) -> Iterator[Unknown]:
+    """A few of them: what they are is drawn first, so that many masses are asked for no more often than one angle."""
+    left = list(offered)
+    for _ in range(min(TRIES, len(left))):
+        names = sorted({found.name for found in left})
+        name = names[int(rng.integers(len(names)))]
+        same = [found for found in left if found.name == name]
+        taken = same[int(rng.integers(len(same)))]
+        left.remove(taken)
+        yield taken
+
+
+def range_of(scene: Scene, path: str) -> tuple[float, ...]:
+    """Points from a tenth of the low end of what a number is drawn from to ten times the high one, in order.
+
+    They end where its declaration does. They are evenly spaced for angles, else on the logarithmic scale: of either
+    sign, and with zero, if both can be.
+    """
+    held, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
+    assert held.drawn is not None
+    low, high = held.drawn.low, held.drawn.high
+    if low < 0.0:
+        return tuple(_of_either_sign(max(-low, high), held.most).tolist())
+    spaced = np.linspace if unit == "deg" else np.geomspace
+    begin = max((low if unit == "deg" else max(low, high * LEAST)) / BEYOND, held.least)
+    return tuple(spaced(begin, min(high * BEYOND, held.most), POINTS).tolist())
+
+
+def is_usual(scene: Scene, path: str, value: float) -> bool:
+    """Whether a number is not far from those that are drawn."""
+    drawn = _field(scene, path).drawn
+    return drawn is not None and drawn.low / USUAL <= value <= drawn.high * USUAL
+
+
+def _of_either_sign(size: float, most: float) -> Array:
+    half = np.geomspace(size * LEAST, min(size * BEYOND, most), POINTS // 2)
+    return np.concatenate([-half[::-1], [0.0], half])
+
+
+def _field(scene: Scene, path: str) -> FieldType:
+    owner, _, name = path.rpartition(".")
+    return field_types(cast("type[Model]", type(scene.value(owner))))[name]

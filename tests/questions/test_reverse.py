@@ -1,0 +1,246 @@
+"""Numbers that follow from a result, by formulas from textbooks; and results from which they do not."""
+
+from math import asin, cos, degrees, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+from plain_scenes import atwood, ramp, table
+from sim2reason.bodies.ball import Ball
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Request
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.projectile import Projectile
+from sim2reason.prose.voices import hiding
+from sim2reason.prose.writer import describe
+from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
+from sim2reason.questions.conditions import asking_for
+from sim2reason.questions.dependence import Dependence, roots
+from sim2reason.questions.modes.reverse import another
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.landed import Landed
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.only_root import Scan
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.targets import targets
+from sim2reason.questions.unknown import range_of
+from sim2reason.recipes import RECIPES
+from sim2reason.simulation.scenes import simulate
+
+G = 9.8
+SPEED = Target("velocity", "ramp.blocks.0")
+AFTER = Query("state", SPEED, AtTime(0.5))
+TAKES = Query("time_to_event", None, Moved("ramp.blocks.0", 0.8))
+RANGE = Query("event", Target("displacement", "throw.ball"), Landed("throw.ball"))
+
+
+def study(scene: Scene) -> Study:
+    return Study(scene, simulate(scene))
+
+
+def throw(angle: float, speed: float = 5.0, height: float = 1.0) -> Scene:
+    entity = Projectile(ball=Ball(mass=0.5), height=height, speed=speed, angle=angle)
+    return Scene(entities=(Named(name="throw", entity=entity),))
+
+
+def test_the_slope_that_gives_a_speed() -> None:
+    """v = g t sin θ, so θ = asin(v/g t)."""
+    dependence = Dependence(AFTER, study(ramp(angle=30.0)), "ramp.plane.angle")
+    assert dependence.solved(2.5, 30.0) == pytest.approx(degrees(asin(2.5 / (0.5 * G))), rel=1e-9)
+    assert dependence.rate(30.0) == pytest.approx(radians(1.0) * 0.5 * G * cos(radians(30.0)), rel=1e-3)
+
+
+@pytest.mark.parametrize("time", [0.5, 0.9])
+def test_the_friction_that_makes_it_take_so_long(time: float) -> None:
+    """d = g (sin θ − µ cos θ) t²/2; from tan θ on it never arrives, and that is no root."""
+    dependence = Dependence(TAKES, study(ramp(angle=40.0, friction=0.1)), "ramp.plane.friction")
+    expected = (sin(radians(40.0)) - 2.0 * 0.8 / (G * time**2)) / cos(radians(40.0))
+    values = range_of(ramp(friction=0.1), "ramp.plane.friction")
+    found = roots(dependence, values, time)
+    assert found == ([pytest.approx(expected, rel=1e-6)] if expected > values[0] else [])
+    assert dependence(1.0) == np.inf
+
+
+def test_two_elevations_of_one_range_are_told() -> None:
+    """On level ground θ and 90° − θ carry as far; from a height two angles do, too, if neither is the best one."""
+    scene = throw(25.0)
+    found = KINDS["event"].answer(RANGE, study(scene))
+    assert found is not None
+    scan = Scan(Dependence(RANGE, study(scene), "throw.angle"), 25.0, found, 1e-3 * found)
+    other = scan.another(range_of(scene, "throw.angle"))
+    assert other is not None
+    assert other > 45.0
+
+
+def test_one_speed_of_one_range_is_told() -> None:
+    scene = throw(25.0)
+    found = KINDS["event"].answer(RANGE, study(scene))
+    assert found is not None
+    scan = Scan(Dependence(RANGE, study(scene), "throw.speed"), 5.0, found, 1e-3 * found)
+    assert scan.another(range_of(scene, "throw.speed")) is None
+
+
+def test_a_dip_between_two_points_is_seen() -> None:
+    """(x − 3)² + 10⁻⁴ never reaches zero, but to within a margin of 10⁻³; x = 20 is where it is 289."""
+
+    class Parabola(Dependence):
+        def __init__(self) -> None:
+            self.asked: list[float] = []
+
+        def __call__(self, value: float) -> float:
+            self.asked.append(value)
+            return (value - 3.0) ** 2 + 1e-4
+
+        def rate(self, value: float) -> float:
+            return 2.0 * (value - 3.0)
+
+    points = tuple(np.geomspace(0.1, 100.0, 64).tolist())
+    dependence = Parabola()
+    assert Scan(dependence, 20.0, 289.0001, 1.0).another(points) is None
+    low = Scan(dependence, 40.0, 0.0, 1e-3)
+    low._root = 200.0  # beyond all points, where the same result is looked for
+    low._scale = -1e-3
+    assert low.another(points) == pytest.approx(3.0, abs=0.02)
+
+
+def test_a_number_that_does_not_matter_is_not_fixed() -> None:
+    """How fast a smooth block slides tells nothing of its mass."""
+    search = QuestionSearch(ramp(angle=30.0), 3)
+    asked = [MODES["reverse"].ask(search.study, search.words, "state", np.random.default_rng(s)) for s in range(30)]
+    of_speed = [q for q in asked if q is not None and "speed" in q.text]
+    assert of_speed
+    assert all(question.unknown != "ramp.blocks.0.mass" for question in of_speed)
+
+
+def test_the_answer_gives_just_what_is_said() -> None:
+    """The motion that a question is about has the result as rounded; its answer is close to what was drawn."""
+    search, mode = QuestionSearch(atwood(), 3), MODES["reverse"]
+    for seed in range(12):
+        question = mode.ask(search.study, search.words, "", np.random.default_rng(seed))
+        if question is None or not question.unknown:
+            continue
+        about = mode.study(question, search.study)
+        assert KINDS[question.query.kind].answer(question.query, about) == pytest.approx(question.result, rel=1e-8)
+        assert question.answer == pytest.approx(search.study.scene.value(question.unknown), rel=0.01)
+        assert another(question, about) is None or another(question, about) != question.answer
+
+
+def test_a_response_follows_from_the_elasticity() -> None:
+    """v = g t sin θ is given, so sin θ must fall by the factor by which g rises."""
+    scene = ramp(angle=30.0)
+    known, rate = study(scene), 0.5 * G * cos(radians(30.0)) * radians(30.0)
+    given = StatedResult.rounded(0.5 * G * 0.5, "m/s", 3)
+    assert given is not None
+    question = Question("reverse", AFTER, "?", 30.0, "deg", "", "ramp.plane.angle", given, rate / given.value)
+    other = known.variant(scene.having("world.gravity", 1.001 * G))
+    assert other is not None
+    expected = degrees(asin(given.value / (1.001 * G * 0.5)))
+    assert MODES["reverse"].response(question, known, other) == pytest.approx(expected, rel=1e-4)
+
+
+@pytest.mark.parametrize("scene", [ramp(friction=0.2), atwood(), table(), throw(25.0)])
+def test_every_sentence_is_read_back(scene: Scene) -> None:
+    """Each shape of a question, with the unknown in each phrase, means that condition and no other."""
+    search = QuestionSearch(scene, 5)
+    offered, seen = targets(search.words), 0
+    for seed in range(10):
+        question = MODES["reverse"].ask(search.study, search.words, "", np.random.default_rng(seed))
+        if question is None or not question.unknown or question.given is None:
+            continue
+        unknown = next(u for u in search.words.unknowns if u.path == question.unknown)
+        symbols = {unknown.path: unknown.symbol.strip("$")}
+        words = Words.of(scene, search.words.mentions, symbols)
+        noun = offered[question.query.target] if question.query.target is not None else None
+        shapes = asking_for(unknown, question.query, question.given, search.words, noun)
+        assert len(set(shapes)) == len(shapes) >= 9
+        for shape in shapes[:: max(1, len(shapes) // 9)]:
+            read = MODES["reverse"].parsed(sentence(shape), search.study, words)
+            assert read is not None, shape
+            assert (read.query, read.given) == (question.query, question.given)
+            seen += 1
+    assert seen
+
+
+@pytest.mark.parametrize("recipe", RECIPES)
+def test_the_unknown_follows_from_the_prompt(recipe: str) -> None:
+    """Halving, on the scene that the text tells, between half and twice the answer; and the number is not in it."""
+    for index in range(2):
+        item = make(Request(recipe, "medium", "reverse", 17, index)).item
+        assert item is not None
+        read = parse_prompt(item.prompt)
+        assert read.query.kind == item.kind
+        assert read.answer == pytest.approx(item.answer.value, rel=0.01), item.prompt
+        if item.asked.unknown is not None:
+            path, value = next(iter(read.reading.unknown)), item.answer.value
+            assert halved(read.study, read.query, path, value, item.asked.given or 0.0) == pytest.approx(
+                value, rel=0.01
+            )
+            assert f"{value:.3g}" not in item.prompt.replace(",", "").split()
+
+
+def halved(known: Study, query: Query, path: str, about: float, given: float) -> float:
+    low, high = 0.98 * about, 1.02 * about
+    below = excess(known, query, path, low, given) > 0.0
+    for _ in range(25):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if (excess(known, query, path, middle, given) > 0.0) == below else (low, middle)
+    return low
+
+
+def excess(known: Study, query: Query, path: str, value: float, given: float) -> float:
+    found = KINDS[query.kind].answer(query, study(known.scene.having(path, value)))
+    assert found is not None
+    return found - given
+
+
+def test_a_time_is_asked_for() -> None:
+    """v = g t sin θ again: when it is 2.5 m/s."""
+    search = QuestionSearch(ramp(angle=30.0), 3)
+    rng = np.random.default_rng(0)
+    asked = (MODES["reverse"].ask(search.study, search.words, "state", rng) for _ in range(200))
+    found = next(q for q in asked if q is not None and not q.unknown and "speed" in q.text)
+    assert found.given is not None
+    assert found.answer == pytest.approx(found.given.value / (0.5 * G), rel=1e-9)
+    words = Words.of(search.study.scene, search.words.mentions)
+    read = MODES["reverse"].parsed(found.text, search.study, words)
+    assert read is not None
+    assert MODES["reverse"].solution(read, search.study, words) == found.answer
+
+
+def test_a_text_with_an_unknown_has_no_trace_of_it() -> None:
+    one, other = ramp(angle=30.0), ramp(angle=47.0)
+    texts = {describe(scene, 4, hiding("ramp.plane.angle")).text for scene in (one, other)}
+    assert len(texts) == 1
+    assert "$\\theta$" in texts.pop()
+    assert [u.path for u in words_of(describe(one, 4)).unknowns] == ["ramp.plane.angle", "ramp.blocks.0.mass"]
+
+
+@pytest.mark.parametrize(
+    ("value", "digits", "said"), [(3.14159, 2, "3.1"), (0.0995, 2, "0.10"), (-271.8, 3, "−272"), (1234.0, 2, "1200")]
+)
+def test_a_result_is_said_plainly_and_found_again(value: float, digits: int, said: str) -> None:
+    given = StatedResult.rounded(value, "m/s", digits)
+    assert given is not None
+    assert given.digits == said
+    assert list(StatedResult.found(f"it is {given.said} then", "m/s")) == [given]
+    assert abs(given.value - value) <= max(given.half, 0.05 * abs(value))
+
+
+def test_what_can_not_be_said_plainly_is_no_result() -> None:
+    assert StatedResult.rounded(0.0, "m", 2) is None
+    assert StatedResult.rounded(2.7e6, "m", 3) is None
+    assert StatedResult.rounded(3.1e-5, "m", 3) is None
+
+
+def test_freely_falling_speed_fixes_the_height() -> None:
+    """v² = v₀² + 2 g h, whatever the angle."""
+    scene = throw(0.0, speed=3.0)
+    query = Query("event", Target("velocity", "throw.ball"), Landed("throw.ball"))
+    dependence = Dependence(query, study(scene), "throw.height")
+    given = sqrt(9.0 + 2.0 * G * 1.5)
+    found = roots(dependence, range_of(scene, "throw.height"), given)
+    assert found == [pytest.approx(1.5, rel=1e-6)]

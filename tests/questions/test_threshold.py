@@ -1,0 +1,174 @@
+"""Where outcomes change, by formulas from textbooks, and whether the second engine sees it."""
+
+from math import acos, cos, degrees, radians, sin, sqrt, tan
+
+import numpy as np
+import pytest
+
+from plain_scenes import ramp
+from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.hanger import Cord, LightRod
+from sim2reason.bodies.hoop import Hoop
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.dsl.connection import CONNECTIONS, Link
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
+from sim2reason.entities.parts.mass_systems import Hanging, OnPlane
+from sim2reason.entities.parts.rolling import Rough
+from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.prose.voices import hiding
+from sim2reason.prose.writer import describe
+from sim2reason.questions import KINDS, MODES, Study, Words
+from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.outcomes import OUTCOMES
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.prompt import prompt, words_of
+from sim2reason.questions.trial import Trial
+from sim2reason.simulation.scenes import simulate
+
+G = 9.8
+
+
+def study(scene: Scene) -> Study:
+    return Study(scene, simulate(scene))
+
+
+def critical(scene: Scene, outcome: str, name: str, path: str) -> float | None:
+    return Trial(study(scene), OUTCOMES[outcome](name), path).change()
+
+
+def pendulum(hanger: Cord | LightRod, angle: float, speed: float) -> Scene:
+    return Scene(
+        entities=(Named(name="p", entity=Pendulum(bob=Ball(mass=0.5), hanger=hanger, angle=angle, speed=speed)),)
+    )
+
+
+def test_a_block_slips_from_the_angle_of_friction_on() -> None:
+    """µ = tan θ, and θ = atan µ."""
+    scene = ramp(angle=25.0, friction=0.3)
+    assert critical(scene, "slides", "ramp.blocks.0", "ramp.plane.friction") == pytest.approx(
+        tan(radians(25.0)), rel=1e-7
+    )
+    found = critical(scene, "slides", "ramp.blocks.0", "ramp.plane.angle")
+    assert found is not None
+    assert tan(radians(found)) == pytest.approx(0.3, rel=1e-7)
+    assert critical(scene, "slides", "ramp.blocks.0", "ramp.blocks.0.mass") is None
+
+
+def test_a_rod_goes_right_round_if_it_gets_to_the_top() -> None:
+    """v² = 2 g ℓ (1 + cos θ) for a start at the angle θ from the downward vertical."""
+    found = critical(pendulum(LightRod(length=1.2), 29.0, 2.0), "goes_round", "p.hanger", "p.speed")
+    assert found == pytest.approx(sqrt(2.0 * G * 1.2 * (1.0 + cos(radians(29.0)))), rel=1e-5)
+
+
+def test_a_string_stays_taut_if_the_bob_gets_no_higher_than_its_end() -> None:
+    """v²/2 = g ℓ cos θ, below the speed at which it goes right round."""
+    found = critical(pendulum(Cord(length=1.6), 40.0, 2.0), "goes_slack", "p.hanger", "p.angle")
+    assert found == pytest.approx(degrees(acos(2.0**2 / (2.0 * G * 1.6))), rel=1e-6)
+
+
+def test_a_speed_at_which_it_goes_slack_is_no_threshold() -> None:
+    """It goes slack between two speeds: it changes twice."""
+    assert critical(pendulum(Cord(length=1.0), 40.0, 2.0), "goes_slack", "p.hanger", "p.speed") is None
+
+
+def lifted(mass: float = 2.0, friction: float = 0.0) -> Scene:
+    """A block on a slope of 30° whose string over a pulley at the top holds a hanging one of 1.5 kg."""
+    slope = OnPlane(plane=Plane(angle=30.0, friction=friction), blocks=(Block(mass=mass),))
+    ends = (
+        Named(name="one", entity=MassWithFixedPulley(system=slope, pulley=FixedPulley())),
+        Named(
+            name="other", entity=MassWithFixedPulley(system=Hanging(blocks=(Block(mass=1.5),)), pulley=FixedPulley())
+        ),
+    )
+    links = tuple(Link(entity=end.name, port="tail") for end in ends)
+    return Scene(entities=ends, connections=(CONNECTIONS["tendon"](links=links),))
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.2])
+def test_a_block_is_drawn_up_by_one_heavy_enough(friction: float) -> None:
+    """m (sin θ + µ cos θ) = M."""
+    scene = lifted(friction=friction)
+    block = next(address for address, body in scene.bodies.items() if getattr(body, "mass", 0.0) == 2.0)
+    path = f"{block}.mass"
+    expected = 1.5 / (sin(radians(30.0)) + friction * cos(radians(30.0)))
+    assert critical(scene, "rises", block, path) == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("scene", "outcome", "name", "path"),
+    [
+        (ramp(angle=25.0, friction=0.3), "slides", "ramp.blocks.0", "ramp.plane.friction"),
+        (pendulum(LightRod(length=1.2), 29.0, 2.0), "goes_round", "p.hanger", "p.speed"),
+        (pendulum(Cord(length=1.6), 40.0, 2.0), "goes_slack", "p.hanger", "p.angle"),
+    ],
+)
+def test_the_second_engine_sees_both_sides(scene: Scene, outcome: str, name: str, path: str) -> None:
+    known, found = study(scene), critical(scene, outcome, name, path)
+    assert found is not None
+    query = ThresholdQuery("threshold", None, None, OUTCOMES[outcome](name), path, "", about=found)
+    assert KINDS["threshold"].doubt(query, known, None) == ""
+    wrong = ThresholdQuery("threshold", None, None, OUTCOMES[outcome](name), path, "", about=1.02 * found)
+    first = Trial(known, OUTCOMES[outcome](name), path)
+    assert first(0.995 * found) != first(1.005 * found)
+    assert KINDS["threshold"].answer(wrong, known) == pytest.approx(found, rel=1e-4)
+
+
+@pytest.mark.parametrize("outcome", list(OUTCOMES))
+def test_every_outcome_has_words_for_both(outcome: str) -> None:
+    """Its clauses differ, three shapes at least ask for it, and each is read back."""
+    scenes = [ramp(angle=25.0, friction=0.3), pendulum(LightRod(length=1.2), 29.0, 2.0), lifted(friction=0.2)]
+    scenes += [pendulum(Cord(length=1.6), 40.0, 2.0), rolling()]
+    seen = 0
+    for scene in scenes:
+        known, words = study(scene), words_of(describe(scene, 2))
+        for each in OUTCOMES[outcome].found(words)[:1]:
+            assert not set(each.does(words)) & set(each.does_not(words))
+            unknown = words.unknowns[0]
+            alone = Words.of(scene, words.mentions, {unknown.path: unknown.symbol.strip("$")})
+            for greatest in (False, True):
+                for happens in (False, True):
+                    query = ThresholdQuery("threshold", None, None, each, unknown.path, unknown.unit, greatest, happens)
+                    shapes = KINDS["threshold"].shapes(query, words, None)
+                    assert len(set(shapes)) >= 3
+                    for shape in shapes:
+                        read = MODES["numeric"].parsed(sentence(shape), known, alone)
+                        assert read is not None
+                        assert read.query == query
+                        seen += 1
+    assert seen
+
+
+def rolling() -> Scene:
+    """A hoop at rest on a slope of 36°."""
+    entity = RollingEntity(plane=Incline(angle=36.0), body=Hoop(mass=2.0, radius=0.1), grip=Rough(friction=0.4))
+    return Scene(entities=(Named(name="roller", entity=entity),))
+
+
+def test_a_hoop_rolls_if_there_is_half_the_friction_of_its_slope() -> None:
+    """f = m g sin θ/2, so µ = tan θ/2."""
+    scene = rolling()
+    slope = radians(scene.value("roller.plane.angle"))
+    found = critical(scene, "slips_rolling", "roller.body", "roller.grip.friction")
+    assert found == pytest.approx(0.5 * tan(slope), rel=1e-6)
+
+
+def test_a_prompt_leads_back_to_its_threshold() -> None:
+    for scene in (ramp(angle=25.0, friction=0.3), lifted(friction=0.2), pendulum(LightRod(length=1.2), 29.0, 2.0)):
+        search = QuestionSearch(scene, 3)
+        asked = (
+            MODES["numeric"].ask(search.study, search.words, "threshold", np.random.default_rng(s)) for s in range(12)
+        )
+        question = next(each for each in asked if each is not None)
+        assert question.unknown
+        described = describe(scene, 3, hiding(question.unknown))
+        read = parse_prompt(prompt(described, question, np.random.default_rng(1)))
+        assert read.query.kind == "threshold"
+        assert read.answer == pytest.approx(question.answer, rel=1e-5)
