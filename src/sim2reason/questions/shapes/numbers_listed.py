@@ -12,7 +12,7 @@ from sim2reason.prose.phrases import join
 from sim2reason.prose.voices import Voice, symbolic
 from sim2reason.prose.writer import Description
 from sim2reason.questions.shapes import Draft, PromptShape, shape
-from sim2reason.questions.shapes.parts.units import is_table, one_of, splits, text_of, units
+from sim2reason.questions.shapes.parts.units import QUESTION, is_table, one_of, splits, text_of, units
 
 LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
 FEWEST, MOST = 2, 12
@@ -42,9 +42,9 @@ class NumbersListed(PromptShape):
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """The list is found before the question or after it."""
+        """The list is found before the question, which may have two sentences, or after it."""
         said = units(text)
-        for place in (len(said) - 1, len(said) - 2):
+        for place in range(len(said) - 1, len(said) - 2 - QUESTION, -1):
             given = _listed(said[place]) if place > 0 else {}
             for story, question in splits([*said[:place], *said[place + 1 :]]) if given else ():
                 yield Draft(_bracket().sub(r"(\1)", text_of(story)), question, given)
