@@ -54,8 +54,7 @@ def search(request: Request) -> tuple[CertifiedQuestion | None, Counter[str]]:
 def item_of(request: Request, found: CertifiedQuestion) -> Item:
     """The record of a question that passed."""
     scene = found.description.scene
-    question, query = found.question, found.question.query
-    kind = KINDS[query.kind]
+    question = found.question
     return Item(
         id=request.id,
         prompt=found.prompt,
@@ -64,19 +63,11 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             value=question.answer, unit=question.unit, sign=question.sign, tolerance=found.candidate.tolerance
         ),
         mode=request.mode,
-        kind=query.kind,
+        kind=question.query.kind,
         recipe=request.recipe,
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
-        asked=QueryRecord(
-            subject=query.subject,
-            quantity=kind.measured(query).name,
-            time=kind.time(query, found.study),
-            event=query.moment.label if query.moment is not None else None,
-            unknown=question.unknown or None,
-            given=question.given.value if question.given is not None else None,
-            given_unit=question.given.unit if question.given is not None else None,
-        ),
+        asked=_query_of(found),
         distractors=distractors(found.candidate, found.description),
         idle=idle_parts(found.candidate, found.description),
         idle_numbers=idle_numbers(found.candidate),
@@ -91,6 +82,21 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             versions=versions(),
             config=SETTINGS,
         ),
+    )
+
+
+def _query_of(found: CertifiedQuestion) -> QueryRecord:
+    """The record of what is asked."""
+    query, given = found.question.query, found.question.given
+    kind = KINDS[query.kind]
+    return QueryRecord(
+        subject=query.subject,
+        quantity=kind.measured(query).name,
+        time=kind.time(query, found.study),
+        event=query.moment.label if query.moment is not None else None,
+        unknown=found.question.unknown or None,
+        given=given.value if given is not None else None,
+        given_unit=given.unit if given is not None else None,
     )
 
 
