@@ -1,0 +1,185 @@
+"""What a worked solution is made of: givens, steps with their relations, and a book in which each name has one value."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from sim2reason.solutions.expressions import Expression, Symbol, rounded
+
+Role = Literal["given", "law", "derived", "result"]
+WELL = 1e-9  # relative: how well every relation holds
+
+
+class UnsolvedError(Exception):
+    """A strategy found that it cannot answer after all; the message says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """An equation: what is `given`, a `law` that is told, what is `derived` from those, or a `result`: name = formula.
+
+    `unit` is that of a result, in LaTeX.
+    """
+
+    left: Expression
+    right: Expression
+    role: Role
+    unit: str = ""
+
+    def latex(self, value: float | None = None) -> str:
+        """As it stands in the text, with dollars; of a result the value follows."""
+        text = f"{self.left.latex()} = {self.right.latex()}"
+        if value is not None:
+            number = spelled(value, self.unit)
+            text = f"{self.left.latex()} = {number}" if number == self.right.latex() else f"{text} = {number}"
+        return f"${text}$"
+
+    def symbols(self) -> Iterator[str]:
+        """All names in it."""
+        yield from self.left.symbols()
+        yield from self.right.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step: its sentence, its relations, the names that it gives a value, and the steps that it needs."""
+
+    id: int
+    kind: str
+    text: str
+    relations: tuple[Relation, ...]
+    gives: tuple[str, ...]
+    needs: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A worked solution; without an `answer`, `reason` says why there is none."""
+
+    strategy: str
+    steps: tuple[Step, ...] = ()
+    values: Mapping[str, float] = field(default_factory=dict[str, float])
+    units: Mapping[str, str] = field(default_factory=dict[str, str])
+    goal: str = ""
+    answer: float | None = None
+    unit: str = ""
+    reason: str = ""
+
+    @property
+    def text(self) -> str:
+        """All steps, a paragraph each."""
+        return "\n\n".join(step.text for step in self.steps if step.text)
+
+    @property
+    def relations(self) -> list[Relation]:
+        """All equations, in order."""
+        return [relation for step in self.steps for relation in step.relations]
+
+
+def spelled(value: float, unit: str) -> str:
+    """A number with its unit, in LaTeX."""
+    return f"{rounded(value)}{unit}"
+
+
+class Book:
+    """Names with their values, and steps as they are written."""
+
+    def __init__(self) -> None:
+        """Nothing is known yet."""
+        self.values: dict[str, float] = {}
+        self.units: dict[str, str] = {}
+        self.steps: list[Step] = []
+        self._taken: set[str] = set()
+        self._source: dict[str, int] = {}
+
+    def reserve(self, *names: str) -> None:
+        """Keep names from being given to something else."""
+        self._taken.update(names)
+
+    def fresh(self, base: str, mark: str = "") -> Symbol:
+        """A name that nothing has yet: the base with a subscript, and a number where that is taken."""
+        name = marked(base, mark)
+        number = 1
+        while name in self._taken:
+            name = marked(base, ",".join(part for part in (mark, str(number)) if part))
+            number += 1
+        self._taken.add(name)
+        return Symbol(name)
+
+    def know(self, name: str, value: float, unit: str = "") -> None:
+        """Give a name its value; a second one is a programmer's error."""
+        if name in self.values and self.values[name] != value:
+            raise ValueError(f"{name} has two values, {self.values[name]:g} and {value:g}")
+        self.values[name] = value
+        self.units[name] = unit
+
+    def value(self, held: Expression) -> float:
+        """What a formula comes to."""
+        found = held.value(self.values)
+        assert not isinstance(found, complex)
+        return found
+
+    def open(self, kind: str) -> "Writing":
+        """Begin a step."""
+        return Writing(self, kind)
+
+    def close(self, kind: str, text: str, relations: list[Relation], gives: list[str]) -> Step:
+        """Keep a step."""
+        number = len(self.steps)
+        self._source.update(dict.fromkeys(gives, number))
+        names = {name for relation in relations for name in relation.symbols()}
+        needs = sorted({self._source[name] for name in names if name in self._source} - {number})
+        step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs))
+        self.steps.append(step)
+        return step
+
+
+class Writing:
+    """A step in the making: sentences are said, and equations in them noted."""
+
+    def __init__(self, book: Book, kind: str) -> None:
+        """Nothing is said yet."""
+        self._book, self._kind = book, kind
+        self._said: list[str] = []
+        self._relations: list[Relation] = []
+        self._gives: list[str] = []
+
+    def say(self, *sentences: str) -> None:
+        """Add sentences."""
+        self._said.extend(sentence for sentence in sentences if sentence)
+
+    def law(self, left: Expression, right: Expression) -> str:
+        """A law that is told, in LaTeX with dollars."""
+        return self._noted(Relation(left, right, "law"))
+
+    def derived(self, left: Expression, right: Expression) -> str:
+        """What follows from what was told, in LaTeX with dollars."""
+        return self._noted(Relation(left, right, "derived"))
+
+    def result(self, name: Symbol, formula: Expression, unit: str, *, law: bool = False) -> str:
+        """A name and what it comes to; with `law`, the formula is a law by itself, as v = a t is."""
+        relation = Relation(name, formula, "law" if law else "result", unit)
+        self._relations.append(relation)
+        value = self._book.value(formula)
+        self._book.know(name.name, value, unit)
+        self._gives.append(name.name)
+        return relation.latex(value)
+
+    def _noted(self, relation: Relation) -> str:
+        self._relations.append(relation)
+        return relation.latex()
+
+    def close(self) -> None:
+        """Keep it, if it says anything."""
+        if self._said or self._relations:
+            self._book.close(self._kind, " ".join(self._said), self._relations, self._gives)
+
+
+def marked(base: str, mark: str) -> str:
+    """A name with a subscript, added to the one that it may have."""
+    if not mark:
+        return base
+    stem, _, inner = base.partition("_")
+    inner = inner.strip("{}")
+    joined = f"{inner},{mark}" if inner else mark
+    return f"{stem}_{joined}" if len(joined) == 1 else f"{stem}_{{{joined}}}"

@@ -1,0 +1,100 @@
+"""Whether a worked solution is one: every relation holds, what is told determines the answer, and nothing is idle."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim2reason.solutions.book import WELL, Relation, Solution
+from sim2reason.solutions.expressions import DIGITS, gradient, shortened
+
+FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
+CARRIED = 5e-3  # relative: how far five digits may lead from the answer
+WORDS = {"easy": 150, "medium": 300, "hard": 600}
+
+
+def faults(solution: Solution, answer: float) -> list[str]:
+    """All that is wrong with a solution, in words; `answer` is the engine's, in the unit of the question."""
+    if solution.answer is None:
+        return [f"no answer: {solution.reason}"]
+    found: list[str] = []
+    if abs(solution.answer - answer) > WELL * abs(answer):
+        found.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
+    found += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
+    found += undetermined(solution)
+    carried = by_digits(solution)
+    if abs(carried - answer) > CARRIED * abs(answer):
+        found.append(f"with {DIGITS} digits it gives {carried:.6g}, not {answer:.6g}")
+    return found
+
+
+def holds(relation: Relation, values: "dict[str, float] | Solution | object") -> bool:
+    """Whether both sides agree, compared with the largest of their terms."""
+    at: dict[str, float] = dict(values)  # type: ignore[call-overload]
+    left, right = relation.left.value(at), relation.right.value(at)
+    size = max(_size(relation.left, at), _size(relation.right, at))
+    return abs(left - right) <= WELL * size
+
+
+def _size(held: object, at: dict[str, float]) -> float:
+    terms = getattr(held, "terms", (held,))
+    return max((abs(term.value(at)) for term in terms), default=0.0)
+
+
+def undetermined(solution: Solution) -> list[str]:
+    """Whether the laws that are told determine the answer, each of them is needed, and all else follows from them."""
+    relations = [r for r in solution.relations if r.role != "given"]
+    known = {name for r in solution.relations if r.role == "given" for name in r.left.symbols()}
+    names = sorted({name for r in relations for name in r.symbols()} - known)
+    place = {name: number for number, name in enumerate(names)}
+    values = dict(solution.values)
+    if solution.goal not in place:
+        return [] if solution.goal in known else [f"no relation speaks of {solution.goal}"]
+    rows = [_row(r, values, place) for r in relations]
+    laws = [number for number, r in enumerate(relations) if r.role == "law"]
+    goal = np.zeros(len(names))
+    goal[place[solution.goal]] = 1.0
+    aliases = [number for number, r in enumerate(relations) if r.role == "result"]
+    del aliases
+    found: list[str] = []
+    told = [rows[number] for number in laws]
+    if not _spanned(told, goal):
+        found.append("the laws that are told do not determine the answer")
+    else:
+        for number in laws:
+            if _spanned([rows[other] for other in laws if other != number], goal):
+                found.append(f"superfluous: {relations[number].latex()}")
+    for number, relation in enumerate(relations):
+        if relation.role != "law" and not _spanned(told, rows[number]):
+            found.append(f"does not follow from what is told: {relation.latex()}")
+    return found
+
+
+def _row(relation: Relation, values: dict[str, float], place: dict[str, int]) -> NDArray[np.float64]:
+    left, right = gradient(relation.left, values, place), gradient(relation.right, values, place)
+    row = np.array(left) - np.array(right)
+    scale = np.abs(row).max(initial=0.0)
+    return row / scale if scale else row
+
+
+def _spanned(rows: Sequence[NDArray[np.float64]], goal: NDArray[np.float64]) -> bool:
+    """Whether a row is a combination of others."""
+    size = float(np.abs(goal).max(initial=0.0))
+    if not rows or not size:
+        return not size
+    matrix = np.array(rows).T
+    weights, *_ = np.linalg.lstsq(matrix, goal, rcond=1e-12)
+    return bool(np.abs(matrix @ weights - goal).max() <= FAINT * size)
+
+
+def by_digits(solution: Solution, digits: int = DIGITS) -> float:
+    """The answer, worked out by whoever carries so many digits from line to line."""
+    values: dict[str, float] = {}
+    for relation in solution.relations:
+        names = list(relation.left.symbols())
+        if relation.role == "given":
+            values[names[0]] = solution.values[names[0]]
+        elif len(names) == 1 and names[0] not in values and all(name in values for name in relation.right.symbols()):
+            found = relation.right.value(values, digits)
+            values[names[0]] = shortened(float(found.real), digits)
+    return values.get(solution.goal, float("nan"))

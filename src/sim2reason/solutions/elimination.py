@@ -1,0 +1,246 @@
+"""Equations solved as a teacher would: tensions cancel in weighted sums, numbers come as late as they can."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, Worked, added, multiplied
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
+
+LONG = 130  # characters of a formula that is better written in numbers
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """`forces` = `inertia`, by what it is called in the text; `moves` is its own acceleration, its weight in sums."""
+
+    label: str
+    forces: Polynomial
+    inertia: Polynomial
+    moves: Polynomial
+
+    @property
+    def zero(self) -> Polynomial:
+        """What vanishes."""
+        return self.forces - self.inertia
+
+    def put(self, values: Mapping[str, Polynomial]) -> "Equation":
+        """With polynomials in place of unknowns."""
+        return Equation(self.label, self.forces.put(values), self.inertia.put(values), self.moves.put(values))
+
+
+@dataclass(frozen=True, slots=True)
+class Numeric:
+    """A linear equation in numbers: Σ coefficient · unknown = `right`."""
+
+    label: str
+    left: Mapping[str, Expression]
+    right: Expression
+
+
+class Elimination:
+    """Solves equations for unknowns, and writes down how; what is known is in the book."""
+
+    def __init__(self, book: Book, units: Mapping[str, str]) -> None:
+        """`units`, in LaTeX, of every unknown."""
+        self.book, self.units = book, units
+
+    def solve(self, equations: Sequence[Equation], unknowns: Sequence[str], goals: Sequence[str]) -> None:
+        """Write the way to all goals; UnsolvedError where it finds none."""
+        left = set(unknowns)
+        for _ in range(len(unknowns) + 1):
+            left = {name for name in left if name not in self.book.values}
+            wanted = [name for name in goals if name in left]
+            if not wanted:
+                return
+            single = self._single(equations, left, wanted)
+            if single is not None:
+                self._one(*single)
+            else:
+                self._several(equations, left, wanted)
+        raise UnsolvedError("the equations could not be solved one after the other")
+
+    # ---- one unknown
+
+    def _single(
+        self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]
+    ) -> tuple[Equation, str] | None:
+        """An equation with one unknown, a goal if there is one; the shortest of these."""
+        found = [(e, names[0]) for e in equations if len(names := sorted(e.zero.names() & left)) == 1]
+        found.sort(key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)))
+        return found[0] if found else None
+
+    def _one(self, equation: Equation, name: str, said: str = "") -> None:
+        step = self.book.open("solve")
+        formula = solved(equation.zero, name)
+        where = said or (f"From {equation.label}, " if equation.label else "So ")
+        if len(formula.latex()) <= LONG:
+            step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
+        else:
+            before, rest = parts(equation.zero, name)
+            right, left = self._worked(rest.expression()), self._worked(before.expression())
+            numbers = step.derived(right, multiplied(left, Symbol(name)))
+            step.say(f"In numbers, {numbers}, so {step.result(Symbol(name), right / left, self.units[name])}.")
+        step.close()
+
+    def _worked(self, held: Expression) -> Worked:
+        return Worked(held, self.book.value(held))
+
+    # ---- several unknowns
+
+    def _several(self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]) -> None:
+        """Sums in which forces cancel, one for each independent acceleration."""
+        free = sorted({name for e in equations for name in e.moves.names() if name in left})
+        sums = [self._sum(equations, name, left, free) for name in free]
+        if not sums or not all(sums):
+            raise UnsolvedError("no sum of the equations is free of forces")
+        combined = [held for held in sums if held is not None]
+        if len(combined) == 1:
+            self._one(combined[0], free[0], "" if combined[0].label else "")
+            return
+        goal = next((name for name in wanted if name in free), free[0])
+        self._in_numbers(combined, [goal, *(name for name in free if name != goal)])
+
+    def _sum(self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]) -> Equation | None:
+        """The sum of all equations, each times how fast it moves as one acceleration changes."""
+        weighted = [(e, weight) for e in equations if (weight := e.moves.coefficient(name))]
+        weighted = _whole(weighted)
+        forces = total(e.forces * weight for e, weight in weighted)
+        inertia = total(e.inertia * weight for e, weight in weighted)
+        if not weighted or (forces - inertia).names() & (left - set(free)):
+            return None
+        if len(weighted) == 1:
+            return weighted[0][0]
+        step = self.book.open("combine")
+        label = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
+        whole = Equation("", forces, inertia, NIL)
+        step.say(f"{label}: {step.derived(forces.expression(), inertia.collected(free))}.")
+        step.close()
+        return whole
+
+    # ---- in numbers
+
+    def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
+        """Numbers put in, then one unknown after the other eliminated, the first last."""
+        step = self.book.open("solve")
+        marks = iter("abcdefghijklmnop")
+        numeric: list[Numeric] = []
+        said: list[str] = []
+        for equation in equations:
+            before = {n: self._worked(-equation.zero.coefficient(n).expression()) for n in names}
+            rest = self._worked(equation.zero.without(names).expression())
+            kept = {n: part for n, part in before.items() if part.comes_to}
+            numeric.append(Numeric(f"({next(marks)})", kept, rest))
+            said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
+        step.say(f"In numbers: {'; '.join(said)}.")
+        step.close()
+        self._reduce(numeric, list(names), marks)
+
+    def _reduce(self, equations: list[Numeric], names: list[str], marks: "object") -> None:
+        first = names[0]
+        if len(names) == 1:
+            equation = equations[0]
+            step = self.book.open("solve")
+            formula = equation.right / equation.left[first]
+            step.say(f"So {step.result(Symbol(first), formula, self.units[first])}.")
+            step.close()
+            return
+        last = names[-1]
+        having = [e for e in equations if last in e.left]
+        pivot = max(having, key=lambda e: abs(self.book.value(e.left[last])))
+        reduced = [self._without(e, pivot, last, marks) if last in e.left else e for e in equations if e is not pivot]
+        self._reduce(reduced, names[:-1], marks)
+        step = self.book.open("solve")
+        rest = pivot.right
+        for name, part in pivot.left.items():
+            rest = added(rest, _term(part, name, -1.0)) if name != last else rest
+        formula = rest / pivot.left[last]
+        step.say(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
+        step.close()
+
+    def _without(self, equation: Numeric, pivot: Numeric, last: str, marks: "object") -> Numeric:
+        """An equation less so much of another that an unknown is gone."""
+        ratio = self._worked(equation.left[last] / pivot.left[last])
+        names = dict.fromkeys((*equation.left, *pivot.left))
+        left = {
+            name: self._worked(equation.left.get(name, ZERO) - multiplied(ratio, pivot.left.get(name, ZERO)))
+            for name in names
+            if name != last
+        }
+        right = self._worked(equation.right - multiplied(ratio, pivot.right))
+        found = Numeric(f"({next(marks)})", left, right)  # type: ignore[call-overload]
+        step = self.book.open("combine")
+        sign = "−" if ratio.comes_to >= 0.0 else "+"
+        size = Worked(ratio, abs(ratio.comes_to)).latex()
+        step.say(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(_left(found), right)}.")
+        step.close()
+        return found
+
+
+def _left(equation: Numeric) -> Expression:
+    found: Expression = ZERO
+    for name, part in equation.left.items():
+        found = added(found, _term(part, name, 1.0))
+    return found
+
+
+def _term(part: Expression, name: str, sign: float) -> Expression:
+    """A number times a symbol, with the minus sign before both."""
+    negative = isinstance(part, Worked) and part.comes_to < 0.0
+    size = Worked(-part.inner, -part.comes_to) if isinstance(part, Worked) and negative else part
+    return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))
+
+
+def _times(weight: Polynomial, label: str) -> str:
+    number = weight.number
+    if number is None:
+        return f"${weight.factored().latex()}$·{label}"
+    return label if number == 1.0 else f"-{label}" if number == -1.0 else f"{Number(number).latex()}·{label}"
+
+
+def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, Polynomial]]:
+    """The same weights, multiplied so that the smallest is 1, where all are numbers."""
+    numbers = [weight.number for _, weight in weighted]
+    if not numbers or any(number is None for number in numbers):
+        return weighted
+    least = min((number for number in numbers if number), key=abs)
+    return [(e, weight.scaled(1.0 / least)) for e, weight in weighted]
+
+
+def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
+    """Of 0 = rest − before · name: what stands before it, and the rest; both with a sign that suits."""
+    before, rest = zero.coefficient(name), zero.without((name,))
+    signs = [part for part in before.terms.values()]
+    return (before, rest.scaled(-1.0)) if sum(signs) > 0.0 else (before.scaled(-1.0), rest)
+
+
+def solved(zero: Polynomial, name: str) -> Expression:
+    """The unknown, from an equation in which it is the only one."""
+    before, rest = parts(zero, name)
+    if before.number is not None:
+        return rest.scaled(1.0 / before.number).factored()
+    shared = _cancelled(rest, before)
+    return Quotient(shared[0].factored(), shared[1].factored()) if shared[1].number != 1.0 else shared[0].factored()
+
+
+def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """A fraction without the atoms that all terms of both share."""
+    monomials = [*above.terms, *below.terms]
+    if not above.terms:
+        return above, below
+    shared = dict(monomials[0])
+    for monomial in monomials[1:]:
+        powers = dict(monomial)
+        shared = {atom: min(p, powers[atom]) for atom, p in shared.items() if atom in powers}
+    for atom, power in shared.items():
+        above, below = _lowered(above, atom, power), _lowered(below, atom, power)
+    return above, below
+
+
+def _lowered(held: Polynomial, atom: Expression, power: int) -> Polynomial:
+    found = dict[tuple[tuple[Expression, int], ...], float]()
+    for monomial, part in held.terms.items():
+        powers = dict(monomial)
+        powers[atom] -= power
+        found[tuple((a, p) for a, p in powers.items() if p)] = part
+    return Polynomial(found)

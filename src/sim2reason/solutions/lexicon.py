@@ -1,0 +1,161 @@
+"""Which symbol stands for which number of a mechanism, found by a *generic twin*.
+
+Every number that the text says gets another value, and the mechanism is built again: a number of the mechanism that is
+a mass in both, or the sine of an angle in both, is that mass or sine. Entities need not say what they do with numbers.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations_with_replacement
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.model import Parameter
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError
+from sim2reason.solutions.expressions import Call, Expression, Symbol
+from sim2reason.solutions.polynomials import NIL, Polynomial
+
+SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
+SAME = 1e-10  # relative: far less than two numbers can agree by chance
+TRIES = 4
+FACTORS = 60  # the largest denominator of a number that is no accident
+
+
+class UnreadError(Exception):
+    """A number of the mechanism that is no simple function of what the text says."""
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """A number that the text says: its symbol, its value and unit as said, and its value in the mechanism."""
+
+    symbol: str
+    parameter: Parameter
+    value: float  # as the mechanism counts: angles in radians
+
+    @property
+    def angle(self) -> bool:
+        """Whether it is an angle in degrees."""
+        return self.parameter.measure.unit == "deg"
+
+
+@dataclass(frozen=True, slots=True)
+class Both:
+    """One number of a mechanism and of its twin."""
+
+    here: float
+    there: float
+
+    def __mul__(self, other: "Both") -> "Both":
+        return Both(self.here * other.here, self.there * other.there)
+
+    def __truediv__(self, other: "Both") -> "Both":
+        return Both(self.here / other.here, self.there / other.there)
+
+    def __sub__(self, other: "Both") -> "Both":
+        return Both(self.here - other.here, self.there - other.there)
+
+
+class Lexicon:
+    """A scene, its mechanism and its twin's, and what their numbers are called."""
+
+    def __init__(self, scene: Scene, symbols: Mapping[str, str]) -> None:
+        """`symbols` are those of the text, by address. UnreadError if no twin can be built."""
+        self.scene, self.mechanism = scene, scene.mechanism
+        self.givens = {
+            p.path: Given(symbols[p.path], p, _counted(p, p.value))
+            for p in scene.parameters
+            if p.value is not None and p.path in symbols
+        }
+        self._twin = self._built()
+        self._read: dict[Both, Polynomial] = {}
+
+    @property
+    def twin(self) -> Mechanism:
+        """The mechanism of the twin."""
+        return self._twin[0]
+
+    def _built(self) -> tuple[Mechanism, dict[str, float]]:
+        """The twin and its numbers, those of the mechanism's own count."""
+        for attempt in range(TRIES):
+            rng = np.random.default_rng(attempt)
+            side = -SHIFT if attempt % 2 == 0 else SHIFT
+            values = {
+                path: given.parameter.value * (1.0 + side * rng.uniform(0.2, 1.0))
+                for path, given in self.givens.items()
+                if given.parameter.value
+            }
+            try:
+                twin = self.scene.having_all(values).mechanism
+            except (SceneError, ValueError):
+                continue
+            if len(twin.coordinates) == len(self.mechanism.coordinates):
+                counted = {path: _counted(self.givens[path].parameter, value) for path, value in values.items()}
+                return twin, counted
+        raise UnreadError("no scene like this one, with other numbers, could be built")
+
+    @cached_property
+    def _atoms(self) -> list[tuple[Both, Expression]]:
+        found: list[tuple[Both, Expression]] = []
+        for path, there in self._twin[1].items():
+            given, symbol = self.givens[path], Symbol(self.givens[path].symbol)
+            if given.angle:
+                found.append((Both(math.sin(given.value), math.sin(there)), Call("sin", symbol)))
+                found.append((Both(math.cos(given.value), math.cos(there)), Call("cos", symbol)))
+            found.append((Both(given.value, there), symbol))
+        return found
+
+    def read(self, number: Both) -> Polynomial:
+        """What a number is: 0, a simple fraction, or one times something said, or a product of two or a sum of such."""
+        known = self._read.get(number)
+        if known is None:
+            known = self._read[number] = self._searched(number)
+        return known
+
+    def _searched(self, number: Both) -> Polynomial:
+        if abs(number.here) < SAME and abs(number.there) < SAME:
+            return NIL
+        plain = _factor(number, Both(1.0, 1.0))
+        if plain is not None:
+            return Polynomial.of(plain)
+        for atom, name in self._atoms:
+            factor = _factor(number, atom)
+            if factor is not None:
+                return Polynomial.of(name).scaled(factor)
+        return self._of_two(number)
+
+    def _of_two(self, number: Both) -> Polynomial:
+        for (one, name), (two, other) in combinations_with_replacement(self._atoms, 2):
+            factor = _factor(number, one * two)
+            if factor is not None:
+                return (Polynomial.of(name) * Polynomial.of(other)).scaled(factor)
+        lengths = [(atom, name) for atom, name in self._atoms if isinstance(name, Symbol)]
+        for one, name in lengths:
+            for sign in (1.0, -1.0):
+                rest = number - Both(sign * one.here, sign * one.there)
+                for two, other in (*lengths, (Both(1.0, 1.0), None)):
+                    factor = _factor(rest, two)
+                    if factor is not None:
+                        left = Polynomial.of(other or 1.0).scaled(factor)
+                        return Polynomial.of(name).scaled(sign) + left
+        raise UnreadError(f"{number.here:.6g} is no simple function of the numbers in the text")
+
+
+def _counted(parameter: Parameter, value: float) -> float:
+    return math.radians(value) if parameter.measure.unit == "deg" else value
+
+
+def _factor(number: Both, atom: Both) -> float | None:
+    """By which simple fraction a number is an atom, in both mechanisms; None for none."""
+    if atom.here == 0.0 or atom.there == 0.0:
+        return None
+    here, there = number.here / atom.here, number.there / atom.there
+    if abs(here - there) > SAME * abs(here):
+        return None
+    simple = float(Fraction(here).limit_denominator(FACTORS))
+    return simple if simple and abs(simple - here) <= SAME * abs(here) else None

@@ -1,0 +1,138 @@
+"""All that a strategy looks at: a scene as its text calls things, its motion in segments, and what is asked."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from sim2reason.dsl.mechanism import Drawn, Mechanism
+from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.vectors import Vector
+from sim2reason.quantities.subjects.lines import line_phrases, pulleys
+from sim2reason.questions import KINDS, Query, Study, Words
+from sim2reason.simulation.engines.exact.engine import motion
+from sim2reason.simulation.engines.exact.motion import Motion
+from sim2reason.solutions.lexicon import Given, Lexicon
+
+LEVEL = 1e-9  # the part of a direction that is none
+BEYOND = 1.001  # times the moment that is asked about, to which the motion is followed
+LEAST = 1e-6  # s
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A scene, its words, and a query about it; `symbols` by address are those that the text would use."""
+
+    scene: Scene
+    words: Words
+    symbols: Mapping[str, str]
+    study: Study
+    query: Query
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """What moves."""
+        return self.scene.mechanism
+
+    @cached_property
+    def lexicon(self) -> Lexicon:
+        """What its numbers are called."""
+        return Lexicon(self.scene, self.symbols)
+
+    @cached_property
+    def time(self) -> float:
+        """When all that the answer depends on has happened, s."""
+        found = KINDS[self.query.kind].time(self.query, self.study)
+        return 0.0 if found is None else found
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The motion up to that time, in segments."""
+        return motion(self.mechanism, max(self.time * BEYOND, LEAST))
+
+    @cached_property
+    def answer(self) -> float | None:
+        """What the engine says."""
+        return KINDS[self.query.kind].answer(self.query, self.study)
+
+    # ---- names
+
+    @cached_property
+    def pulleys(self) -> Mapping[str, str]:
+        """The address of the pulley that each light carrier holds."""
+        return pulleys(self.mechanism, self.words.mentions)
+
+    def called(self, body: str) -> str:
+        """How the text speaks of a body; of a light carrier, as of its pulley."""
+        address = body if body in self.words.mentions else self.pulleys.get(body, "")
+        return self.words.mentions.get(address, "the carrier of the pulley")
+
+    def mark(self, body: str) -> str:
+        """The subscript for a body: its letter; its noun where it has none and is not alone; nothing where it is."""
+        said = self.called(body)
+        if not said.startswith("the "):
+            return said.rpartition(" ")[2]
+        moving = {c.body for c in self.mechanism.coordinates}
+        mass = self.symbols.get(f"{body}.mass", "")
+        if len(moving) > 1 and len(mass) == 1 and mass.isupper():
+            return mass  # a_M of the prism of mass M
+        return "" if len(moving) == 1 else rf"\text{{{said.removeprefix('the ').rpartition(' ')[2]}}}"
+
+    def listed(self, bodies: list[str]) -> str:
+        """Several bodies in one phrase: block A, crates B and C."""
+        nouns: dict[str, list[str]] = {}
+        for said in map(self.called, bodies):
+            noun, _, letter = said.rpartition(" ") if not said.startswith("the ") else (said, "", "")
+            nouns.setdefault(noun, []).append(letter)
+        phrases = [
+            noun if letters == [""] else f"{noun}{'s' if len(letters) > 1 else ''} {joined(letters)}"
+            for noun, letters in nouns.items()
+        ]
+        return joined(phrases)
+
+    @cached_property
+    def lines(self) -> Mapping[str, str]:
+        """What strings are called, those that are drawn in included."""
+        found = line_phrases(self.mechanism, self.words.mentions, self.mechanism.strings, "string", alone=False)
+        drawn = {line.name: "the string that is pulled" for line in self.mechanism.lines if isinstance(line.law, Drawn)}
+        return {**drawn, **found, **self._by_one_end(found)}
+
+    def _by_one_end(self, found: Mapping[str, str]) -> dict[str, str]:
+        """The strings that are fixed at an end of which the text has no name."""
+        named: dict[str, str] = {}
+        for line in self.mechanism.strings:
+            if line.name in found:
+                continue
+            bodies = [self.mechanism.site[site].body for site in (line.through[0], line.through[-1])]
+            ends = [self.called(body) for body in bodies if body is not None]
+            where = " and ".join(ends) if ends else "its two fixed ends"
+            named[line.name] = f"the string between {where}" if len(ends) > 1 else f"the string tied to {where}"
+            if not ends:
+                around = [self.mechanism.site[site].body for site in line.through]
+                named[line.name] = f"the string round {next(self.called(b) for b in around if b is not None)}"
+        return named
+
+    def given(self, path: str) -> Given | None:
+        """A number that the text says."""
+        return self.lexicon.givens.get(path)
+
+    def towards(self, way: Vector, *, on: str | None = None) -> str:
+        """A direction in words; `on` is the body on whose face it lies, if that can move."""
+        x, y, z = way
+        if abs(z) > 1.0 - LEVEL:
+            return "upward" if z > 0.0 else "downward"
+        if abs(x) > 1.0 - LEVEL:
+            return "to the right" if x > 0.0 else "to the left"
+        if abs(y) > 1.0 - LEVEL:
+            return "away from us" if y > 0.0 else "towards us"
+        surface = "slope" if on is None else "face"
+        return f"{'up' if z > 0.0 else 'down'} the {surface}"
+
+
+def capital(text: str) -> str:
+    """With a capital."""
+    return text[:1].upper() + text[1:]
+
+
+def joined(names: list[str]) -> str:
+    """A, B and C."""
+    return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
