@@ -89,6 +89,8 @@ class Book:
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
         self.steps: list[Step] = []
+        self.observed: dict[str, float] = {}  # what the engine has for names that cancel, to check relations by
+        self.stated: dict[str, str] = {}  # numbers that the question says, as they are written
         self._taken: set[str] = set()
         self._source: dict[str, int] = {}
 
@@ -106,12 +108,22 @@ class Book:
         self._taken.add(name)
         return Symbol(name)
 
+    @property
+    def last(self) -> str:
+        """The name that was given a value last."""
+        return next(reversed(self.values))
+
     def know(self, name: str, value: float, unit: str = "") -> None:
         """Give a name its value; a second one is a programmer's error."""
         if name in self.values and self.values[name] != value:
             raise ValueError(f"{name} has two values, {self.values[name]:g} and {value:g}")
         self.values[name] = value
         self.units[name] = unit
+
+    def say_given(self, name: str, value: float, unit: str) -> None:
+        """A number that the question itself says."""
+        self.know(name, value, unit)
+        self.stated[name] = f"{value:g}{unit}"
 
     def value(self, held: Expression) -> float:
         """What a formula comes to."""
@@ -123,11 +135,12 @@ class Book:
         """Begin a step."""
         return Writing(self, kind)
 
-    def close(self, kind: str, text: str, relations: list[Relation], gives: list[str]) -> Step:
+    def close(self, kind: str, text: str, relations: list[Relation], gives: list[str], rests: list[str]) -> Step:
         """Keep a step."""
         number = len(self.steps)
         self._source.update(dict.fromkeys(gives, number))
-        names = {name for relation in relations for name in relation.symbols()}
+        names = {name for relation in relations if relation.role == "result" for name in relation.symbols()} | {*rests}
+        names |= {name for relation in relations if relation.role == "law" and gives for name in relation.symbols()}
         needs = sorted({self._source[name] for name in names if name in self._source} - {number})
         step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs))
         self.steps.append(step)
@@ -143,6 +156,16 @@ class Writing:
         self._said: list[str] = []
         self._relations: list[Relation] = []
         self._gives: list[str] = []
+        self._rests: list[str] = []
+
+    def label(self, name: str) -> None:
+        """Name an equation of this step, so that others can rest on it."""
+        self._gives.append(name)
+
+    def rest_on(self, label: str) -> None:
+        """Use an equation by its label."""
+        if label:
+            self._rests.append(label)
 
     def say(self, *sentences: str) -> None:
         """Add sentences."""
@@ -172,7 +195,8 @@ class Writing:
     def close(self) -> None:
         """Keep it, if it says anything."""
         if self._said or self._relations:
-            self._book.close(self._kind, " ".join(self._said), self._relations, self._gives)
+            text = " ".join(self._said)
+            self._book.close(self._kind, text, self._relations, self._gives, self._rests)
 
 
 def marked(base: str, mark: str) -> str:

@@ -1,12 +1,12 @@
 """Whether a worked solution is one: every relation holds, what is told determines the answer, and nothing is idle."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sim2reason.solutions.book import WELL, Relation, Solution
-from sim2reason.solutions.expressions import DIGITS, gradient, shortened
+from sim2reason.solutions.expressions import DIGITS, Expression, Sum, Symbol, gradient, shortened
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
@@ -28,16 +28,15 @@ def faults(solution: Solution, answer: float) -> list[str]:
     return found
 
 
-def holds(relation: Relation, values: "dict[str, float] | Solution | object") -> bool:
+def holds(relation: Relation, values: Mapping[str, float]) -> bool:
     """Whether both sides agree, compared with the largest of their terms."""
-    at: dict[str, float] = dict(values)  # type: ignore[call-overload]
-    left, right = relation.left.value(at), relation.right.value(at)
-    size = max(_size(relation.left, at), _size(relation.right, at))
+    left, right = relation.left.value(values), relation.right.value(values)
+    size = max(_size(relation.left, values), _size(relation.right, values))
     return abs(left - right) <= WELL * size
 
 
-def _size(held: object, at: dict[str, float]) -> float:
-    terms = getattr(held, "terms", (held,))
+def _size(held: Expression, at: Mapping[str, float]) -> float:
+    terms = held.terms if isinstance(held, Sum) else (held,)
     return max((abs(term.value(at)) for term in terms), default=0.0)
 
 
@@ -54,8 +53,6 @@ def undetermined(solution: Solution) -> list[str]:
     laws = [number for number, r in enumerate(relations) if r.role == "law"]
     goal = np.zeros(len(names))
     goal[place[solution.goal]] = 1.0
-    aliases = [number for number, r in enumerate(relations) if r.role == "result"]
-    del aliases
     found: list[str] = []
     told = [rows[number] for number in laws]
     if not _spanned(told, goal):
@@ -91,10 +88,11 @@ def by_digits(solution: Solution, digits: int = DIGITS) -> float:
     """The answer, worked out by whoever carries so many digits from line to line."""
     values: dict[str, float] = {}
     for relation in solution.relations:
-        names = list(relation.left.symbols())
+        if not isinstance(relation.left, Symbol):
+            continue
+        name = relation.left.name
         if relation.role == "given":
-            values[names[0]] = solution.values[names[0]]
-        elif len(names) == 1 and names[0] not in values and all(name in values for name in relation.right.symbols()):
-            found = relation.right.value(values, digits)
-            values[names[0]] = shortened(float(found.real), digits)
+            values[name] = solution.values[name]
+        elif name not in values and all(other in values for other in relation.right.symbols()):
+            values[name] = shortened(float(relation.right.value(values, digits).real), digits)
     return values.get(solution.goal, float("nan"))

@@ -1,6 +1,6 @@
 """Accelerations and forces of one segment of a motion, from Newton's laws of the bodies that matter."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -26,10 +26,27 @@ class Shared:
     sense: dict[int, int]
 
 
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """What of coordinates the laws are about: accelerations, or displacements where no force has a part.
+
+    `values` are the engine's, by coordinate; `known` is a coordinate whose value has a name already.
+    """
+
+    base: str
+    unit: str
+    noun: str
+    values: tuple[float, ...] = ()
+    known: tuple[int, Symbol] | None = None
+
+
+ACCELERATIONS = Measure("a", METRES, "acceleration")
+
+
 class Dynamics:
     """Writes the steps from Newton's laws to what is wanted."""
 
-    def __init__(self, setting: Setting, book: Book, segment: Segment) -> None:
+    def __init__(self, setting: Setting, book: Book, segment: Segment, measure: Measure = ACCELERATIONS) -> None:
         """UnreadError if the mechanism is of another kind."""
         self.setting, self.book, self.segment = setting, book, segment
         self.newton = Newton(setting.lexicon, segment)
@@ -38,6 +55,7 @@ class Dynamics:
         self.shared: list[Shared] = []
         self.groups: list[list[Row]] = []
         self.sense: dict[int, int] = {}
+        self.measure = measure
         self._units: dict[str, str] = {}
 
     # ---- which laws
@@ -45,10 +63,12 @@ class Dynamics:
     @cached_property
     def frozen(self) -> set[int]:
         """The coordinates that do not change, as friction or a string holds them."""
-        held = {self.newton.alone(face) for face, side in self.newton.rough.items() if side == 0}
-        rows = [self.newton.string(place) for place in self._taut]
-        held |= {_only(row) for row in rows if len(row.inertia.terms) == 1}
-        return {k for k in held if k is not None}
+        held = {k for face, side in self.newton.rough.items() if side == 0 and (k := self.newton.alone(face)) is not None}
+        rows = [self.newton.string(place).inertia for place in self._taut]
+        for _ in rows:  # what is held can hold more
+            left = [row.put({f"q{k}": NIL for k in held}) for row in rows]
+            held |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
+        return held
 
     @property
     def _taut(self) -> list[int]:
@@ -68,6 +88,9 @@ class Dynamics:
         still = {f"q{k}": NIL for k in self.frozen}
         rows = [Row(r.kind, r.number, r.forces.put(still), r.inertia.put(still)) for r in rows]
         unknowns = [f"q{k}" for k in range(size) if k not in self.frozen]
+        if self.measure.values:
+            rows = [row for row in rows if row.kind == "string" or (row.kind == "newton" and not row.forces)]
+            return rows, [name for name in unknowns if self.measure.known is None or name != f"q{self.measure.known[0]}"]
         unknowns += [f"T{place}" for place in self._taut] + [f"N{face}" for face in sorted(pressing)]
         return rows, unknowns + [f"f{face}" for face in sticking]
 
@@ -79,10 +102,19 @@ class Dynamics:
             return
         rows, unknowns = self._laws(goals)
         givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
-        chosen = needed(rows, unknowns, {**givens, **self.newton.values}, goals)
+        chosen = needed(rows, unknowns, {**givens, **self.values}, [goal for goal in goals if goal in unknowns])
         self._share(chosen, goals)
         self._name(chosen, goals)
         _Telling(self, chosen, goals).write()
+        for name, held in self.names.items():
+            for monomial, part in held.terms.items():
+                self.book.observed.setdefault(monomial[0][0].latex(), self.values[name] / part)
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """What the engine has for the unknowns."""
+        pairs = zip(self.measure.values, self.newton.scale, strict=False)
+        return self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
 
     # ---- names
 
@@ -90,7 +122,8 @@ class Dynamics:
         """Coordinates that strings bind to each other at equal rates go by one name."""
         members: dict[int, dict[int, int]] = {}
         used = {name for row in rows for name in row.zero.names() if name[0] == "q" and name[1:].isdigit()}
-        for k in sorted(int(name[1:]) for name in used | {goal for goal in goals if goal[0] == "q"}):
+        known = {f"q{self.measure.known[0]}"} if self.measure.known else set[str]()
+        for k in sorted(int(name[1:]) for name in used | known | {goal for goal in goals if goal[0] == "q"}):
             members[k] = {k: 1}
         for row in rows:
             pair = _equal(row)
@@ -112,17 +145,21 @@ class Dynamics:
         goal = next((self.mechanism.coordinates[int(g[1:])].body for g in goals if g[0] == "q" and int(g[1:]) in held), "")
         told = [body for body in bodies if body in self.setting.words.mentions]
         name = goal if goal in told else next(iter(told), bodies[0])
-        symbol = self.book.fresh("a", "" if alone else self.setting.mark(name))
+        told_already = self.measure.known is not None and self.measure.known[0] in held
+        if told_already and self.measure.known is not None:
+            symbol = self.measure.known[1]
+        else:
+            symbol = self.book.fresh(self.measure.base, "" if alone else self.setting.mark(name))
         turn = self._turn(held)
         self.shared.append(Shared(symbol, {k: turn * s for k, s in held.items()}))
         self.sense |= self.shared[-1].sense
-        self._units[symbol.name] = METRES
+        self._units[symbol.name] = self.measure.unit
         for k, sense in self.shared[-1].sense.items():
             self.names[f"q{k}"] = Polynomial.of(symbol).scaled(float(sense))
 
     def _turn(self, held: dict[int, int]) -> int:
-        """The sense in which they move, or else begin to."""
-        for values in (self.segment.v, [self.newton.values[f"q{k}"] for k in range(len(self.segment.v))]):
+        """The sense in which they move, or begin to."""
+        for values in (self.segment.v, [self.values[f"q{k}"] for k in range(len(self.segment.v))]):
             found = next((s * values[k] for k, s in held.items() if abs(values[k]) > STILL), 0.0)
             if found:
                 return 1 if found > 0.0 else -1
@@ -168,7 +205,7 @@ class Dynamics:
 
     def _force(self, name: str, base: str, mark: str) -> None:
         symbol = self.book.fresh(base, mark)
-        sense = -1.0 if base == "f" and self.newton.values[name] < 0.0 else 1.0
+        sense = -1.0 if base == "f" and self.values[name] < 0.0 else 1.0
         self.names[name] = Polynomial.of(symbol).scaled(sense)
         self._units[symbol.name] = NEWTONS
 
@@ -183,11 +220,6 @@ class Dynamics:
         x, y, z = coordinate.axis
         parent = self.mechanism.body[coordinate.body].parent
         return self.setting.towards((sense * x, sense * y, sense * z), on=parent)
-
-
-def _only(row: Row) -> int:
-    """The coordinate of a row that has but one."""
-    return int(next(name for name in row.inertia.names() if name[0] == "q")[1:])
 
 
 def _equal(row: Row) -> tuple[tuple[int, int], int] | None:
@@ -234,7 +266,7 @@ class _Telling:
         if len(said) == 1:
             step.say(f"Let {said[0].replace('$ of', '$ be the acceleration of', 1)}.")
         elif said:
-            step.say(f"Accelerations: {'; '.join(said)}.")
+            step.say(f"{capital(self.d.measure.noun)}s: {'; '.join(said)}.")
         tensions = [f"${_name_of(self.names[n])}$ in {self._line(n)}" for n in self.names if n[0] == "T"]
         if tensions:
             step.say(f"Tension{'s' if len(tensions) > 1 else ''}: {'; '.join(tensions)}.")
@@ -339,8 +371,13 @@ class _Telling:
                 continue
             inertia = self._inertia(group, equation)
             law = step.law(equation.forces.expression(), inertia)
-            step.say(f"{equation.label} {capital(self._who(group))}: {law}.".strip())
+            step.say(f"{equation.label} {self._why(group)}: {law}.".strip())
         step.close()
+
+    def _why(self, group: Sequence[Row]) -> str:
+        if self.d.measure.values:
+            return f"Along this line no outer force acts on {self._who(group)}; their centre of mass stays where it is"
+        return capital(self._who(group))
 
     def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:
         """Mass times acceleration, where all have the same."""
@@ -355,7 +392,10 @@ class _Telling:
         return equation.inertia.collected(accelerations)
 
     def _mass(self, group: Sequence[Row]) -> bool:
-        return any(self.d.mechanism.body[self._body(row.number)].mass for row in group)
+        """Whether anything moves with a group that has a mass, or a moment of inertia."""
+        newton = self.d.newton
+        heavy = {k for b in self.d.mechanism.bodies if b.mass for k in newton.moved(b.name)}
+        return any(row.number in heavy or self.d.mechanism.coordinates[row.number].kind == "hinge" for row in group)
 
     def _body(self, k: int) -> str:
         return self.d.mechanism.coordinates[k].body

@@ -72,6 +72,7 @@ class Elimination:
 
     def _one(self, equation: Equation, name: str, said: str = "") -> None:
         step = self.book.open("solve")
+        step.rest_on(_key(equation) if not equation.label else "")
         formula = solved(equation.zero, name)
         where = said or (f"From {equation.label}, " if equation.label else "So ")
         if len(formula.latex()) <= LONG:
@@ -115,6 +116,7 @@ class Elimination:
         label = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
         whole = Equation("", forces, inertia, NIL)
         step.say(f"{label}: {step.derived(forces.expression(), inertia.collected(free))}.")
+        step.label(_key(whole))
         step.close()
         return whole
 
@@ -131,6 +133,8 @@ class Elimination:
             rest = self._worked(equation.zero.without(names).expression())
             kept = {n: part for n, part in before.items() if part.comes_to}
             numeric.append(Numeric(f"({next(marks)})", kept, rest))
+            step.rest_on(_key(equation))
+            step.label(numeric[-1].label)
             said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
         step.say(f"In numbers: {'; '.join(said)}.")
         step.close()
@@ -141,6 +145,7 @@ class Elimination:
         if len(names) == 1:
             equation = equations[0]
             step = self.book.open("solve")
+            step.rest_on(equation.label)
             formula = equation.right / equation.left[first]
             step.say(f"So {step.result(Symbol(first), formula, self.units[first])}.")
             step.close()
@@ -151,6 +156,7 @@ class Elimination:
         reduced = [self._without(e, pivot, last, marks) if last in e.left else e for e in equations if e is not pivot]
         self._reduce(reduced, names[:-1], marks)
         step = self.book.open("solve")
+        step.rest_on(pivot.label)
         rest = pivot.right
         for name, part in pivot.left.items():
             rest = added(rest, _term(part, name, -1.0)) if name != last else rest
@@ -170,11 +176,19 @@ class Elimination:
         right = self._worked(equation.right - multiplied(ratio, pivot.right))
         found = Numeric(f"({next(marks)})", left, right)  # type: ignore[call-overload]
         step = self.book.open("combine")
+        step.rest_on(equation.label)
+        step.rest_on(pivot.label)
+        step.label(found.label)
         sign = "−" if ratio.comes_to >= 0.0 else "+"
         size = Worked(ratio, abs(ratio.comes_to)).latex()
         step.say(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(_left(found), right)}.")
         step.close()
         return found
+
+
+def _key(equation: Equation) -> str:
+    """What stands for an equation that was added up."""
+    return f"sum {id(equation)}" if not equation.label else equation.label
 
 
 def _left(equation: Numeric) -> Expression:

@@ -39,6 +39,16 @@ class Given:
     value: float  # as the mechanism counts: angles in radians
 
     @property
+    def latex(self) -> str:
+        """The number as it is said, with its unit."""
+        measure, value = self.parameter.measure, self.parameter.value or 0.0
+        text = f"{value:.{measure.places(value)}f}"
+        if abs(float(text) - value) > 1e-12 * abs(value):
+            text = repr(value)
+        unit = measure.unit.replace("*", " ")
+        return text + (r"^\circ" if self.angle else rf"\ \text{{{unit}}}".replace("^2}", "}^2") if unit else "")
+
+    @property
     def angle(self) -> bool:
         """Whether it is an angle in degrees."""
         return self.parameter.measure.unit == "deg"

@@ -88,9 +88,9 @@ class Newton:
     def _masses(self) -> list[Polynomial]:
         return [self._read(lambda m, _, n=n: m.bodies[n].mass) for n in range(len(self.mechanism.bodies))]
 
-    @cached_property
-    def _ways(self) -> list[dict[int, Polynomial]]:
-        return [{} for _ in self.mechanism.bodies]
+    def mass(self, body: str) -> Polynomial:
+        """The mass of a body."""
+        return self._masses[next(n for n, held in enumerate(self.mechanism.bodies) if held.name == body)]
 
     def moved(self, body: str) -> list[int]:
         """The coordinates that move the centre of mass of a body."""

@@ -100,8 +100,10 @@ class Polynomial:
 
     def factored(self) -> Expression:
         """As a formula, with what all terms share in front: m g (sin θ − µ cos θ)."""
+        if len(self.terms) < 2:
+            return self.expression()
         shared = _shared(list(self.terms))
-        if len(self.terms) < 2 or not shared:
+        if not shared:
             return self.expression()
         if all(part < 0.0 for part in self.terms.values()):
             return -self.scaled(-1.0).factored()

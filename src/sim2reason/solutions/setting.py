@@ -111,6 +111,14 @@ class Setting:
                 named[line.name] = f"the string round {next(self.called(b) for b in around if b is not None)}"
         return named
 
+    @cached_property
+    def _given_names(self) -> frozenset[str]:
+        return frozenset(given.symbol for given in self.lexicon.givens.values())
+
+    def is_given(self, name: str) -> bool:
+        """Whether the text says the value of a symbol."""
+        return name in self._given_names
+
     def given(self, path: str) -> Given | None:
         """A number that the text says."""
         return self.lexicon.givens.get(path)

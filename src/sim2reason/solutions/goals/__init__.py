@@ -1,0 +1,136 @@
+"""What the quantities of questions are, in terms of accelerations, velocities, displacements and forces; one a file."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence, Set
+from dataclasses import dataclass
+from typing import Protocol
+
+from sim2reason.dsl.vectors import Vector
+from sim2reason.questions import Target
+from sim2reason.registry import Registry
+from sim2reason.solutions.book import Book
+from sim2reason.solutions.expressions import ZERO, Expression, Power, Root, Symbol, added
+from sim2reason.solutions.polynomials import Polynomial, total
+from sim2reason.solutions.setting import Setting, capital, joined
+
+Components = tuple[Polynomial, Polynomial, Polynomial]
+WAYS = ("to the right", "away from us", "upward")
+AXES = "xyz"
+
+
+class Known(Protocol):
+    """What a strategy can tell of the motion at the moment that is asked about; it writes the steps that lead there."""
+
+    @property
+    def setting(self) -> Setting:
+        """The scene and the query."""
+        ...
+
+    @property
+    def book(self) -> Book:
+        """Where it is written."""
+        ...
+
+    def vector(self, kind: str, body: str) -> Components:
+        """The acceleration ``a``, velocity ``v`` or displacement ``s`` of a body, in room components."""
+        ...
+
+    def component(self, kind: str, body: str, way: Vector) -> Polynomial:
+        """The component of one of these along a direction of the room, or along the line of the body's own motion."""
+        ...
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """The tension ``T`` of a line, or normal force ``N`` or friction ``f`` on a body."""
+        ...
+
+    def mass(self, body: str) -> Polynomial:
+        """The mass of a body."""
+        ...
+
+    @property
+    def speeds(self) -> Set[str]:
+        """The given names that are speeds or distances of bodies."""
+        ...
+
+    @property
+    def gravity(self) -> Polynomial:
+        """g."""
+        ...
+
+
+class Goal(ABC):
+    """How a quantity follows from what a strategy knows."""
+
+    @property
+    @abstractmethod
+    def uses(self) -> str:
+        """What of the motion it needs: accelerations ``a``, velocities ``v``, displacements ``s``; empty for nothing."""
+
+    def bodies(self, target: Target) -> Sequence[str]:
+        """The bodies whose motion it needs; by default its subject."""
+        return (target.subject,)
+
+    def force(self, target: Target, setting: Setting) -> str:
+        """The force that it is, such as ``T2``; by default none."""
+        del target, setting
+        return ""
+
+    @abstractmethod
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Write the way to it; the symbol has the answer's value, in SI units."""
+
+
+GOALS: Registry[Goal] = Registry("solutions.goals")
+
+
+def single(parts: Components, known: Known) -> Symbol | None:
+    """The symbol of which all components are multiples, by a unit vector; None if there are several."""
+    names = {name for part in parts for name in part.names() if name in known.book.values}
+    unknown = [name for name in sorted(names) if not known.setting.is_given(name) or name in known.speeds]
+    if len(unknown) != 1:
+        return None
+    size = total(part.coefficient(unknown[0]) * part.coefficient(unknown[0]) for part in parts)
+    rest = any(part.without(unknown) for part in parts)
+    return Symbol(unknown[0]) if size.number is not None and abs(size.number - 1.0) < 1e-9 and not rest else None
+
+
+def magnitude(parts: Components, known: Known, noun: "Noun", body: str) -> Expression:
+    """The size of a vector, by its components where it has several; a name, or a formula of names."""
+    one = single(parts, known)
+    if one is not None:
+        return one if known.book.values[one.name] >= 0.0 else -one
+    kept = [(axis, way, part) for axis, way, part in zip(AXES, WAYS, parts, strict=True) if part]
+    step, mark = known.book.open("components"), known.setting.mark(body)
+    names: list[Symbol] = []
+    sentences: list[str] = []
+    for axis, way, part in kept:
+        names.append(known.book.fresh(noun.base, f"{mark},{axis}" if mark else axis))
+        sentences.append(f"{way} {step.result(names[-1], part.factored(), noun.unit, law=True)}")
+    whose = f"{noun.said} of {known.setting.called(body)}"
+    step.say(f"The {whose} relative to the ground: {joined(sentences)}.")
+    step.close()
+    if len(names) == 1:
+        return names[0] if known.book.values[names[0].name] >= 0.0 else -names[0]
+    squares: Expression = ZERO
+    for name in names:
+        squares = added(squares, Power(name, 2))
+    return Root(squares)
+
+
+@dataclass(frozen=True, slots=True)
+class Noun:
+    """How a vector is called: its letter, its unit in LaTeX, its word."""
+
+    base: str
+    unit: str
+    said: str
+
+
+def finish(known: Known, formula: Expression, noun: Noun, mark: str, what: str) -> Symbol:
+    """The last step: a name for the answer, unless it has one."""
+    if isinstance(formula, Symbol):
+        return formula
+    step = known.book.open("answer")
+    step.say(f"{capital(what)}: {step.result(known.book.fresh(noun.base, mark), formula, noun.unit, law=True)}.")
+    step.close()
+    return Symbol(known.book.last)

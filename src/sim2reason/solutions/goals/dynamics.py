@@ -1,0 +1,84 @@
+"""Momentum, net force and energies of a body."""
+
+from dataclasses import dataclass
+
+from sim2reason.questions import Target
+from sim2reason.solutions.expressions import Number, Power, Symbol, multiplied
+from sim2reason.solutions.goals import GOALS, Goal, Known, Noun, finish, magnitude
+from sim2reason.solutions.goals.kinematics import ACCELERATION, METRES, SPEED
+
+UP = (0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class MassTimes(Goal):
+    """The mass of a body times a vector: a momentum, or the net force."""
+
+    noun: Noun
+    of: Noun
+
+    @property
+    def uses(self) -> str:
+        """The vector."""
+        return self.of.base
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """The vector, then m times it."""
+        body, mass = target.subject, known.mass(target.subject).expression()
+        mark = r"\text{net}" if self.noun.base == "F" else known.setting.mark(body)
+        whose = f"{self.noun.said} {'on' if self.noun.base == 'F' else 'of'} {known.setting.called(body)}"
+        if target.sense is not None:
+            formula = known.component(self.of.base, body, target.sense.vector).factored()
+            what = f"the {whose}, {target.sense.positive} being positive"
+        else:
+            formula = magnitude(known.vector(self.of.base, body), known, self.of, body)
+            what = f"the {whose}"
+        return finish(known, multiplied(mass, formula), self.noun, mark, what)
+
+
+@dataclass(frozen=True, slots=True)
+class KineticEnergyGoal(Goal):
+    """½ m v² of a body that does not turn."""
+
+    @property
+    def uses(self) -> str:
+        """The velocity."""
+        return "v"
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """The speed, then the energy."""
+        body = target.subject
+        speed = magnitude(known.vector("v", body), known, SPEED, body)
+        squared = getattr(speed, "inside", None) or Power(_positive(speed), 2)
+        formula = multiplied(multiplied(Number(0.5), known.mass(body).expression()), squared)
+        noun, mark = Noun("K", r"\ \text{J}", "kinetic energy"), known.setting.mark(body)
+        return finish(known, formula, noun, mark, f"the kinetic energy of {known.setting.called(body)}")
+
+
+@dataclass(frozen=True, slots=True)
+class PotentialEnergyGoal(Goal):
+    """m g h, h being how far a body has risen."""
+
+    @property
+    def uses(self) -> str:
+        """The displacement."""
+        return "s"
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """The rise, then the change in energy."""
+        body = target.subject
+        rise = known.component(METRES.base, body, UP)
+        formula = (known.mass(body) * known.gravity * rise).factored()
+        noun, mark = Noun("U", r"\ \text{J}", "energy"), known.setting.mark(body)
+        return finish(known, formula, noun, mark, f"the change in the potential energy of {known.setting.called(body)}")
+
+
+def _positive(held: object) -> Symbol:
+    """A speed without its sign: it will be squared."""
+    return held if isinstance(held, Symbol) else held.factors[-1]  # type: ignore[attr-defined]
+
+
+GOALS.add("momentum", MassTimes(Noun("p", r"\ \text{kg m/s}", "momentum"), SPEED))
+GOALS.add("net force", MassTimes(Noun("F", r"\ \text{N}", "net force"), ACCELERATION))
+GOALS.add("kinetic energy", KineticEnergyGoal())
+GOALS.add("potential energy", PotentialEnergyGoal())

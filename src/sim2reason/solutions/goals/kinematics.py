@@ -1,0 +1,38 @@
+"""Displacement, velocity and acceleration of a body."""
+
+from dataclasses import dataclass
+
+from sim2reason.questions import Target
+from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.goals import GOALS, Goal, Known, Noun, finish, magnitude
+
+METRES = Noun("s", r"\ \text{m}", "displacement")
+SPEED = Noun("v", r"\ \text{m/s}", "velocity")
+ACCELERATION = Noun("a", r"\ \text{m/s}^2", "acceleration")
+
+
+@dataclass(frozen=True, slots=True)
+class VectorGoal(Goal):
+    """A vector of a body: its component along a sense, or its size."""
+
+    noun: Noun
+
+    @property
+    def uses(self) -> str:
+        """The vector."""
+        return self.noun.base
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Components, then what is asked."""
+        body, base = target.subject, self.noun.base
+        whose = f"{self.noun.said} of {known.setting.called(body)}"
+        mark = known.setting.mark(body)
+        if target.sense is not None:
+            formula = known.component(base, body, target.sense.vector).factored()
+            return finish(known, formula, self.noun, mark, f"the {whose}, {target.sense.positive} being positive")
+        formula = magnitude(known.vector(base, body), known, self.noun, body)
+        return finish(known, formula, self.noun, mark, f"so the size of the {whose} is")
+
+
+for _name, _noun in {"displacement": METRES, "velocity": SPEED, "acceleration": ACCELERATION}.items():
+    GOALS.add(_name, VectorGoal(_noun))

@@ -1,0 +1,35 @@
+"""Distance and relative speed of two bodies."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sim2reason.quantities.subjects.pairs import members
+from sim2reason.questions import Target
+from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Noun, finish, magnitude
+from sim2reason.solutions.goals.kinematics import SPEED
+
+
+@dataclass(frozen=True, slots=True)
+class RelativeSpeedGoal(Goal):
+    """The size of the difference of two velocities."""
+
+    @property
+    def uses(self) -> str:
+        """Velocities."""
+        return "v"
+
+    def bodies(self, target: Target) -> Sequence[str]:
+        """Both."""
+        return members(target.subject)
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Their difference, component by component."""
+        one, other = members(target.subject)
+        a, b = known.vector("v", one), known.vector("v", other)
+        parts: Components = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
+        formula = magnitude(parts, known, Noun(SPEED.base, SPEED.unit, "relative velocity"), other)
+        return finish(known, formula, SPEED, r"\text{rel}", "so the relative speed is")
+
+
+GOALS.add("relative speed", RelativeSpeedGoal())

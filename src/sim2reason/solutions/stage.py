@@ -1,0 +1,187 @@
+"""One segment of a motion at constant accelerations: how fast and how far after a time, after a distance, at rest."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.dynamics import Dynamics, Shared
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Quotient, Root, Symbol, added, multiplied
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting
+
+SECONDS, METRES, SPEED = r"\ \text{s}", r"\ \text{m}", r"\ \text{m/s}"
+HALF = Number(0.5)
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """What ends a stage: a known time, a distance that a coordinate has moved since it began, or its coming to rest."""
+
+    time: Symbol | None = None
+    coordinate: int = -1
+    distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
+    what: str = ""  # in words
+
+
+@dataclass
+class Stage:
+    """A segment with what it begins with; `speeds` and `places` by coordinate, in the coordinate's own sense."""
+
+    setting: Setting
+    book: Book
+    segment: Segment
+    span: float  # s, for signs alone
+    end: End
+    speeds: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
+    places: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
+
+    def __post_init__(self) -> None:
+        """Nothing is written yet."""
+        self.dynamics = Dynamics(self.setting, self.book, self.segment)
+        self._time: Symbol | None = self.end.time
+        self._velocity: dict[str, Polynomial] = {}
+        self._moved: dict[str, Polynomial] = {}
+
+    def reach(self, goals: Sequence[str]) -> None:
+        """Find accelerations and forces."""
+        self.dynamics.reach(goals)
+
+    # ---- by coordinate
+
+    def acceleration(self, k: int) -> Polynomial:
+        """q̈ of a coordinate."""
+        return self.dynamics.names[f"q{k}"]
+
+    def velocity(self, k: int) -> Polynomial:
+        """q̇ of a coordinate at the end."""
+        shared = self._shared(k)
+        if shared is None:
+            return self.speeds.get(k, NIL)
+        return self._at_end(shared).scaled(float(shared.sense[k]))
+
+    def place(self, k: int) -> Polynomial:
+        """q of a coordinate at the end."""
+        shared, before = self._shared(k), self.places.get(k, NIL)
+        if shared is None:
+            if self.speeds.get(k, NIL):
+                raise UnsolvedError("a coordinate that keeps its speed without a law")
+            return before
+        return before + self._travelled(shared).scaled(float(shared.sense[k]))
+
+    def _shared(self, k: int) -> Shared | None:
+        return next((shared for shared in self.dynamics.shared if k in shared.sense), None)
+
+    def _begun(self, shared: Shared) -> Polynomial:
+        """With which rate it begins, in its own sense."""
+        k, sense = next(iter(shared.sense.items()))
+        return self.speeds.get(k, NIL).scaled(float(sense))
+
+    def _ends(self, shared: Shared) -> bool:
+        return self.end.coordinate in shared.sense
+
+    def _value(self, shared: Shared, *, moved: bool) -> float:
+        """What the engine has at the end: the rate, or how far it has moved."""
+        k, sense = next(iter(shared.sense.items()))
+        scale = sense * self.dynamics.newton.scale[k].here
+        v, a = scale * self.segment.v[k], scale * self.segment.found.a[k]
+        return v * self.span + 0.5 * a * self.span**2 if moved else v + a * self.span
+
+    # ---- written once
+
+    @property
+    def time(self) -> Symbol:
+        """How long it takes."""
+        if self._time is None:
+            self._time = self._lasting()
+        return self._time
+
+    def _mark(self, shared: Shared) -> str:
+        """The subscript of its acceleration."""
+        return shared.symbol.name.partition("_")[2].strip("{}")
+
+    def _lasting(self) -> Symbol:
+        shared = self._shared(self.end.coordinate)
+        if shared is None:
+            raise UnsolvedError("what ends a stage does not move")
+        begun, a = self._begun(shared).factored(), shared.symbol
+        step, name = self.book.open("time"), self.book.fresh("t")
+        if self.end.distance is None:
+            law = step.law(added(begun, multiplied(a, name)), ZERO)
+            step.say(f"{self.end.what} {law}, so {step.result(name, Quotient(-begun, a), SECONDS)}.")
+        else:
+            distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
+            law = step.law(distance, _path(begun, a, name))
+            step.say(f"{self.end.what} {law}, so {step.result(name, self._root(shared, distance), SECONDS)}.")
+        step.close()
+        return name
+
+    def _root(self, shared: Shared, distance: Expression) -> Expression:
+        """The first positive time of d = v t + ½ a t²."""
+        begun, a = self._begun(shared).factored(), shared.symbol
+        if begun == ZERO:
+            return Root(Quotient(multiplied(Number(2.0), distance), a))
+        under = added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, distance)))
+        sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
+        return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
+
+    def _at_end(self, shared: Shared) -> Polynomial:
+        name = shared.symbol.name
+        if name not in self._velocity:
+            self._velocity[name] = self._speed(shared)
+        return self._velocity[name]
+
+    def _speed(self, shared: Shared) -> Polynomial:
+        """v + a t, or by v² + 2 a d where a distance is known."""
+        if self._ends(shared) and self.end.distance is None and self.end.time is None:
+            return NIL
+        begun, a = self._begun(shared).factored(), shared.symbol
+        if self._ends(shared) and self.end.distance is not None:
+            return self._by_distance(shared, begun)
+        time = self.time
+        step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
+        formula = added(begun, multiplied(a, time))
+        step.say(f"{self._then()}{step.result(name, formula, SPEED, law=True)}.")
+        step.close()
+        return Polynomial.of(name)
+
+    def _then(self) -> str:
+        return "Then " if self._moved or self._velocity else "After this time, "
+
+    def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
+        assert self.end.distance is not None
+        distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
+        step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
+        square = added(Power(begun, 2) if begun != ZERO else ZERO, multiplied(Number(2.0), multiplied(shared.symbol, distance)))
+        law = step.law(Power(name, 2), square)
+        sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
+        step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}.")
+        step.close()
+        return Polynomial.of(name)
+
+    def _travelled(self, shared: Shared) -> Polynomial:
+        name = shared.symbol.name
+        if name not in self._moved:
+            self._moved[name] = self._distance(shared)
+        return self._moved[name]
+
+    def _distance(self, shared: Shared) -> Polynomial:
+        """v t + ½ a t², or by v²/2a where it comes to rest."""
+        if self._ends(shared) and self.end.distance is not None:
+            return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
+        begun, a = self._begun(shared).factored(), shared.symbol
+        if self._ends(shared) and self.end.time is None:
+            step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+            law = step.law(added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, name))), ZERO)
+            formula = -Quotient(Power(begun, 2), multiplied(Number(2.0), a))
+            step.say(f"{self.end.what} {law}, so {step.result(name, formula, METRES)}.")
+        else:
+            time = self.time
+            step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+            step.say(f"{self._then()}{step.result(name, _path(begun, a, time), METRES, law=True)}.")
+        step.close()
+        return Polynomial.of(name)
+
+
+def _path(begun: Expression, a: Expression, time: Expression) -> Expression:
+    return added(multiplied(begun, time), multiplied(HALF, multiplied(a, Power(time, 2))))

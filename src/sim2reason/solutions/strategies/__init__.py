@@ -1,0 +1,37 @@
+"""Strategies, one a file: which problems each can solve, at what cost, and how it writes the solution."""
+
+from abc import ABC, abstractmethod
+from typing import ClassVar
+
+from sim2reason.registry import Registry
+from sim2reason.solutions.book import Book
+from sim2reason.solutions.setting import Setting
+
+
+class Strategy(ABC):
+    """A way to solve problems of one family.
+
+    Class data:
+        name: under which it is registered.
+        cost: how long its solutions are compared with others'; the cheapest that applies is written.
+    """
+
+    name: ClassVar[str]
+    cost: ClassVar[float]
+
+    @abstractmethod
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply, in a few words; empty if it does."""
+
+    @abstractmethod
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write all steps, and say which symbol is the answer, in SI units; UnsolvedError where it finds no way."""
+
+
+STRATEGIES: Registry[Strategy] = Registry("solutions.strategies")
+
+
+def strategy(cls: type[Strategy]) -> type[Strategy]:
+    """Enter a strategy under its name."""
+    STRATEGIES.add(cls.name, cls())
+    return cls

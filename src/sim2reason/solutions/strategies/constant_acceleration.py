@@ -1,0 +1,177 @@
+"""Constant acceleration: Newton's laws for what matters, then v = v₀ + a t and its kin, stage by stage."""
+
+from collections.abc import Mapping
+from functools import cached_property
+
+import numpy as np
+
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.lexicon import UnreadError
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.stage import METRES, SECONDS, End, Stage
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.way import STILL, Way
+
+MOMENTS = (AtStart, AtTime, Moved, Stopped)
+
+
+@strategy
+class ConstantAcceleration(Strategy):
+    """Bodies on straight ways, at accelerations that change only where something sticks or slips."""
+
+    name = "constant acceleration"
+    cost = 1.0
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if any(segment.flow for segment in setting.motion.segments):
+            return "accelerations change as it moves"
+        if not isinstance(setting.query.moment, MOMENTS):
+            return f"no way to the moment {type(setting.query.moment).__name__}"
+        target = setting.query.target
+        if target is not None and target.quantity not in GOALS:
+            return f"no way to the quantity {target.quantity}"
+        if any(event.kind == "collision" and event.time < setting.time for event in setting.motion.events):
+            return "there are collisions"
+        return ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Newton's laws, then the kinematics."""
+        try:
+            return _Staged(setting, book).write()
+        except UnreadError as error:
+            raise UnsolvedError(str(error)) from error
+
+
+class _Staged(Way):
+    """Stages of constant accelerations."""
+
+    def write(self) -> str:
+        """All stages that matter, then the goal."""
+        if self.target is None or self.goal is None:
+            return self._whole_time().name
+        _ = self.stages
+        return self.goal.write(self.target, self).name
+
+    @property
+    def newton(self) -> Newton:
+        """Those of the last stage."""
+        return self.stages[-1].dynamics.newton
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """At the end of the last stage."""
+        stage = self.stages[-1]
+        return {"a": stage.acceleration, "v": stage.velocity, "s": stage.place}[kind](k)
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """By its symbol."""
+        assert self.target is not None
+        held = self.stages[-1].dynamics.names.get(self._force)
+        if held is None:
+            raise UnsolvedError(f"{name} has no {kind} here")
+        return Symbol(next(iter(held.names())))
+
+    @property
+    def _force(self) -> str:
+        return self.goal.force(self.target, self.setting) if self.goal is not None and self.target is not None else ""
+
+    # ---- stages
+
+    @cached_property
+    def wanted(self) -> list[int]:
+        """The coordinates whose motion is needed."""
+        moment = self.query.moment
+        bodies = [moment.name] if self.uses in ("v", "s") and isinstance(moment, Moved | Stopped) else []
+        return sorted({*self.asked(), *self.moving(bodies)})
+
+    @cached_property
+    def segments(self) -> list[Segment]:
+        """The segments that differ in what matters; only the last if nothing before it does."""
+        all_of_them = [s for s in self.setting.motion.segments if s.start < self.setting.time or s.start == 0.0]
+        if self.uses not in ("v", "s"):
+            return all_of_them[-1:]
+        found = all_of_them[:1]
+        for segment in all_of_them[1:]:
+            if any(abs(segment.a[k] - found[-1].a[k]) > STILL for k in self.wanted):
+                found.append(segment)
+        return found
+
+    @cached_property
+    def stages(self) -> list[Stage]:
+        """All stages, each with what the one before it leaves."""
+        found: list[Stage] = []
+        for number, segment in enumerate(self.segments):
+            last = number == len(self.segments) - 1
+            until = self.setting.time if last else self.segments[number + 1].start
+            before = found[-1] if found else None
+            speeds = {k: before.velocity(k) for k in self.wanted} if before else self.first_speeds
+            places = {k: before.place(k) for k in self.wanted} if before else {}
+            end = self._end(found, places) if last else self._stopping(segment, self.segments[number + 1])
+            stage = Stage(self.setting, self.book, segment, until - segment.start, end, speeds, places)
+            goals = [f"q{k}" for k in self.wanted]
+            if not last and end.coordinate not in self.wanted:
+                goals.append(f"q{end.coordinate}")
+            stage.reach([*goals, self._force] if last and self._force else goals)
+            found.append(stage)
+        return found
+
+    def _end(self, before: list[Stage], places: Mapping[int, Polynomial]) -> End:
+        """What ends the last stage: what the question says."""
+        moment = self.query.moment
+        if isinstance(moment, AtTime):
+            return self._at_time(moment, before)
+        if isinstance(moment, Moved):
+            k, *_ = self.moving([moment.name])
+            name = self.book.fresh("d")
+            self.book.say_given(name.name, moment.value, METRES)
+            there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
+            whole = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
+            return End(None, k, whole, f"When {self.setting.called(moment.name)} has moved ${name.name}$")
+        if isinstance(moment, Stopped):
+            k, *_ = self.moving([moment.name])
+            return End(None, k, None, f"{capital(self.setting.called(moment.name))} comes to rest when")
+        return End()
+
+    def _at_time(self, moment: AtTime, before: list[Stage]) -> End:
+        name = self.book.fresh("t")
+        self.book.say_given(name.name, moment.after, SECONDS)
+        if not before or self.uses not in ("v", "s"):
+            return End(name)
+        step, left = self.book.open("time"), self.book.fresh("t")
+        formula = Polynomial.of(name) - total(Polynomial.of(stage.time) for stage in before)
+        step.say(f"There remain {step.result(left, formula.expression(), SECONDS, law=True)}.")
+        step.close()
+        return End(left)
+
+    def _whole_time(self) -> Symbol:
+        """The sum of the times of all stages."""
+        times = [stage.time for stage in self.stages]
+        if len(times) == 1:
+            return times[0]
+        step, name = self.book.open("time"), self.book.fresh("t")
+        formula = total(Polynomial.of(time) for time in times).expression()
+        step.say(f"In all this takes {step.result(name, formula, SECONDS, law=True)}.")
+        step.close()
+        return name
+
+    def _stopping(self, now: Segment, after: Segment) -> End:
+        """Which contact stops slipping between two segments."""
+        faces = [face for face in self.mechanism.faces if face.friction > 0.0]
+        for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
+            if side and later != side and len(face.slip) == 1:
+                k = self.mechanism.number[face.slip[0][0]]
+                carrier = self.mechanism.body[face.subject].parent
+                what = f"stops sliding on {self.setting.called(carrier)}" if carrier else "comes to rest"
+                return End(None, k, None, f"{capital(self.setting.called(face.subject))} {what} when")
+        raise UnsolvedError("something changes on the way that is neither sliding nor sticking")
+
+

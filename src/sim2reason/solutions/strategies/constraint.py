@@ -1,0 +1,81 @@
+"""Constraint: strings that do not stretch, and a centre of mass that stays, say how far a body moves with another."""
+
+from functools import cached_property
+
+import numpy as np
+
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.dynamics import Dynamics, Measure
+from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.lexicon import UnreadError
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.stage import METRES
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.way import Way
+
+
+@strategy
+class Constraint(Strategy):
+    """How far something has moved when something else has moved a stated distance, both from rest."""
+
+    name = "constraint"
+    cost = 0.5
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        target, moment = setting.query.target, setting.query.moment
+        if not isinstance(moment, Moved) or target is None:
+            return "no distance is stated"
+        if target.quantity not in GOALS or GOALS[target.quantity].uses != "s":
+            return "no distance is asked for"
+        if any(segment.flow for segment in setting.motion.segments) or len(setting.motion.segments) > 1:
+            return "something changes on the way"
+        return "it does not begin at rest" if any(c.speed for c in setting.mechanism.coordinates) else ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Displacements in proportion, then the goal."""
+        try:
+            return _Proportions(setting, book).write()
+        except UnreadError as error:
+            raise UnsolvedError(str(error)) from error
+
+
+class _Proportions(Way):
+    """Displacements that laws without forces bind to each other."""
+
+    def write(self) -> str:
+        """The laws, then the goal."""
+        assert self.target is not None
+        assert self.goal is not None
+        self.dynamics.reach([f"q{k}" for k in self.asked()])
+        return self.goal.write(self.target, self).name
+
+    @cached_property
+    def dynamics(self) -> Dynamics:
+        """Newton's laws, of which only those without forces are used, with displacements for accelerations."""
+        moment = self.query.moment
+        assert isinstance(moment, Moved)
+        k, *_ = self.moving([moment.name])
+        name = self.book.fresh("d")
+        self.book.say_given(name.name, moment.value, METRES)
+        there = self.setting.motion.state(np.array([self.setting.time])).q[0]
+        measure = Measure("s", METRES, "displacement", tuple(there), (k, name))
+        return Dynamics(self.setting, self.book, self.setting.motion.segments[0], measure)
+
+    @property
+    def newton(self) -> Newton:
+        """Those of the motion's only segment."""
+        return self.dynamics.newton
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """Displacements alone."""
+        del kind
+        return self.dynamics.names[f"q{k}"]
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """None."""
+        raise UnsolvedError(f"no {kind} of {name} without Newton's laws")

@@ -1,0 +1,112 @@
+"""What goals ask of a strategy for bodies on straight ways: components of accelerations, velocities, displacements."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence, Set
+from functools import cached_property
+
+from sim2reason.dsl.frames import Frames, start
+from sim2reason.dsl.triples import product
+from sim2reason.dsl.vectors import Vector
+from sim2reason.questions import Target
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.goals import GOALS, Components, Goal
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.setting import Setting
+
+ROOM: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+STILL = 1e-9
+
+
+class Way(ABC):
+    """The way to one answer, for bodies that move along straight lines."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Nothing is written yet."""
+        self.setting, self.book = setting, book
+        self.mechanism, self.query = setting.mechanism, setting.query
+        self.target: Target | None = setting.query.target
+
+    @property
+    @abstractmethod
+    def newton(self) -> Newton:
+        """The laws at the moment that is asked about."""
+
+    @abstractmethod
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """How fast a coordinate changes (``v``), how fast that does (``a``), or by how much it has (``s``)."""
+
+    @abstractmethod
+    def force(self, kind: str, name: str) -> Symbol:
+        """A force that Newton's laws gave."""
+
+    @property
+    def goal(self) -> Goal | None:
+        """How the quantity follows; None for a time."""
+        return GOALS[self.target.quantity] if self.target is not None else None
+
+    @property
+    def uses(self) -> str:
+        """What of the motion is needed; of a time, displacements."""
+        return self.goal.uses if self.goal is not None else "s"
+
+    @cached_property
+    def _start(self) -> Frames:
+        return start(self.mechanism)
+
+    def moving(self, bodies: Sequence[str]) -> list[int]:
+        """The coordinates that move some bodies."""
+        ways = (self._start.center(body).gradient.items() for body in bodies)
+        return sorted({k for found in ways for k, way in found if product(way, way) > STILL})
+
+    def asked(self) -> list[int]:
+        """The coordinates that move what is asked about."""
+        if self.target is None or self.goal is None:
+            return []
+        return self.moving(list(self.goal.bodies(self.target)))
+
+    @cached_property
+    def first_speeds(self) -> Mapping[int, Polynomial]:
+        """The rates of coordinates at the start, but for those that are zero."""
+        lexicon = self.setting.lexicon
+        pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
+        return {k: lexicon.read(Both(a.speed, b.speed)) for k, (a, b) in enumerate(pairs) if a.speed}
+
+    def component(self, kind: str, body: str, way: Vector) -> Polynomial:
+        """Along a direction of the room, or the line of the body's own motion.
+
+        A slanted sense holds the scene's own numbers, so that the twin's could not be read along it.
+        """
+        parts: list[Polynomial] = []
+        for k in self.moving([body]):
+            along = product(self._start.center(body).gradient[k], way)
+            if abs(abs(along) - 1.0) < STILL:
+                factor = Polynomial.of(1.0 if along > 0.0 else -1.0)
+            elif way in ROOM:
+                factor = self.newton.along(body, k, (way[0], way[1], way[2]))
+            else:
+                raise UnsolvedError("a component along a direction that is neither the room's nor the body's own")
+            parts.append(factor * self.rate(kind, k) if factor else NIL)
+        return total(parts)
+
+    def vector(self, kind: str, body: str) -> Components:
+        """All three components."""
+        x, y, z = (self.component(kind, body, way) for way in ROOM)
+        return x, y, z
+
+    def mass(self, body: str) -> Polynomial:
+        """m."""
+        return self.newton.mass(body)
+
+    @property
+    def gravity(self) -> Polynomial:
+        """g."""
+        return self.newton.gravity
+
+    @property
+    def speeds(self) -> Set[str]:
+        """Speeds at the start, and distances and times that the question says."""
+        first = {name for held in self.first_speeds.values() for name in held.names()}
+        return first | set(self.book.stated)
