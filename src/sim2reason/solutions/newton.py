@@ -205,8 +205,11 @@ class Newton:
             return NIL
         if side == 0:
             return symbol("f", face)
-        coefficient = self._read(lambda m, _: m.faces[face].friction)
-        return (coefficient * symbol("N", face)).scaled(float(-side))
+        return (self.coefficient(face) * symbol("N", face)).scaled(float(-side))
+
+    def coefficient(self, face: int) -> Polynomial:
+        """µ of a face."""
+        return self._read(lambda m, _: m.faces[face].friction)
 
     def _rubbing(self, k: int) -> list[Polynomial]:
         found = [(self.friction(face), self.slip(face)) for face in self.rough]

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import Dynamics, Shared
+from sim2reason.solutions.dynamics import NEWTONS, Dynamics, Shared
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Quotient, Root, Symbol, added, multiplied
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting

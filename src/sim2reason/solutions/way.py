@@ -96,6 +96,16 @@ class Way(ABC):
         x, y, z = (self.component(kind, body, way) for way in ROOM)
         return x, y, z
 
+    def apart(self, one: str, other: str) -> Components:
+        """From the centre of one body to that of another, at the start."""
+        lexicon = self.setting.lexicon
+        here, there = (
+            [b - a for a, b in zip(f.center(one).place, f.center(other).place, strict=True)]
+            for f in (self._start, start(lexicon.twin))
+        )
+        x, y, z = (lexicon.read(Both(float(a), float(b))) for a, b in zip(here, there, strict=True))
+        return x, y, z
+
     def mass(self, body: str) -> Polynomial:
         """m."""
         return self.newton.mass(body)

@@ -35,6 +35,10 @@ class Known(Protocol):
         """The acceleration ``a``, velocity ``v`` or displacement ``s`` of a body, in room components."""
         ...
 
+    def apart(self, one: str, other: str) -> Components:
+        """From the centre of one body to that of another, at the start."""
+        ...
+
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
         """The component of one of these along a direction of the room, or along the line of the body's own motion."""
         ...

@@ -17,7 +17,7 @@ from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.stage import METRES, SECONDS, End, Stage
+from sim2reason.solutions.stage import METRES, NEWTONS, SECONDS, End, Stage
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import STILL, Way
 
@@ -74,15 +74,27 @@ class _Staged(Way):
 
     def force(self, kind: str, name: str) -> Symbol:
         """By its symbol."""
-        assert self.target is not None
-        held = self.stages[-1].dynamics.names.get(self._force)
+        asked, found = self._force
+        held = self.stages[-1].dynamics.names.get(found)
         if held is None:
             raise UnsolvedError(f"{name} has no {kind} here")
-        return Symbol(next(iter(held.names())))
+        symbol = Symbol(next(iter(held.names())))
+        if asked == found:
+            return symbol
+        step, friction = self.book.open("friction"), self.book.fresh("f", self.setting.mark(name))
+        formula = (self.newton.coefficient(int(found[1:])) * Polynomial.of(symbol)).expression()
+        step.say(f"It slides, so {step.result(friction, formula, NEWTONS, law=True)}.")
+        step.close()
+        return friction
 
-    @property
-    def _force(self) -> str:
-        return self.goal.force(self.target, self.setting) if self.goal is not None and self.target is not None else ""
+    @cached_property
+    def _force(self) -> tuple[str, str]:
+        """The force that is asked for, and the unknown that gives it: of sliding friction the normal force."""
+        if self.goal is None or self.target is None:
+            return "", ""
+        asked = self.goal.force(self.target, self.setting)
+        slides = asked[:1] == "f" and Newton(self.setting.lexicon, self.segments[-1]).rough[int(asked[1:])] != 0
+        return asked, f"N{asked[1:]}" if slides else asked
 
     # ---- stages
 
@@ -120,7 +132,7 @@ class _Staged(Way):
             goals = [f"q{k}" for k in self.wanted]
             if not last and end.coordinate not in self.wanted:
                 goals.append(f"q{end.coordinate}")
-            stage.reach([*goals, self._force] if last and self._force else goals)
+            stage.reach([*goals, self._force[1]] if last and self._force[1] else goals)
             found.append(stage)
         return found
 

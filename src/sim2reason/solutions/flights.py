@@ -1,0 +1,361 @@
+"""Bodies that fly freely between impacts: where each is, how fast, and when the next impact comes, written on demand."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Meeting
+from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import Vector
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Quotient, Root, Symbol, added, multiplied
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.stage import METRES, SECONDS, SPEED
+
+ALIGNED = 1e-9
+ORDINALS = ("", "", " for the second time", " for the third time")
+
+
+@dataclass
+class Leg:
+    """A flight: when it begins (None at t = 0), with which rates, and where, by coordinate."""
+
+    begins: Symbol | None
+    speeds: Mapping[int, Polynomial]
+    places: dict[int, Polynomial] = field(default_factory=dict[int, Polynomial])
+    after: "Impact | None" = None
+
+
+@dataclass(frozen=True)
+class Impact:
+    """A collision of the motion: its number among all, when it is, and whose."""
+
+    number: int
+    time: float  # s
+    bodies: tuple[str, ...]
+    meeting: int
+
+
+class Flights:
+    """All flights of a motion, by body."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnsolvedError for a mechanism whose bodies are bound to each other."""
+        self.setting, self.book, self.mechanism = setting, book, setting.mechanism
+        m = self.mechanism
+        if m.lines or m.faces or m.forces or m.attractions or m.burns or m.feet:
+            raise UnsolvedError("bodies act on each other between collisions")
+        if any(c.kind != "slide" for c in m.coordinates) or any(b.parent is not None for b in m.bodies):
+            raise UnsolvedError("a body turns, or rides on another")
+        self._legs: dict[str, list[Leg]] = {}
+        self._times: dict[int, Symbol] = {}
+        self._spans: dict[tuple[str, int, str], Symbol] = {}
+        self._speeds: dict[tuple[int, int, str], Polynomial] = {}
+        self._places: dict[tuple[int, int, str], Polynomial] = {}
+        self._struck: dict[int, dict[int, Polynomial]] = {}
+
+    # ---- numbers
+
+    @cached_property
+    def _frames(self):  # noqa: ANN202 - a pair of frames
+        return start(self.setting.lexicon.mechanism), start(self.setting.lexicon.twin)
+
+    @cached_property
+    def impacts(self) -> list[Impact]:
+        """All collisions up to the moment, in order."""
+        events = [e for e in self.setting.motion.events if e.kind == "collision"]
+        return [Impact(n, e.time, e.subjects, self._meeting(e.subjects, e.time)) for n, e in enumerate(events)]
+
+    def _meeting(self, bodies: tuple[str, ...], time: float) -> int:
+        """The meeting that takes place: of two walls the one that is there."""
+        found = [n for n, met in enumerate(self.mechanism.meetings) if set(met.names) == set(bodies)]
+        if len(found) == 1:
+            return found[0]
+        state = self.setting.study.trace.sample(_instant(time))
+        places = {b: state.vector(state.frames.center(b).place)[0] for b in bodies}
+
+        def gap(n: int) -> float:
+            met = self.mechanism.meetings[n]
+            assert met.normal is not None
+            return abs(float(places[met.b] @ met.normal) - met.distance)
+
+        return min(found, key=gap)
+
+    def coordinates(self, body: str) -> dict[int, Vector]:
+        """The coordinates of a body, each with its direction."""
+        m = self.mechanism
+        return {m.number[c.name]: c.axis for c in m.body[body].coordinates}
+
+    def acceleration(self, k: int) -> Polynomial:
+        """What weight gives along a coordinate."""
+        lexicon = self.setting.lexicon
+        g = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2]))
+        down = Both(-lexicon.mechanism.coordinates[k].axis[2], -lexicon.twin.coordinates[k].axis[2])
+        return g * lexicon.read(down)
+
+    def _first(self, body: str) -> Leg:
+        lexicon = self.setting.lexicon
+        here, there = lexicon.mechanism.coordinates, lexicon.twin.coordinates
+        return Leg(None, {k: lexicon.read(Both(here[k].speed, there[k].speed)) for k in self.coordinates(body)})
+
+    def leg(self, body: str, number: int) -> Leg:
+        """The flight of a body after so many impacts."""
+        legs = self._legs.setdefault(body, [self._first(body)])
+        while len(legs) <= number:
+            own = [impact for impact in self.impacts if body in impact.bodies]
+            legs.append(self._next(body, own[len(legs) - 1]))
+        return legs[number]
+
+    def count(self, body: str, impact: Impact | None) -> int:
+        """How many impacts a body has had before one; before the moment that is asked about for None."""
+        limit = len(self.impacts) if impact is None else impact.number
+        early = self.impacts[:limit]
+        if impact is None:
+            early = [held for held in early if held.time < self.setting.time]
+        return sum(body in held.bodies for held in early)
+
+    def _next(self, body: str, impact: Impact) -> Leg:
+        return Leg(None, self.after(impact), after=impact)
+
+    # ---- along a flight
+
+    def begins(self, leg: Leg) -> Symbol | None:
+        """When a flight begins; None at t = 0."""
+        return self.when(leg.after) if leg.after is not None else None
+
+    def span(self, body: str, number: int, time: Symbol) -> Symbol:
+        """How long a flight has lasted at a time."""
+        leg = self.leg(body, number)
+        begins = self.begins(leg)
+        if begins is None:
+            return time
+        key = (body if False else begins.name, 0, time.name)
+        if key not in self._spans:
+            step, name = self.book.open("time"), self.book.fresh("t")
+            formula = (Polynomial.of(time) - Polynomial.of(begins)).expression()
+            step.say(f"From $t = {begins.name}$ to $t = {time.name}$ pass {step.result(name, formula, SECONDS, law=True)}.".replace(f"$t = {begins.name}$", f"${begins.name}$").replace(f"$t = {time.name}$", f"${time.name}$"))
+            step.close()
+            self._spans[key] = name
+        return self._spans[key]
+
+    def velocity(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
+        """The rate of a coordinate at a time of a flight; at its beginning for None."""
+        leg, a = self.leg(body, number), self.acceleration(k)
+        if not a or time is None or (leg.after is not None and self.begins(leg) == time):
+            return leg.speeds[k]
+        key = (k, number, time.name)
+        if key not in self._speeds:
+            span = self.span(body, number, time)
+            step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(body, k))
+            formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
+            step.say(f"Then {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
+            step.close()
+            self._speeds[key] = Polynomial.of(name)
+        return self._speeds[key]
+
+    def place(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
+        """How far a body has come along a coordinate, since t = 0, at a time of a flight."""
+        if number == 0 and time is None:
+            return NIL
+        leg = self.leg(body, number)
+        begins = self.begins(leg)
+        if time is None or begins == time:
+            time = begins
+            assert time is not None
+            return self.place(body, number - 1, k, time) if number else NIL
+        key = (k, number, time.name)
+        if key not in self._places:
+            self._places[key] = self._moved(body, number, k, time)
+        return self._places[key]
+
+    def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
+        leg, a = self.leg(body, number), self.acceleration(k)
+        before = self.place(body, number, k, None)
+        span = Polynomial.of(self.span(body, number, time))
+        formula = before + leg.speeds[k] * span + (a * span * span).scaled(0.5)
+        if not formula.names():
+            return NIL
+        step, name = self.book.open("distance"), self.book.fresh("s", self._mark(body, k))
+        says = f"By then {self.setting.called(body)} has moved by"
+        axis = self._axis(k)
+        step.say(f"{says} {step.result(name, formula.expression(), METRES, law=True)}{axis}.")
+        step.close()
+        return Polynomial.of(name)
+
+    def _axis(self, k: int) -> str:
+        label = self.mechanism.coordinates[k].label
+        several = len(self.mechanism.body[self.mechanism.coordinates[k].body].coordinates) > 1
+        return f" along {label}" if several else ""
+
+    def _mark(self, body: str, k: int) -> str:
+        mark, label = self.setting.mark(body), self.mechanism.coordinates[k].label
+        several = len(self.mechanism.body[body].coordinates) > 1
+        return ",".join(part for part in (mark, label if several else "") if part)
+
+    def _whose(self, body: str, k: int) -> str:
+        return f"the velocity of {self.setting.called(body)}{self._axis(k)} is"
+
+    # ---- impacts
+
+    def when(self, impact: Impact) -> Symbol:
+        """When an impact comes."""
+        if impact.number not in self._times:
+            self._times[impact.number] = self._meets(impact)
+        return self._times[impact.number]
+
+    def _ways(self, meeting: Meeting) -> dict[str, tuple[int, float]]:
+        """The coordinate of each body along the normal, and its sense."""
+        if meeting.normal is None:
+            raise UnsolvedError("the bodies meet at an angle")
+        found: dict[str, tuple[int, float]] = {}
+        for body in meeting.names:
+            for k, axis in self.coordinates(body).items():
+                along = product(axis, meeting.normal)
+                if abs(along) > 1.0 - ALIGNED:
+                    found[body] = (k, 1.0 if along > 0.0 else -1.0)
+                elif abs(along) > ALIGNED:
+                    raise UnsolvedError("a wall stands at an angle to the motion")
+        return found
+
+    def gap(self, number: int) -> Polynomial:
+        """How far apart the two of a meeting are at t = 0."""
+        here, there = self._frames
+        values = []
+        for frames, m in ((here, self.setting.lexicon.mechanism), (there, self.setting.lexicon.twin)):
+            met = m.meetings[number]
+            assert met.normal is not None
+            other = frames.center(met.b).place
+            apart = other if met.a is None else minus(other, frames.center(met.a).place)
+            values.append(float(product(met.normal, apart)) - met.distance)
+        return self.setting.lexicon.read(Both(*values))
+
+    def _meets(self, impact: Impact) -> Symbol:
+        """Both followed to the later beginning of their flights, then the gap closed."""
+        meeting = self.mechanism.meetings[impact.meeting]
+        ways = self._ways(meeting)
+        legs = {body: self.count(body, impact) for body in meeting.names}
+        latest = max((self.leg(b, n).after for b, n in legs.items()), key=lambda i: -1 if i is None else i.number)
+        since = self.when(latest) if latest is not None else None
+        gap, rate, rise = self.gap(impact.meeting), NIL, NIL
+        again = latest is not None and latest.meeting == impact.meeting and all(
+            self.leg(b, n).after == latest for b, n in legs.items()
+        )
+        for body, number in legs.items():
+            k, sense = ways[body]
+            sign = sense * (1.0 if body == meeting.b else -1.0)
+            if not again:
+                gap = gap + self.place(body, number, k, since).scaled(sign)
+            rate = rate + self.velocity(body, number, k, since).scaled(sign)
+            rise = rise + self.acceleration(k).scaled(sign)
+        return self._closed(impact, (NIL if again else gap, rate, rise), since)
+
+    def _closed(self, impact: Impact, motion: tuple[Polynomial, Polynomial, Polynomial], since: Symbol | None) -> Symbol:
+        gap, rate, rise = motion
+        step, name = self.book.open("impact time"), self.book.fresh("t")
+        t = Polynomial.of(name)
+        if not rise:
+            law = step.law(gap.expression(), (rate.scaled(-1.0) * t).collected((name.name,)))
+            formula: Expression = Quotient(gap.expression(), rate.scaled(-1.0).expression())
+        elif not gap:
+            law = step.law(ZERO, (rate * t + (rise * t * t).scaled(0.5)).expression())
+            formula = Quotient(rate.scaled(-2.0).expression(), rise.expression())
+        else:
+            law = step.law(ZERO, (gap + rate * t + (rise * t * t).scaled(0.5)).expression())
+            formula = self._root(gap, rate, rise)
+        step.say(f"{self._met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{' later' if since else ''}.")
+        step.close()
+        if since is None:
+            return name
+        step, whole = self.book.open("time"), self.book.fresh("t")
+        formula = added(since, name)
+        step.say(f"That is at {step.result(whole, formula, SECONDS, law=True)}.")
+        step.close()
+        self._spans[since.name, 0, whole.name] = name
+        return whole
+
+    def _root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial) -> Expression:
+        """The first time at which gap + rate t + ½ rise t² is zero."""
+        double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
+        v = rate.expression()
+        root = Root(added(Power(v, 2) if v != ZERO else ZERO, double))
+        if self.book.value(rise.expression()) < 0.0:
+            return Quotient(added(root, v), rise.scaled(-1.0).expression())
+        return Quotient(added(-v, -root), rise.expression())
+
+    def _met(self, impact: Impact) -> str:
+        same = sum(held.meeting == impact.meeting for held in self.impacts[: impact.number + 1])
+        again = ORDINALS[same] if same < len(ORDINALS) else " again"
+        if len(impact.bodies) == 1:
+            return f"{capital(self.setting.called(impact.bodies[0]))} hits {self._what(impact)}{again}"
+        return f"{capital(self.setting.listed(list(impact.bodies)))} meet{again}"
+
+    def _what(self, impact: Impact) -> str:
+        normal = self.mechanism.meetings[impact.meeting].normal
+        return "the ground" if normal is not None and normal[2] > 1.0 - ALIGNED else "the wall"
+
+    def after(self, impact: Impact) -> dict[int, Polynomial]:
+        """The rates of the bodies that meet, just after it."""
+        if impact.number not in self._struck:
+            meeting = self.mechanism.meetings[impact.meeting]
+            found = self._rebound(impact) if len(meeting.names) == 1 else self._collision(impact, meeting)
+            for body in impact.bodies:
+                for k in self.coordinates(body):
+                    if k not in found:
+                        found[k] = self._just_before(impact, body, k)
+            self._struck[impact.number] = found
+        return self._struck[impact.number]
+
+    def _just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
+        time = self.when(impact) if self.acceleration(k) else None
+        return self.velocity(body, self.count(body, impact), k, time)
+
+    def _restitution(self, number: int) -> Polynomial:
+        here, there = self.setting.lexicon.mechanism.meetings[number], self.setting.lexicon.twin.meetings[number]
+        return self.setting.lexicon.read(Both(here.restitution, there.restitution))
+
+    def _rebound(self, impact: Impact) -> dict[int, Polynomial]:
+        body = impact.bodies[0]
+        k, _ = self._ways(self.mechanism.meetings[impact.meeting])[body]
+        e, before = self._restitution(impact.meeting), self._just_before(impact, body, k)
+        step, name = self.book.open("rebound"), self.book.fresh("v", self._mark(body, k))
+        formula = (e * before).scaled(-1.0).expression()
+        met = self._met(impact).replace(" hits ", " rebounds from ")
+        step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}.")
+        step.close()
+        return {k: Polynomial.of(name)}
+
+    def _collision(self, impact: Impact, meeting: Meeting) -> dict[int, Polynomial]:
+        """Momentum and restitution, both velocities."""
+        ways = self._ways(meeting)
+        (one, (i, _)), (other, (j, _)) = ways.items()
+        u, w = self._just_before(impact, one, i), self._just_before(impact, other, j)
+        names = [self.book.fresh("v", self._mark(body, k)) for body, (k, _) in ways.items()]
+        lexicon = self.setting.lexicon
+        m, n = (_mass(lexicon, body) for body in (one, other))
+        e, step = self._restitution(impact.meeting), self.book.open("impact")
+        x, y = (Polynomial.of(name) for name in names)
+        momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
+        parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
+        step.say(f"{self._met(impact)}. Momentum is kept: {momentum}; restitution: {parting}.")
+        step.close()
+        whole = (m + n).expression()
+        for name, heavy, sign in ((names[0], n, -1.0), (names[1], m, 1.0)):
+            step = self.book.open("solve")
+            push = (heavy * e).scaled(sign).expression()
+            above = added((m * u + n * w).expression(), multiplied(push, (u - w).expression()))
+            step.say(f"So {step.result(name, Quotient(above, whole), SPEED)}.")
+            step.close()
+        return {i: Polynomial.of(names[0]), j: Polynomial.of(names[1])}
+
+
+def _mass(lexicon, body: str) -> Polynomial:  # noqa: ANN001
+    return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
+
+
+def _instant(time: float):  # noqa: ANN202
+    import numpy as np  # noqa: PLC0415
+
+    return np.array([time])

@@ -1,0 +1,180 @@
+"""Impulse: bodies that fly freely and collide; momentum and restitution at each impact that matters."""
+
+from functools import cached_property
+
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.bounced import Bounced
+from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import Quotient, Symbol
+from sim2reason.solutions.flights import Flights, Impact
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.lexicon import UnreadError
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.stage import METRES, SECONDS
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.way import Way
+
+MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint)
+
+
+@strategy
+class Impulse(Strategy):
+    """Free flights between collisions."""
+
+    name = "impulse"
+    cost = 0.8
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if any(segment.flow for segment in setting.motion.segments):
+            return "accelerations change as it moves"
+        if not isinstance(setting.query.moment, MOMENTS):
+            return f"no way to the moment {type(setting.query.moment).__name__}"
+        target = setting.query.target
+        if target is not None and target.quantity not in GOALS:
+            return f"no way to the quantity {target.quantity}"
+        return ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """From the goal backwards."""
+        try:
+            return _Struck(setting, book).write()
+        except UnreadError as error:
+            raise UnsolvedError(str(error)) from error
+
+
+class _Struck(Way):
+    """What goals ask, answered from flights."""
+
+    @cached_property
+    def flights(self) -> Flights:
+        return Flights(self.setting, self.book)
+
+    @cached_property
+    def newton(self) -> Newton:
+        """For masses and directions alone."""
+        return Newton(self.setting.lexicon, self.setting.motion.segments[0])
+
+    def write(self) -> str:
+        """The time, or the goal."""
+        _ = self.flights
+        if self.target is None or self.goal is None:
+            return self.time.name
+        return self.goal.write(self.target, self).name
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """None."""
+        raise UnsolvedError(f"no {kind} of {name} in flight")
+
+    # ---- the moment
+
+    @cached_property
+    def impact(self) -> Impact | None:
+        """The impact that the moment speaks of."""
+        moment = self.query.moment
+        if not isinstance(moment, Collided | Bounced):
+            return None
+        bodies = set(moment.subjects)
+        same = [held for held in self.flights.impacts if set(held.bodies) == bodies]
+        return same[moment.number - 1]
+
+    @cached_property
+    def time(self) -> Symbol:
+        """When the moment comes."""
+        moment = self.query.moment
+        if self.impact is not None:
+            return self.flights.when(self.impact)
+        if isinstance(moment, AtTime):
+            name = self.book.fresh("t")
+            self.book.say_given(name.name, moment.after, SECONDS)
+            return name
+        if isinstance(moment, Moved):
+            return self._after_distance(moment)
+        if isinstance(moment, HighestPoint | Stopped):
+            return self._turning(moment.name)
+        raise UnsolvedError("there is no such moment in flight")
+
+    def number(self, body: str) -> int:
+        """In which of its flights a body is at the moment, just before it or after it as the question says."""
+        if self.impact is None:
+            return self.flights.count(body, None)
+        after = isinstance(self.query.moment, Collided | Bounced) and self.query.moment.after
+        return self.flights.count(body, self.impact) + (1 if after and body in self.impact.bodies else 0)
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """At the moment."""
+        body = self.mechanism.coordinates[k].body
+        if kind == "a":
+            return self.flights.acceleration(k)
+        number = self.number(body)
+        if kind == "s":
+            return self.flights.place(body, number, k, self.time)
+        needs_time = self.flights.acceleration(k) and not isinstance(self.query.moment, AtStart)
+        return self.flights.velocity(body, number, k, self.time if needs_time else None)
+
+    def _after_distance(self, moment: Moved) -> Symbol:
+        """When a body has moved so far: within one flight."""
+        k, *_ = self.moving([moment.name])
+        name = self.book.fresh("d")
+        self.book.say_given(name.name, moment.value, METRES)
+        number = self.flights.count(moment.name, None)
+        leg = self.flights.leg(moment.name, number)
+        there = float(self.setting.motion.state(_at(self.setting.time)).q[0, k])
+        before = self.flights.place(moment.name, number, k, None)
+        gap = before - Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
+        return self._flown(leg.speeds[k], gap, k, f"{capital(self.setting.called(moment.name))} has moved so far when", leg)
+
+    def _turning(self, body: str) -> Symbol:
+        """When the rate along which a body rises or falls is zero."""
+        found = [k for k in self.moving([body]) if self.flights.acceleration(k)]
+        if len(found) != 1:
+            raise UnsolvedError("nothing turns it back")
+        k, number = found[0], self.flights.count(body, None)
+        leg = self.flights.leg(body, number)
+        step, name = self.book.open("time"), self.book.fresh("t")
+        a = self.flights.acceleration(k)
+        law = step.law((leg.speeds[k] + a * Polynomial.of(name)).expression(), NIL.expression())
+        formula = Quotient(leg.speeds[k].scaled(-1.0).expression(), a.expression())
+        step.say(f"{capital(self.setting.called(body))} turns back when {law}, so {step.result(name, formula, SECONDS)}.")
+        step.close()
+        return self._since(leg, name)
+
+    def _flown(self, speed: Polynomial, gap: Polynomial, k: int, said: str, leg: "object") -> Symbol:
+        a = self.flights.acceleration(k)
+        step, name = self.book.open("time"), self.book.fresh("t")
+        t = Polynomial.of(name)
+        law = step.law(NIL.expression(), (gap + speed * t + (a * t * t).scaled(0.5)).expression())
+        if a:
+            # gap and rise have opposite signs unless it is thrown back; the first root in either case
+            sign = 1.0 if self.book.value(gap.expression()) > 0.0 else -1.0
+            formula = self.flights._root(gap.scaled(sign), speed.scaled(sign), a.scaled(sign))
+        else:
+            formula = Quotient(gap.scaled(-1.0).expression(), speed.expression())
+        step.say(f"{said} {law}, so {step.result(name, formula, SECONDS)}.")
+        step.close()
+        return self._since(leg, name)
+
+    def _since(self, leg: "object", name: Symbol) -> Symbol:
+        """The time since t = 0, of one since a flight began."""
+        begins = self.flights.begins(leg)  # type: ignore[arg-type]
+        if begins is None:
+            return name
+        step, whole = self.book.open("time"), self.book.fresh("t")
+        formula = (Polynomial.of(begins) + Polynomial.of(name)).expression()
+        step.say(f"That is at {step.result(whole, formula, SECONDS, law=True)}.")
+        step.close()
+        self.flights._spans[begins.name, 0, whole.name] = name
+        return whole
+
+
+def _at(time: float):  # noqa: ANN202
+    import numpy as np  # noqa: PLC0415
+
+    return np.array([time])
