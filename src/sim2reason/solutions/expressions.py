@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Literal
 
 DIGITS = 5  # significant ones that a worked solution carries
+NEWTON = 6  # steps from a root that is known nearly
 STEP = 1e-30  # imaginary: a derivative by it is exact
 
 Scalar = float | complex
@@ -58,6 +59,8 @@ class Expression(ABC):
         return self if divisor == ONE else Quotient(self, divisor)
 
     def __neg__(self) -> "Expression":
+        if isinstance(self, Sum):
+            return Sum(tuple(-term for term in self.terms))
         return multiplied(Number(-1.0), self)
 
     def __pow__(self, exponent: int) -> "Expression":
@@ -301,6 +304,13 @@ class Worked(Expression):
 ZERO, ONE = Number(0.0), Number(1.0)
 
 
+def ratio(above: Expression, below: Expression) -> Expression:
+    """A fraction whose denominator does not begin with a minus sign."""
+    if below.latex().startswith("-"):
+        return Quotient(-above, -below)
+    return above if below == ONE else Quotient(above, below)
+
+
 def lifted(value: "Expression | float") -> Expression:
     """A number as a formula."""
     return value if isinstance(value, Expression) else Number(float(value))
@@ -361,3 +371,34 @@ def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]
         if name in names:
             found[names[name]] = complex(held.value({**at, name: at[name] + STEP * 1j})).imag / STEP
     return found
+
+
+@dataclass(frozen=True, slots=True)
+class NumericRoot(Expression):
+    """Where a formula of one further symbol vanishes, found by Newton's method from near by; written as its value."""
+
+    residual: Expression
+    name: str
+    near: float
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The root, refined; with complex values its derivative is exact."""
+        plain = {name: value.real for name, value in at.items()}
+        root = self.near
+        for _ in range(NEWTON):
+            there = self.residual.value({**plain, self.name: root}, digits).real
+            root -= there / self._slope(plain, root)
+        if not any(isinstance(value, complex) for value in at.values()):
+            return root
+        return root - self.residual.value({**at, self.name: complex(root)}) / self._slope(plain, root)
+
+    def _slope(self, at: Mapping[str, float], root: float) -> float:
+        return complex(self.residual.value({**at, self.name: root + STEP * 1j})).imag / STEP
+
+    def latex(self) -> str:
+        """The number."""
+        return rounded(self.near)
+
+    def symbols(self) -> Iterator[str]:
+        """Those of the formula, without the unknown."""
+        return (name for name in self.residual.symbols() if name != self.name)

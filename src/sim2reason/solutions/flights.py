@@ -8,8 +8,9 @@ from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Meeting
 from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
+from sim2reason.solutions import oblique
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Quotient, Root, Symbol, added, multiplied
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Root, Symbol, added, multiplied, ratio
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
@@ -52,15 +53,16 @@ class Flights:
             raise UnsolvedError("a body turns, or rides on another")
         self._legs: dict[str, list[Leg]] = {}
         self._times: dict[int, Symbol] = {}
-        self._spans: dict[tuple[str, int, str], Symbol] = {}
+        self._spans: dict[tuple[str, str], Symbol] = {}
         self._speeds: dict[tuple[int, int, str], Polynomial] = {}
         self._places: dict[tuple[int, int, str], Polynomial] = {}
         self._struck: dict[int, dict[int, Polynomial]] = {}
+        self.relative: dict[int, tuple[list[Expression], list[Expression], Symbol | None]] = {}  # of discs that meet
 
     # ---- numbers
 
     @cached_property
-    def _frames(self):  # noqa: ANN202 - a pair of frames
+    def frames(self):  # noqa: ANN202 - a pair of frames
         return start(self.setting.lexicon.mechanism), start(self.setting.lexicon.twin)
 
     @cached_property
@@ -132,11 +134,15 @@ class Flights:
         begins = self.begins(leg)
         if begins is None:
             return time
-        key = (body if False else begins.name, 0, time.name)
+        return self.passed(begins, time)
+
+    def passed(self, begins: Symbol, time: Symbol) -> Symbol:
+        """How long it is from one time to another."""
+        key = (begins.name, time.name)
         if key not in self._spans:
             step, name = self.book.open("time"), self.book.fresh("t")
             formula = (Polynomial.of(time) - Polynomial.of(begins)).expression()
-            step.say(f"From $t = {begins.name}$ to $t = {time.name}$ pass {step.result(name, formula, SECONDS, law=True)}.".replace(f"$t = {begins.name}$", f"${begins.name}$").replace(f"$t = {time.name}$", f"${time.name}$"))
+            step.say(f"Since then {step.result(name, formula, SECONDS, law=True)} have passed.")
             step.close()
             self._spans[key] = name
         return self._spans[key]
@@ -149,7 +155,7 @@ class Flights:
         key = (k, number, time.name)
         if key not in self._speeds:
             span = self.span(body, number, time)
-            step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(body, k))
+            step, name = self.book.open("velocity"), self.book.fresh("v", self.mark(body, k))
             formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
             step.say(f"Then {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
             step.close()
@@ -162,6 +168,9 @@ class Flights:
             return NIL
         leg = self.leg(body, number)
         begins = self.begins(leg)
+        there = self._at_wall(body, k, begins if time is None else time)
+        if there is not None:
+            return there
         if time is None or begins == time:
             time = begins
             assert time is not None
@@ -171,6 +180,15 @@ class Flights:
             self._places[key] = self._moved(body, number, k, time)
         return self._places[key]
 
+    def _at_wall(self, body: str, k: int, time: Symbol | None) -> Polynomial | None:
+        """Where a wall stops it, if it hits one at that time: no kinematics is needed."""
+        number = next((n for n, name in self._times.items() if name == time), None)
+        if number is None or self.impacts[number].bodies != (body,):
+            return None
+        meeting = self.impacts[number].meeting
+        ways = self._ways(self.mechanism.meetings[meeting])
+        return self.gap(meeting).scaled(-ways[body][1]) if ways[body][0] == k else None
+
     def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
         leg, a = self.leg(body, number), self.acceleration(k)
         before = self.place(body, number, k, None)
@@ -178,7 +196,7 @@ class Flights:
         formula = before + leg.speeds[k] * span + (a * span * span).scaled(0.5)
         if not formula.names():
             return NIL
-        step, name = self.book.open("distance"), self.book.fresh("s", self._mark(body, k))
+        step, name = self.book.open("distance"), self.book.fresh("s", self.mark(body, k))
         says = f"By then {self.setting.called(body)} has moved by"
         axis = self._axis(k)
         step.say(f"{says} {step.result(name, formula.expression(), METRES, law=True)}{axis}.")
@@ -190,13 +208,17 @@ class Flights:
         several = len(self.mechanism.body[self.mechanism.coordinates[k].body].coordinates) > 1
         return f" along {label}" if several else ""
 
-    def _mark(self, body: str, k: int) -> str:
+    def mark(self, body: str, k: int) -> str:
         mark, label = self.setting.mark(body), self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[body].coordinates) > 1
         return ",".join(part for part in (mark, label if several else "") if part)
 
     def _whose(self, body: str, k: int) -> str:
         return f"the velocity of {self.setting.called(body)}{self._axis(k)} is"
+
+    def lasting(self, since: Symbol, until: Symbol, name: Symbol) -> None:
+        """Note how long it is from one time to another."""
+        self._spans[since.name, until.name] = name
 
     # ---- impacts
 
@@ -222,7 +244,7 @@ class Flights:
 
     def gap(self, number: int) -> Polynomial:
         """How far apart the two of a meeting are at t = 0."""
-        here, there = self._frames
+        here, there = self.frames
         values = []
         for frames, m in ((here, self.setting.lexicon.mechanism), (there, self.setting.lexicon.twin)):
             met = m.meetings[number]
@@ -232,12 +254,19 @@ class Flights:
             values.append(float(product(met.normal, apart)) - met.distance)
         return self.setting.lexicon.read(Both(*values))
 
+    def latest(self, impact: Impact) -> tuple[dict[str, int], Impact | None]:
+        """The flights that lead to an impact, by body, and after which impact the later of them begins."""
+        legs = {body: self.count(body, impact) for body in impact.bodies}
+        begun = [held for b, n in legs.items() if (held := self.leg(b, n).after) is not None]
+        return legs, max(begun, key=lambda held: held.number, default=None)
+
     def _meets(self, impact: Impact) -> Symbol:
         """Both followed to the later beginning of their flights, then the gap closed."""
         meeting = self.mechanism.meetings[impact.meeting]
+        if meeting.normal is None:
+            return oblique.meets(self, impact)
         ways = self._ways(meeting)
-        legs = {body: self.count(body, impact) for body in meeting.names}
-        latest = max((self.leg(b, n).after for b, n in legs.items()), key=lambda i: -1 if i is None else i.number)
+        legs, latest = self.latest(impact)
         since = self.when(latest) if latest is not None else None
         gap, rate, rise = self.gap(impact.meeting), NIL, NIL
         again = latest is not None and latest.meeting == impact.meeting and all(
@@ -258,14 +287,14 @@ class Flights:
         t = Polynomial.of(name)
         if not rise:
             law = step.law(gap.expression(), (rate.scaled(-1.0) * t).collected((name.name,)))
-            formula: Expression = Quotient(gap.expression(), rate.scaled(-1.0).expression())
+            formula: Expression = ratio(gap.expression(), rate.scaled(-1.0).expression())
         elif not gap:
             law = step.law(ZERO, (rate * t + (rise * t * t).scaled(0.5)).expression())
-            formula = Quotient(rate.scaled(-2.0).expression(), rise.expression())
+            formula = ratio(rate.scaled(-2.0).expression(), rise.expression())
         else:
             law = step.law(ZERO, (gap + rate * t + (rise * t * t).scaled(0.5)).expression())
-            formula = self._root(gap, rate, rise)
-        step.say(f"{self._met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{' later' if since else ''}.")
+            formula = self.root(gap, rate, rise)
+        step.say(f"{self.met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{' later' if since else ''}.")
         step.close()
         if since is None:
             return name
@@ -273,19 +302,19 @@ class Flights:
         formula = added(since, name)
         step.say(f"That is at {step.result(whole, formula, SECONDS, law=True)}.")
         step.close()
-        self._spans[since.name, 0, whole.name] = name
+        self.lasting(since, whole, name)
         return whole
 
-    def _root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial) -> Expression:
+    def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial) -> Expression:
         """The first time at which gap + rate t + ½ rise t² is zero."""
         double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
         v = rate.expression()
         root = Root(added(Power(v, 2) if v != ZERO else ZERO, double))
         if self.book.value(rise.expression()) < 0.0:
-            return Quotient(added(root, v), rise.scaled(-1.0).expression())
-        return Quotient(added(-v, -root), rise.expression())
+            return ratio(added(root, v), rise.scaled(-1.0).expression())
+        return ratio(added(-v, -root), rise.expression())
 
-    def _met(self, impact: Impact) -> str:
+    def met(self, impact: Impact) -> str:
         same = sum(held.meeting == impact.meeting for held in self.impacts[: impact.number + 1])
         again = ORDINALS[same] if same < len(ORDINALS) else " again"
         if len(impact.bodies) == 1:
@@ -300,29 +329,32 @@ class Flights:
         """The rates of the bodies that meet, just after it."""
         if impact.number not in self._struck:
             meeting = self.mechanism.meetings[impact.meeting]
-            found = self._rebound(impact) if len(meeting.names) == 1 else self._collision(impact, meeting)
+            if meeting.normal is None:
+                found = oblique.parts(self, impact)
+            else:
+                found = self._rebound(impact) if len(meeting.names) == 1 else self._collision(impact, meeting)
             for body in impact.bodies:
                 for k in self.coordinates(body):
                     if k not in found:
-                        found[k] = self._just_before(impact, body, k)
+                        found[k] = self.just_before(impact, body, k)
             self._struck[impact.number] = found
         return self._struck[impact.number]
 
-    def _just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
+    def just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
         time = self.when(impact) if self.acceleration(k) else None
         return self.velocity(body, self.count(body, impact), k, time)
 
-    def _restitution(self, number: int) -> Polynomial:
+    def restitution(self, number: int) -> Polynomial:
         here, there = self.setting.lexicon.mechanism.meetings[number], self.setting.lexicon.twin.meetings[number]
         return self.setting.lexicon.read(Both(here.restitution, there.restitution))
 
     def _rebound(self, impact: Impact) -> dict[int, Polynomial]:
         body = impact.bodies[0]
         k, _ = self._ways(self.mechanism.meetings[impact.meeting])[body]
-        e, before = self._restitution(impact.meeting), self._just_before(impact, body, k)
-        step, name = self.book.open("rebound"), self.book.fresh("v", self._mark(body, k))
+        e, before = self.restitution(impact.meeting), self.just_before(impact, body, k)
+        step, name = self.book.open("rebound"), self.book.fresh("v", self.mark(body, k))
         formula = (e * before).scaled(-1.0).expression()
-        met = self._met(impact).replace(" hits ", " rebounds from ")
+        met = self.met(impact).replace(" hits ", " rebounds from ")
         step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}.")
         step.close()
         return {k: Polynomial.of(name)}
@@ -331,27 +363,29 @@ class Flights:
         """Momentum and restitution, both velocities."""
         ways = self._ways(meeting)
         (one, (i, _)), (other, (j, _)) = ways.items()
-        u, w = self._just_before(impact, one, i), self._just_before(impact, other, j)
-        names = [self.book.fresh("v", self._mark(body, k)) for body, (k, _) in ways.items()]
+        u, w = self.just_before(impact, one, i), self.just_before(impact, other, j)
+        names = [self.book.fresh("v", self.mark(body, k)) for body, (k, _) in ways.items()]
         lexicon = self.setting.lexicon
-        m, n = (_mass(lexicon, body) for body in (one, other))
-        e, step = self._restitution(impact.meeting), self.book.open("impact")
+        m, n = (mass_of(lexicon, body) for body in (one, other))
+        e, step = self.restitution(impact.meeting), self.book.open("impact")
         x, y = (Polynomial.of(name) for name in names)
         momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
         parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
-        step.say(f"{self._met(impact)}. Momentum is kept: {momentum}; restitution: {parting}.")
+        step.say(f"{self.met(impact)}. Momentum is kept: {momentum}; restitution: {parting}.")
+        step.label(f"impact {impact.number}")
         step.close()
         whole = (m + n).expression()
         for name, heavy, sign in ((names[0], n, -1.0), (names[1], m, 1.0)):
             step = self.book.open("solve")
+            step.rest_on(f"impact {impact.number}")
             push = (heavy * e).scaled(sign).expression()
             above = added((m * u + n * w).expression(), multiplied(push, (u - w).expression()))
-            step.say(f"So {step.result(name, Quotient(above, whole), SPEED)}.")
+            step.say(f"So {step.result(name, ratio(above, whole), SPEED)}.")
             step.close()
         return {i: Polynomial.of(names[0]), j: Polynomial.of(names[1])}
 
 
-def _mass(lexicon, body: str) -> Polynomial:  # noqa: ANN001
+def mass_of(lexicon, body: str) -> Polynomial:  # noqa: ANN001
     return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
 
 

@@ -55,6 +55,16 @@ class Polynomial:
             return 0.0
         return self.terms.get(()) if len(self.terms) == 1 else None
 
+    @property
+    def symbol(self) -> Symbol | None:
+        """The symbol that it is, up to a sign, or None."""
+        if len(self.terms) != 1:
+            return None
+        (monomial, part), *_ = self.terms.items()
+        plain = len(monomial) == 1 and monomial[0][1] == 1 and abs(part) == 1.0
+        atom = monomial[0][0] if plain else None
+        return atom if isinstance(atom, Symbol) else None
+
     def coefficient(self, name: str) -> "Polynomial":
         """What stands before a symbol in the terms that hold it once."""
         atom = (Symbol(name), 1)

@@ -10,7 +10,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.goals import GOALS, Components, Goal
+from sim2reason.solutions.goals import AXES, GOALS, Components, Goal
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
@@ -105,6 +105,14 @@ class Way(ABC):
         )
         x, y, z = (lexicon.read(Both(float(a), float(b))) for a, b in zip(here, there, strict=True))
         return x, y, z
+
+    def axes(self, body: str) -> tuple[str, ...]:
+        """What the text calls the room's directions for a body."""
+        own = [c for c in self.mechanism.body[body].coordinates if c.label in AXES]
+        if len(own) < 2:
+            return AXES
+        labels = [next((c.label for c in own if abs(product(c.axis, way)) > 1.0 - STILL), "") for way in ROOM]
+        return tuple(labels)
 
     def mass(self, body: str) -> Polynomial:
         """m."""

@@ -15,7 +15,7 @@ from sim2reason.solutions.setting import Setting, capital, joined
 
 Components = tuple[Polynomial, Polynomial, Polynomial]
 WAYS = ("to the right", "away from us", "upward")
-AXES = "xyz"
+AXES = ("x", "y", "z")
 
 
 class Known(Protocol):
@@ -37,6 +37,10 @@ class Known(Protocol):
 
     def apart(self, one: str, other: str) -> Components:
         """From the centre of one body to that of another, at the start."""
+        ...
+
+    def axes(self, body: str) -> tuple[str, ...]:
+        """What the text calls the room's directions for a body: x, y, z unless it has axes of its own."""
         ...
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
@@ -103,15 +107,22 @@ def magnitude(parts: Components, known: Known, noun: "Noun", body: str) -> Expre
     one = single(parts, known)
     if one is not None:
         return one if known.book.values[one.name] >= 0.0 else -one
-    kept = [(axis, way, part) for axis, way, part in zip(AXES, WAYS, parts, strict=True) if part]
+    axes = known.axes(body)
+    kept = [(axis, way, part) for axis, way, part in zip(axes, WAYS, parts, strict=True) if part]
     step, mark = known.book.open("components"), known.setting.mark(body)
     names: list[Symbol] = []
     sentences: list[str] = []
     for axis, way, part in kept:
+        plain = part.symbol
+        if plain is not None:
+            names.append(plain)
+            continue
         names.append(known.book.fresh(noun.base, f"{mark},{axis}" if mark else axis))
-        sentences.append(f"{way} {step.result(names[-1], part.factored(), noun.unit, law=True)}")
+        where = way if axes == AXES else f"along {axis}"
+        sentences.append(f"{where} {step.result(names[-1], part.factored(), noun.unit, law=True)}")
     whose = f"{noun.said} of {known.setting.called(body)}"
-    step.say(f"The {whose} relative to the ground: {joined(sentences)}.")
+    if sentences:
+        step.say(f"The {whose}{' relative to the ground' if axes == AXES else ''}: {joined(sentences)}.")
     step.close()
     if len(names) == 1:
         return names[0] if known.book.values[names[0].name] >= 0.0 else -names[0]

@@ -9,6 +9,7 @@ from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Symbol
@@ -21,7 +22,7 @@ from sim2reason.solutions.stage import METRES, NEWTONS, SECONDS, End, Stage
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import STILL, Way
 
-MOMENTS = (AtStart, AtTime, Moved, Stopped)
+MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping)
 
 
 @strategy
@@ -102,8 +103,17 @@ class _Staged(Way):
     def wanted(self) -> list[int]:
         """The coordinates whose motion is needed."""
         moment = self.query.moment
-        bodies = [moment.name] if self.uses in ("v", "s") and isinstance(moment, Moved | Stopped) else []
-        return sorted({*self.asked(), *self.moving(bodies)})
+        timed = self.uses in ("v", "s")
+        bodies = [moment.name] if timed and isinstance(moment, Moved | Stopped) else []
+        slips = [self._slipping(moment.name)] if timed and isinstance(moment, StoppedSlipping) else []
+        return sorted({*self.asked(), *self.moving(bodies), *slips})
+
+    def _slipping(self, body: str) -> int:
+        """The coordinate along which a body slides on its face."""
+        slip = self.mechanism.contacts[body].slip
+        if len(slip) != 1:
+            raise UnsolvedError("it turns while it slips")
+        return self.mechanism.number[slip[0][0]]
 
     @cached_property
     def segments(self) -> list[Segment]:
@@ -147,11 +157,20 @@ class _Staged(Way):
             self.book.say_given(name.name, moment.value, METRES)
             there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
             whole = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
-            return End(None, k, whole, f"When {self.setting.called(moment.name)} has moved ${name.name}$")
+            return End(None, k, whole, f"When {self.setting.called(moment.name)} has moved ${name.name}$,")
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
             return End(None, k, None, f"{capital(self.setting.called(moment.name))} comes to rest when")
+        if isinstance(moment, StoppedSlipping):
+            k = self._slipping(moment.name)
+            return End(None, k, None, self._stops(moment.name))
         return End()
+
+    def _stops(self, body: str) -> str:
+        """That it stops sliding, in words."""
+        carrier = self.mechanism.body[body].parent
+        what = f"stops sliding on {self.setting.called(carrier)}" if carrier else "comes to rest"
+        return f"{capital(self.setting.called(body))} {what} when"
 
     def _at_time(self, moment: AtTime, before: list[Stage]) -> End:
         name = self.book.fresh("t")
@@ -181,9 +200,7 @@ class _Staged(Way):
         for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
             if side and later != side and len(face.slip) == 1:
                 k = self.mechanism.number[face.slip[0][0]]
-                carrier = self.mechanism.body[face.subject].parent
-                what = f"stops sliding on {self.setting.called(carrier)}" if carrier else "comes to rest"
-                return End(None, k, None, f"{capital(self.setting.called(face.subject))} {what} when")
+                return End(None, k, None, self._stops(face.subject))
         raise UnsolvedError("something changes on the way that is neither sliding nor sticking")
 
 

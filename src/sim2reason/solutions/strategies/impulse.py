@@ -1,19 +1,22 @@
 """Impulse: bodies that fly freely and collide; momentum and restitution at each impact that matters."""
 
 from functools import cached_property
+from math import inf
 
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.bounced import Bounced
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Quotient, Symbol
+from sim2reason.solutions.expressions import Power, Symbol, added, multiplied, Number, NumericRoot, Expression, ZERO, ratio
 from sim2reason.solutions.flights import Flights, Impact
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.lexicon import UnreadError
+from sim2reason.solutions.lexicon import Both, UnreadError
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
@@ -21,7 +24,7 @@ from sim2reason.solutions.stage import METRES, SECONDS
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way
 
-MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint)
+MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed)
 
 
 @strategy
@@ -99,6 +102,10 @@ class _Struck(Way):
             return self._after_distance(moment)
         if isinstance(moment, HighestPoint | Stopped):
             return self._turning(moment.name)
+        if isinstance(moment, Away):
+            return self._at_distance(moment)
+        if isinstance(moment, Landed):
+            return self._landing(moment.name)
         raise UnsolvedError("there is no such moment in flight")
 
     def number(self, body: str) -> int:
@@ -113,6 +120,9 @@ class _Struck(Way):
         body = self.mechanism.coordinates[k].body
         if kind == "a":
             return self.flights.acceleration(k)
+        turning = isinstance(self.query.moment, HighestPoint | Stopped) and body == self.query.moment.name
+        if turning and self.flights.acceleration(k):
+            return NIL if kind == "v" else self._height(body, k)
         number = self.number(body)
         if kind == "s":
             return self.flights.place(body, number, k, self.time)
@@ -131,6 +141,41 @@ class _Struck(Way):
         gap = before - Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
         return self._flown(leg.speeds[k], gap, k, f"{capital(self.setting.called(moment.name))} has moved so far when", leg)
 
+    def _landing(self, body: str) -> Symbol:
+        """When a body that flies comes down to the ground, where its description ends."""
+        lexicon, here = self.setting.lexicon, self.mechanism.coordinates
+        k = next(k for k in self.moving([body]) if here[k].lower > -inf)
+        height = lexicon.read(Both(-here[k].lower, -lexicon.twin.coordinates[k].lower))
+        leg = self.flights.leg(body, self.flights.count(body, None))
+        said = f"{capital(self.setting.called(body))} reaches the ground when"
+        return self._flown(leg.speeds[k], height, k, said, leg)
+
+    def _at_distance(self, moment: Away) -> Symbol:
+        """When a body in a plane is so far from where it began: a root that is found numerically, unless it is simple."""
+        body, number = moment.name, self.flights.count(moment.name, None)
+        leg, name = self.flights.leg(body, number), self.book.fresh("d")
+        self.book.say_given(name.name, moment.value, METRES)
+        paths: list[Polynomial] = []
+        moves = self.moving([body])
+        before = {k: self.flights.place(body, number, k, None) for k in moves}
+        step, time = self.book.open("time"), self.book.fresh("t")
+        t = Polynomial.of(time)
+        for k in moves:
+            path = before[k] + leg.speeds[k] * t + (self.flights.acceleration(k) * t * t).scaled(0.5)
+            paths.append(path)
+        squares: Expression = ZERO
+        for path in paths:
+            squares = added(squares, Power(path.expression(), 2))
+        law = step.law(Power(name, 2), squares)
+        begins = self.flights.begins(leg)
+        near = self.setting.time - (self.book.values[begins.name] if begins is not None else 0.0)
+        root = NumericRoot(added(squares, -Power(name, 2)), time.name, near)
+        who = capital(self.setting.called(body))
+        step.say(f"{who} is so far away when {law}; the first time at which this holds, found numerically, is")
+        step.say(f"{step.result(time, root, SECONDS)}.")
+        step.close()
+        return self._since(leg, time)
+
     def _turning(self, body: str) -> Symbol:
         """When the rate along which a body rises or falls is zero."""
         found = [k for k in self.moving([body]) if self.flights.acceleration(k)]
@@ -141,10 +186,24 @@ class _Struck(Way):
         step, name = self.book.open("time"), self.book.fresh("t")
         a = self.flights.acceleration(k)
         law = step.law((leg.speeds[k] + a * Polynomial.of(name)).expression(), NIL.expression())
-        formula = Quotient(leg.speeds[k].scaled(-1.0).expression(), a.expression())
+        formula = ratio(leg.speeds[k].scaled(-1.0).expression(), a.expression())
         step.say(f"{capital(self.setting.called(body))} turns back when {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return self._since(leg, name)
+
+    def _height(self, body: str, k: int) -> Polynomial:
+        """How far it has come where it turns back: v² = 2 a s, without the time."""
+        number, a = self.flights.count(body, None), self.flights.acceleration(k)
+        leg = self.flights.leg(body, number)
+        before, v = self.flights.place(body, number, k, None), leg.speeds[k].expression()
+        step, name = self.book.open("distance"), self.book.fresh("s", self.setting.mark(body))
+        double = multiplied(Number(2.0), a.expression())
+        law = step.law(added(Power(v, 2), multiplied(double, name)), ZERO)
+        formula = ratio(-Power(v, 2), double)
+        who = capital(self.setting.called(body))
+        step.say(f"{who} turns back when {law}, so {step.result(name, formula, METRES)}.")
+        step.close()
+        return before + Polynomial.of(name)
 
     def _flown(self, speed: Polynomial, gap: Polynomial, k: int, said: str, leg: "object") -> Symbol:
         a = self.flights.acceleration(k)
@@ -154,9 +213,9 @@ class _Struck(Way):
         if a:
             # gap and rise have opposite signs unless it is thrown back; the first root in either case
             sign = 1.0 if self.book.value(gap.expression()) > 0.0 else -1.0
-            formula = self.flights._root(gap.scaled(sign), speed.scaled(sign), a.scaled(sign))
+            formula = self.flights.root(gap.scaled(sign), speed.scaled(sign), a.scaled(sign))
         else:
-            formula = Quotient(gap.scaled(-1.0).expression(), speed.expression())
+            formula = ratio(gap.scaled(-1.0).expression(), speed.expression())
         step.say(f"{said} {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return self._since(leg, name)
@@ -170,7 +229,7 @@ class _Struck(Way):
         formula = (Polynomial.of(begins) + Polynomial.of(name)).expression()
         step.say(f"That is at {step.result(whole, formula, SECONDS, law=True)}.")
         step.close()
-        self.flights._spans[begins.name, 0, whole.name] = name
+        self.flights.lasting(begins, whole, name)
         return whole
 
 

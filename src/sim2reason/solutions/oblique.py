@@ -1,0 +1,144 @@
+"""Collisions of discs in a plane: when they touch, and the impulse along the line of their centres."""
+
+from typing import TYPE_CHECKING
+
+from sim2reason.dsl.triples import minus
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Root, Symbol, added, multiplied, ratio
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.stage import METRES, SECONDS, SPEED
+
+if TYPE_CHECKING:
+    from sim2reason.solutions.flights import Flights, Impact
+
+IMPULSE = r"\ \text{N s}"
+
+
+def meets(flights: "Flights", impact: "Impact") -> Symbol:
+    """When the centres are as far apart as the radii say: a quadratic equation."""
+    X, u, since, _ = _relative(flights, impact)
+    book, distance = flights.book, _distance(flights, impact)
+    step, t = book.open("impact time"), book.fresh("t")
+    whole: Expression = ZERO
+    for x, w in zip(X, u, strict=True):
+        whole = added(whole, Power(added(x, multiplied(w, t)), 2))
+    law = step.derived(whole, Power(distance, 2))
+    speeds = _sum(Power(w, 2) for w in u)
+    along = _sum(multiplied(x, w) for x, w in zip(X, u, strict=True))
+    apart = _sum(Power(x, 2) for x in X)
+    p, q, r = (book.fresh(base) for base in ("p", "q", "r"))
+    said = [  # of p t² + 2 q t + r = 0
+        step.result(p, speeds, r"\ \text{m}^2\text{/s}^2", law=True),
+        step.result(q, along, r"\ \text{m}^2\text{/s}", law=True),
+        step.result(r, added(apart, -Power(distance, 2)), r"\ \text{m}^2", law=True),
+    ]
+    two = multiplied(Number(2.0), multiplied(q, t))
+    quadratic = step.law(added(multiplied(p, Power(t, 2)), added(two, r)), ZERO)
+    formula = ratio(added(-q, -Root(added(Power(q, 2), -multiplied(p, r)))), p)
+    step.say(f"{flights.met(impact)} when {law}, that is {quadratic} with {joined(said)}.")
+    step.say(f"The first root is {step.result(t, formula, SECONDS)}.")
+    step.close()
+    if since is None:
+        return t
+    step, end = book.open("time"), book.fresh("t")
+    step.say(f"That is at {step.result(end, added(since, t), SECONDS, law=True)}.")
+    step.close()
+    flights.lasting(since, end, t)
+    return end
+
+
+def _sum(parts: "object") -> Expression:
+    found: Expression = ZERO
+    for part in parts:  # type: ignore[attr-defined]
+        found = added(found, part)
+    return found
+
+
+def _distance(flights: "Flights", impact: "Impact") -> Expression:
+    lexicon, n = flights.setting.lexicon, impact.meeting
+    both = Both(lexicon.mechanism.meetings[n].distance, lexicon.twin.meetings[n].distance)
+    return lexicon.read(both).expression()
+
+
+def _relative(
+    flights: "Flights", impact: "Impact"
+) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:
+    """From the first to the second: where, and how fast, when the later of the two flights begins."""
+    legs, latest = flights.latest(impact)
+    since = flights.when(latest) if latest is not None else None
+    one, other = impact.bodies
+    lexicon = flights.setting.lexicon
+    places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
+    X: list[Expression] = []
+    u: list[Expression] = []
+    labels: list[str] = []
+    found: list[tuple[str, Polynomial, Polynomial]] = []
+    for (i, way), (j, _) in zip(flights.coordinates(one).items(), flights.coordinates(other).items(), strict=True):
+        axis = next(n for n in range(3) if abs(way[n]) > 0.5)
+        apart = lexicon.read(Both(float(places[0][axis]), float(places[1][axis])))
+        apart = apart + flights.place(other, legs[other], j, since) - flights.place(one, legs[one], i, since)
+        w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
+        if flights.acceleration(i) - flights.acceleration(j):
+            raise ValueError("discs that are accelerated differently")
+        found.append((flights.mechanism.coordinates[i].label, apart, w))
+    step, said = flights.book.open("relative"), list[str]()
+    pair = "".join(flights.setting.mark(body) for body in impact.bodies)
+    for label, apart, w in found:
+        x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{pair},{label}")
+        said += [step.result(x, apart.expression(), METRES, law=True), step.result(v, w.expression(), SPEED, law=True)]
+        X.append(x)
+        u.append(v)
+        labels.append(label)
+    who = [flights.setting.called(body) for body in impact.bodies]
+    step.say(f"From {who[0]} to {who[1]}: {joined(said)}.")
+    step.close()
+    flights.relative[impact.number] = (X, u, since)
+    return X, u, since, labels
+
+
+def parts(flights: "Flights", impact: "Impact") -> dict[int, Polynomial]:
+    """The velocities just after: each changes along the line of centres alone."""
+    book, time = flights.book, flights.when(impact)
+    X, u, since = flights.relative[impact.number]
+    span = time if since is None else flights.passed(since, time)
+    distance = _distance(flights, impact)
+    step, n = book.open("normal"), list[Symbol]()
+    said: list[str] = []
+    one, other = impact.bodies
+    coordinates = list(zip(flights.coordinates(one), flights.coordinates(other), strict=True))
+    for (i, _), x, w in zip(coordinates, X, u, strict=True):
+        n.append(book.fresh("n", flights.mechanism.coordinates[i].label))
+        said.append(step.result(n[-1], ratio(added(x, multiplied(w, span)), distance), "", law=True))
+    step.say(f"The line of centres then has the direction {joined(said)}.")
+    approach = book.fresh("u", r"\text{n}")
+    along = _sum(multiplied(w, m) for w, m in zip(u, n, strict=True))
+    step.say(f"Along it they approach with {step.result(approach, along, SPEED, law=True)}.")
+    step.close()
+    m, k = (lexicon_mass(flights, body).expression() for body in impact.bodies)
+    e = flights.restitution(impact.meeting).expression()
+    step, push = book.open("impulse"), book.fresh("J")
+    reduced = ratio(multiplied(m, k), added(m, k))
+    formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
+    step.say(f"Momentum and restitution along it give the impulse {step.result(push, formula, IMPULSE, law=True)}.")
+    step.close()
+    found: dict[int, Polynomial] = {}
+    for body, mass, sign in ((one, m, -1.0), (other, k, 1.0)):
+        for place, number in enumerate(flights.coordinates(body)):
+            before = flights.just_before(impact, body, number)
+            step, name = book.open("after"), book.fresh("v", flights.mark(body, number))
+            change = multiplied(Number(sign), multiplied(ratio(push, mass), n[place]))
+            label = flights.mechanism.coordinates[number].label
+            formula = added(before.expression(), change)
+            said = f"After it, {flights.setting.called(body)} has along {label}"
+            step.say(f"{said} {step.result(name, formula, SPEED, law=True)}.")
+            step.close()
+            found[number] = Polynomial.of(name)
+    return found
+
+
+def lexicon_mass(flights: "Flights", body: str) -> Polynomial:
+    """The mass of a body."""
+    lexicon = flights.setting.lexicon
+    return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
+

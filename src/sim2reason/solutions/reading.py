@@ -1,0 +1,139 @@
+"""A worked solution read by whoever has only its text: its equalities, by the parser that grades answers."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from sim2reason.grading import arithmetic
+from sim2reason.grading.arithmetic import Node
+from sim2reason.grading.parser import parse
+from sim2reason.grading.score import Outcome, Refused
+from sim2reason.grading.tokens import Token, tokenize
+
+FORMULA = re.compile(r"\$([^$]*=[^$]*)\$")
+CLOSE = 3e-4  # relative to the largest term: what five digits leave
+SIGNS = ("plus", "minus", "dash")
+
+
+@dataclass(frozen=True, slots=True)
+class Equality:
+    """Two sides that the text says are equal, as written, and as functions of the symbols."""
+
+    text: str
+    sides: tuple[Node, Node]
+    terms: tuple[Node, ...]  # by whose size they are compared
+    symbols: frozenset[str]
+
+    def excess(self, values: Mapping[str, float]) -> float | None:
+        """Left less right; None where a side has no value."""
+        left, right = (arithmetic.value(side, values) for side in self.sides)
+        return None if left is None or right is None else left - right
+
+    def holds(self, values: Mapping[str, float]) -> bool:
+        """Whether both sides agree, compared with their largest term."""
+        excess = self.excess(values)
+        sizes = [abs(size) for term in self.terms if (size := arithmetic.value(term, values)) is not None]
+        return excess is not None and abs(excess) <= CLOSE * max(sizes, default=1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What a text says: equalities, formulas that could not be read, and the values of its symbols.
+
+    `values` are the numbers that it says, and those that follow for what cancels, such as tensions.
+    """
+
+    equalities: tuple[Equality, ...]
+    unread: tuple[str, ...]
+    values: Mapping[str, float]
+
+    @property
+    def broken(self) -> list[str]:
+        """The equalities that do not hold, or speak of what the text does not determine."""
+        return [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
+
+
+def read(text: str) -> Reading:
+    """All equalities of a text; a symbol has the number that it is first said to equal."""
+    equalities: list[Equality] = []
+    unread: list[str] = []
+    values: dict[str, float] = {}
+    chains = [match[1] for match in FORMULA.finditer(text)]
+    table = _table(chains)
+    for chain in chains:
+        try:
+            sides = [_side(part, table) for part in chain.split("=")]
+        except Refused as refused:
+            unread.append(f"{chain}: {refused}")
+            continue
+        name, last = _name(chain, table), sides[-1]
+        if name and name not in values and not last[2] and (number := arithmetic.value(last[0], {})) is not None:
+            values[name] = number
+        for one, other in zip(sides, sides[1:], strict=False):
+            both = (one[0], other[0])
+            equalities.append(Equality(chain, both, (*one[1], *other[1]), one[2] | other[2]))
+    _follow(equalities, values)
+    return Reading(tuple(equalities), tuple(unread), values)
+
+
+def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
+    """Give values to what the text says no number of, where an equality has it alone and linearly."""
+    for _ in equalities:
+        for equality in equalities:
+            missing = sorted(equality.symbols - values.keys())
+            if len(missing) != 1:
+                continue
+            found = [equality.excess({**values, missing[0]: x}) for x in (0.0, 1.0, 2.0)]
+            if None not in found:
+                zero, one, two = (float(x or 0.0) for x in found)
+                if one != zero and abs(two - 2.0 * one + zero) <= CLOSE * abs(one - zero):
+                    values[missing[0]] = -zero / (one - zero)
+                    break
+        else:
+            return
+
+
+def _table(chains: list[str]) -> frozenset[str]:
+    """The symbols of the text: e is one of them where it is said to equal something."""
+    found: set[str] = {"e"} if any(chain.strip().startswith("e =") for chain in chains) else set()
+    for side in (side for chain in chains for side in chain.split("=")):
+        try:
+            found |= {token.text for token in tokenize(side, None) if token.kind == "symbol"}
+        except Refused:
+            continue
+    return frozenset(found)
+
+
+def _side(text: str, table: frozenset[str]) -> tuple[Node, tuple[Node, ...], frozenset[str]]:
+    """The value of one side, a unit behind it left out; its terms; its symbols."""
+    tokens = tokenize(text.strip(), table)
+    upright = next((n for n, token in enumerate(tokens) if token.kind == "word" and token.upright), len(tokens))
+    if upright < len(tokens) and tokens[upright - 1].kind == "open":
+        upright -= 1
+    used = tokens[:upright]
+    node, taken, refusal = parse(used, unit_follows=False)
+    if taken < len(used):
+        raise refusal or Refused(Outcome.UNREADABLE, f"{text!r} is not all a value")
+    terms = tuple(parse(part, unit_follows=False)[0] for part in _terms(used))
+    return node, terms, frozenset(token.text for token in used if token.kind == "symbol")
+
+
+def _terms(tokens: list[Token]) -> Iterator[list[Token]]:
+    """The tokens between plus and minus signs outside of all brackets."""
+    depth, part = 0, list[Token]()
+    for token in tokens:
+        depth += (token.kind == "open") - (token.kind == "close")
+        if depth == 0 and token.kind in SIGNS:
+            if part:
+                yield part
+            part = []
+        else:
+            part.append(token)
+    if part:
+        yield part
+
+
+def _name(chain: str, table: frozenset[str]) -> str:
+    """The symbol that is said to equal the rest; empty if it is a formula."""
+    tokens = tokenize(chain.partition("=")[0].strip(), table)
+    return tokens[0].text if len(tokens) == 1 and tokens[0].kind == "symbol" else ""
