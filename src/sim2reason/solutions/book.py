@@ -1,10 +1,11 @@
-"""What a worked solution is made of: givens, steps with their relations, and a book in which each name has one value."""
+"""What a worked solution is made of: steps with their relations, and a book in which each name has one value."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from sim2reason.solutions.expressions import Expression, Symbol, rounded
+from sim2reason.solutions.digits import rounded
+from sim2reason.solutions.expressions import Expression, Symbol
 
 Role = Literal["given", "law", "derived", "result"]
 WELL = 1e-9  # relative: how well every relation holds
@@ -59,7 +60,6 @@ class Solution:
     strategy: str
     steps: tuple[Step, ...] = ()
     values: Mapping[str, float] = field(default_factory=dict[str, float])
-    units: Mapping[str, str] = field(default_factory=dict[str, str])
     goal: str = ""
     answer: float | None = None
     unit: str = ""

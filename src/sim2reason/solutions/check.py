@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim2reason.solutions.book import WELL, Relation, Solution
-from sim2reason.solutions.expressions import DIGITS, Expression, Sum, Symbol, gradient, shortened
+from sim2reason.solutions.digits import DIGITS, shortened
+from sim2reason.solutions.expressions import Expression, Sum, Symbol
+from sim2reason.solutions.worked import gradient
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
@@ -58,13 +60,11 @@ def undetermined(solution: Solution) -> list[str]:
     if not _spanned(told, goal):
         found.append("the laws that are told do not determine the answer")
     else:
-        for number in laws:
-            if _spanned([rows[other] for other in laws if other != number], goal):
-                found.append(f"superfluous: {relations[number].latex()}")
-    for number, relation in enumerate(relations):
-        if relation.role != "law" and not _spanned(told, rows[number]):
-            found.append(f"does not follow from what is told: {relation.latex()}")
-    return found
+        idle = [number for number in laws if _spanned([rows[other] for other in laws if other != number], goal)]
+        found += [f"superfluous: {relations[number].latex()}" for number in idle]
+    derived = (number for number, relation in enumerate(relations) if relation.role != "law")
+    strays = [relations[number].latex() for number in derived if not _spanned(told, rows[number])]
+    return found + [f"does not follow from what is told: {text}" for text in strays]
 
 
 def _row(relation: Relation, values: dict[str, float], place: dict[str, int]) -> NDArray[np.float64]:

@@ -1,11 +1,12 @@
 """Equations solved as a teacher would: tensions cancel in weighted sums, numbers come as late as they can."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, Worked, added, multiplied
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.worked import Worked
 
 LONG = 130  # characters of a formula that is better written in numbers
 
@@ -70,11 +71,11 @@ class Elimination:
         found.sort(key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)))
         return found[0] if found else None
 
-    def _one(self, equation: Equation, name: str, said: str = "") -> None:
+    def _one(self, equation: Equation, name: str) -> None:
         step = self.book.open("solve")
         step.rest_on(_key(equation) if not equation.label else "")
         formula = solved(equation.zero, name)
-        where = said or (f"From {equation.label}, " if equation.label else "So ")
+        where = f"From {equation.label}, " if equation.label else "So "
         if len(formula.latex()) <= LONG:
             step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
         else:
@@ -97,7 +98,7 @@ class Elimination:
             raise UnsolvedError("no sum of the equations is free of forces")
         combined = [held for held in sums if held is not None]
         if len(combined) == 1:
-            self._one(combined[0], free[0], "" if combined[0].label else "")
+            self._one(combined[0], free[0])
             return
         goal = next((name for name in wanted if name in free), free[0])
         self._in_numbers(combined, [goal, *(name for name in free if name != goal)])
@@ -140,7 +141,7 @@ class Elimination:
         step.close()
         self._reduce(numeric, list(names), marks)
 
-    def _reduce(self, equations: list[Numeric], names: list[str], marks: "object") -> None:
+    def _reduce(self, equations: list[Numeric], names: list[str], marks: Iterator[str]) -> None:
         first = names[0]
         if len(names) == 1:
             equation = equations[0]
@@ -164,7 +165,7 @@ class Elimination:
         step.say(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
         step.close()
 
-    def _without(self, equation: Numeric, pivot: Numeric, last: str, marks: "object") -> Numeric:
+    def _without(self, equation: Numeric, pivot: Numeric, last: str, marks: Iterator[str]) -> Numeric:
         """An equation less so much of another that an unknown is gone."""
         ratio = self._worked(equation.left[last] / pivot.left[last])
         names = dict.fromkeys((*equation.left, *pivot.left))
@@ -174,7 +175,7 @@ class Elimination:
             if name != last
         }
         right = self._worked(equation.right - multiplied(ratio, pivot.right))
-        found = Numeric(f"({next(marks)})", left, right)  # type: ignore[call-overload]
+        found = Numeric(f"({next(marks)})", left, right)
         step = self.book.open("combine")
         step.rest_on(equation.label)
         step.rest_on(pivot.label)
@@ -224,8 +225,7 @@ def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, 
 def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
     """Of 0 = rest − before · name: what stands before it, and the rest; both with a sign that suits."""
     before, rest = zero.coefficient(name), zero.without((name,))
-    signs = [part for part in before.terms.values()]
-    return (before, rest.scaled(-1.0)) if sum(signs) > 0.0 else (before.scaled(-1.0), rest)
+    return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
 
 
 def solved(zero: Polynomial, name: str) -> Expression:

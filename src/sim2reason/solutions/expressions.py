@@ -1,16 +1,11 @@
 """Formulas that know their value and how they are written: what the relations of a worked solution are made of."""
 
-import cmath
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal
 
-DIGITS = 5  # significant ones that a worked solution carries
-NEWTON = 6  # steps from a root that is known nearly
-STEP = 1e-30  # imaginary: a derivative by it is exact
+from sim2reason.solutions.digits import rounded
 
 Scalar = float | complex
 Values = Mapping[str, Scalar]
@@ -37,34 +32,39 @@ class Expression(ABC):
         return 2
 
     def __add__(self, other: "Expression | float") -> "Expression":
+        """Their sum."""
         return added(self, lifted(other))
 
     def __radd__(self, other: "Expression | float") -> "Expression":
+        """Their sum."""
         return added(lifted(other), self)
 
     def __sub__(self, other: "Expression | float") -> "Expression":
+        """Their difference."""
         return added(self, -lifted(other))
 
     def __rsub__(self, other: "Expression | float") -> "Expression":
+        """Their difference."""
         return added(lifted(other), -self)
 
     def __mul__(self, other: "Expression | float") -> "Expression":
+        """Their product."""
         return multiplied(self, lifted(other))
 
     def __rmul__(self, other: "Expression | float") -> "Expression":
+        """Their product."""
         return multiplied(lifted(other), self)
 
     def __truediv__(self, other: "Expression | float") -> "Expression":
+        """Their quotient."""
         divisor = lifted(other)
         return self if divisor == ONE else Quotient(self, divisor)
 
     def __neg__(self) -> "Expression":
+        """Its negative, term by term."""
         if isinstance(self, Sum):
             return Sum(tuple(-term for term in self.terms))
         return multiplied(Number(-1.0), self)
-
-    def __pow__(self, exponent: int) -> "Expression":
-        return self if exponent == 1 else Power(self, exponent)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +106,7 @@ class Symbol(Expression):
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """What stands under its name."""
+        del digits
         return at[self.name]
 
     def latex(self) -> str:
@@ -208,99 +209,6 @@ class Quotient(Expression):
         return 0 if self.latex().startswith("-") else 1
 
 
-@dataclass(frozen=True, slots=True)
-class Power(Expression):
-    """A whole power."""
-
-    base: Expression
-    exponent: int
-
-    def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The power."""
-        return self.base.value(at, digits) ** self.exponent
-
-    def latex(self) -> str:
-        """With the exponent raised; that of a sine stands before its angle."""
-        if isinstance(self.base, Call):
-            return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
-        return f"{parenthesized(self.base, 2)}^{{{self.exponent}}}"
-
-    def symbols(self) -> Iterator[str]:
-        """Those of the base."""
-        return self.base.symbols()
-
-
-@dataclass(frozen=True, slots=True)
-class Root(Expression):
-    """A square root, the positive one."""
-
-    inside: Expression
-
-    def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The root; ValueError below zero."""
-        inside = self.inside.value(at, digits)
-        return cmath.sqrt(inside) if isinstance(inside, complex) else math.sqrt(inside)
-
-    def latex(self) -> str:
-        """Under its sign."""
-        return rf"\sqrt{{{self.inside.latex()}}}"
-
-    def symbols(self) -> Iterator[str]:
-        """Those under it."""
-        return self.inside.symbols()
-
-
-@dataclass(frozen=True, slots=True)
-class Call(Expression):
-    """A function of an angle in radians, or of a ratio."""
-
-    function: Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
-    argument: Expression
-
-    def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The value of the function."""
-        inside = self.argument.value(at, digits)
-        name = {"arctan": "atan", "arccos": "acos", "arcsin": "asin", "ln": "log"}.get(self.function, self.function)
-        return getattr(cmath if isinstance(inside, complex) else math, name)(inside)
-
-    def latex(self) -> str:
-        """As in: \\sin\\theta."""
-        inside = self.argument.latex()
-        if isinstance(self.argument, Symbol):
-            return rf"\{self.function}{inside if inside.startswith(chr(92)) else ' ' + inside}"
-        return rf"\{self.function}\left({inside}\right)"
-
-    def symbols(self) -> Iterator[str]:
-        """Those of the argument."""
-        return self.argument.symbols()
-
-
-@dataclass(frozen=True, slots=True)
-class Worked(Expression):
-    """A formula that is written as the number that it comes to, as in *34.800 a*."""
-
-    inner: Expression
-    comes_to: float
-
-    def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The formula's, rounded if that is asked for."""
-        found = self.inner.value(at, digits)
-        return found if digits is None or isinstance(found, complex) else shortened(found, digits)
-
-    def latex(self) -> str:
-        """The number."""
-        return rounded(self.comes_to)
-
-    def symbols(self) -> Iterator[str]:
-        """Those of the formula."""
-        return self.inner.symbols()
-
-    @property
-    def rank(self) -> int:
-        """A negative one needs parentheses."""
-        return 2 if self.comes_to >= 0.0 else 0
-
-
 ZERO, ONE = Number(0.0), Number(1.0)
 
 
@@ -346,59 +254,3 @@ def multiplied(one: Expression, other: Expression) -> Expression:
 def parenthesized(held: Expression, rank: int) -> str:
     """Written so that it can stand beside what binds as tightly as `rank`."""
     return held.latex() if held.rank >= rank else rf"\left({held.latex()}\right)"
-
-
-def shortened(value: float, digits: int = DIGITS) -> float:
-    """A number rounded to so many significant digits."""
-    return float(f"{value:.{digits - 1}e}")
-
-
-def rounded(value: float) -> str:
-    """A number with five significant digits, in LaTeX."""
-    if value == 0.0:
-        return "0"
-    mantissa, _, power = f"{value:.{DIGITS - 1}e}".partition("e")
-    exponent = int(power)
-    if -4 < exponent < 6:
-        return f"{value:.{max(0, DIGITS - 1 - exponent)}f}"
-    return rf"{mantissa} \times 10^{{{exponent}}}"
-
-
-def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:
-    """The derivatives by some symbols, each at its place; of analytic formulas exact."""
-    found = [0.0] * len(names)
-    for name in dict.fromkeys(held.symbols()):
-        if name in names:
-            found[names[name]] = complex(held.value({**at, name: at[name] + STEP * 1j})).imag / STEP
-    return found
-
-
-@dataclass(frozen=True, slots=True)
-class NumericRoot(Expression):
-    """Where a formula of one further symbol vanishes, found by Newton's method from near by; written as its value."""
-
-    residual: Expression
-    name: str
-    near: float
-
-    def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The root, refined; with complex values its derivative is exact."""
-        plain = {name: value.real for name, value in at.items()}
-        root = self.near
-        for _ in range(NEWTON):
-            there = self.residual.value({**plain, self.name: root}, digits).real
-            root -= there / self._slope(plain, root)
-        if not any(isinstance(value, complex) for value in at.values()):
-            return root
-        return root - self.residual.value({**at, self.name: complex(root)}) / self._slope(plain, root)
-
-    def _slope(self, at: Mapping[str, float], root: float) -> float:
-        return complex(self.residual.value({**at, self.name: root + STEP * 1j})).imag / STEP
-
-    def latex(self) -> str:
-        """The number."""
-        return rounded(self.near)
-
-    def symbols(self) -> Iterator[str]:
-        """Those of the formula, without the unknown."""
-        return (name for name in self.residual.symbols() if name != self.name)

@@ -1,23 +1,24 @@
-"""Bodies that fly freely between impacts: where each is, how fast, and when the next impact comes, written on demand."""
+"""Bodies that fly freely between impacts: where each is, and how fast, written on demand."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from sim2reason.dsl.frames import start
+import numpy as np
+
+from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Meeting
 from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
-from sim2reason.solutions import oblique
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Root, Symbol, added, multiplied, ratio
+from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import NIL, Polynomial
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 
 ALIGNED = 1e-9
-ORDINALS = ("", "", " for the second time", " for the third time")
 
 
 @dataclass
@@ -40,8 +41,8 @@ class Impact:
     meeting: int
 
 
-class Flights:
-    """All flights of a motion, by body."""
+class FreeFlights(ABC):
+    """All flights of a motion, by body; how one leads to the next, impacts say."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """UnsolvedError for a mechanism whose bodies are bound to each other."""
@@ -52,17 +53,18 @@ class Flights:
         if any(c.kind != "slide" for c in m.coordinates) or any(b.parent is not None for b in m.bodies):
             raise UnsolvedError("a body turns, or rides on another")
         self._legs: dict[str, list[Leg]] = {}
-        self._times: dict[int, Symbol] = {}
+        self.times: dict[int, Symbol] = {}
         self._spans: dict[tuple[str, str], Symbol] = {}
         self._speeds: dict[tuple[int, int, str], Polynomial] = {}
         self._places: dict[tuple[int, int, str], Polynomial] = {}
-        self._struck: dict[int, dict[int, Polynomial]] = {}
+        self.struck: dict[int, dict[int, Polynomial]] = {}
         self.relative: dict[int, tuple[list[Expression], list[Expression], Symbol | None]] = {}  # of discs that meet
 
     # ---- numbers
 
     @cached_property
-    def frames(self):  # noqa: ANN202 - a pair of frames
+    def frames(self) -> tuple[Frames, Frames]:
+        """The geometry at the start, of the mechanism and of its twin."""
         return start(self.setting.lexicon.mechanism), start(self.setting.lexicon.twin)
 
     @cached_property
@@ -76,7 +78,7 @@ class Flights:
         found = [n for n, met in enumerate(self.mechanism.meetings) if set(met.names) == set(bodies)]
         if len(found) == 1:
             return found[0]
-        state = self.setting.study.trace.sample(_instant(time))
+        state = self.setting.study.trace.sample(np.array([time]))
         places = {b: state.vector(state.frames.center(b).place)[0] for b in bodies}
 
         def gap(n: int) -> float:
@@ -98,6 +100,11 @@ class Flights:
         down = Both(-lexicon.mechanism.coordinates[k].axis[2], -lexicon.twin.coordinates[k].axis[2])
         return g * lexicon.read(down)
 
+    def mass(self, body: str) -> Polynomial:
+        """The mass of a body."""
+        lexicon = self.setting.lexicon
+        return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
+
     def _first(self, body: str) -> Leg:
         lexicon = self.setting.lexicon
         here, there = lexicon.mechanism.coordinates, lexicon.twin.coordinates
@@ -108,7 +115,8 @@ class Flights:
         legs = self._legs.setdefault(body, [self._first(body)])
         while len(legs) <= number:
             own = [impact for impact in self.impacts if body in impact.bodies]
-            legs.append(self._next(body, own[len(legs) - 1]))
+            impact = own[len(legs) - 1]
+            legs.append(Leg(None, self.after(impact), after=impact))
         return legs[number]
 
     def count(self, body: str, impact: Impact | None) -> int:
@@ -119,8 +127,13 @@ class Flights:
             early = [held for held in early if held.time < self.setting.time]
         return sum(body in held.bodies for held in early)
 
-    def _next(self, body: str, impact: Impact) -> Leg:
-        return Leg(None, self.after(impact), after=impact)
+    @abstractmethod
+    def when(self, impact: Impact) -> Symbol:
+        """When an impact comes."""
+
+    @abstractmethod
+    def after(self, impact: Impact) -> dict[int, Polynomial]:
+        """The rates of the bodies that meet, just after it."""
 
     # ---- along a flight
 
@@ -128,9 +141,8 @@ class Flights:
         """When a flight begins; None at t = 0."""
         return self.when(leg.after) if leg.after is not None else None
 
-    def span(self, body: str, number: int, time: Symbol) -> Symbol:
+    def span(self, leg: Leg, time: Symbol) -> Symbol:
         """How long a flight has lasted at a time."""
-        leg = self.leg(body, number)
         begins = self.begins(leg)
         if begins is None:
             return time
@@ -154,7 +166,7 @@ class Flights:
             return leg.speeds[k]
         key = (k, number, time.name)
         if key not in self._speeds:
-            span = self.span(body, number, time)
+            span = self.span(leg, time)
             step, name = self.book.open("velocity"), self.book.fresh("v", self.mark(body, k))
             formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
             step.say(f"Then {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
@@ -182,17 +194,17 @@ class Flights:
 
     def _at_wall(self, body: str, k: int, time: Symbol | None) -> Polynomial | None:
         """Where a wall stops it, if it hits one at that time: no kinematics is needed."""
-        number = next((n for n, name in self._times.items() if name == time), None)
+        number = next((n for n, name in self.times.items() if name == time), None)
         if number is None or self.impacts[number].bodies != (body,):
             return None
         meeting = self.impacts[number].meeting
-        ways = self._ways(self.mechanism.meetings[meeting])
+        ways = self.ways(self.mechanism.meetings[meeting])
         return self.gap(meeting).scaled(-ways[body][1]) if ways[body][0] == k else None
 
     def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
         leg, a = self.leg(body, number), self.acceleration(k)
         before = self.place(body, number, k, None)
-        span = Polynomial.of(self.span(body, number, time))
+        span = Polynomial.of(self.span(leg, time))
         formula = before + leg.speeds[k] * span + (a * span * span).scaled(0.5)
         if not formula.names():
             return NIL
@@ -209,6 +221,7 @@ class Flights:
         return f" along {label}" if several else ""
 
     def mark(self, body: str, k: int) -> str:
+        """The subscript of what a body has along a coordinate."""
         mark, label = self.setting.mark(body), self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[body].coordinates) > 1
         return ",".join(part for part in (mark, label if several else "") if part)
@@ -220,15 +233,9 @@ class Flights:
         """Note how long it is from one time to another."""
         self._spans[since.name, until.name] = name
 
-    # ---- impacts
+    # ---- what they meet
 
-    def when(self, impact: Impact) -> Symbol:
-        """When an impact comes."""
-        if impact.number not in self._times:
-            self._times[impact.number] = self._meets(impact)
-        return self._times[impact.number]
-
-    def _ways(self, meeting: Meeting) -> dict[str, tuple[int, float]]:
+    def ways(self, meeting: Meeting) -> dict[str, tuple[int, float]]:
         """The coordinate of each body along the normal, and its sense."""
         if meeting.normal is None:
             raise UnsolvedError("the bodies meet at an angle")
@@ -245,7 +252,7 @@ class Flights:
     def gap(self, number: int) -> Polynomial:
         """How far apart the two of a meeting are at t = 0."""
         here, there = self.frames
-        values = []
+        values: list[float] = []
         for frames, m in ((here, self.setting.lexicon.mechanism), (there, self.setting.lexicon.twin)):
             met = m.meetings[number]
             assert met.normal is not None
@@ -253,143 +260,3 @@ class Flights:
             apart = other if met.a is None else minus(other, frames.center(met.a).place)
             values.append(float(product(met.normal, apart)) - met.distance)
         return self.setting.lexicon.read(Both(*values))
-
-    def latest(self, impact: Impact) -> tuple[dict[str, int], Impact | None]:
-        """The flights that lead to an impact, by body, and after which impact the later of them begins."""
-        legs = {body: self.count(body, impact) for body in impact.bodies}
-        begun = [held for b, n in legs.items() if (held := self.leg(b, n).after) is not None]
-        return legs, max(begun, key=lambda held: held.number, default=None)
-
-    def _meets(self, impact: Impact) -> Symbol:
-        """Both followed to the later beginning of their flights, then the gap closed."""
-        meeting = self.mechanism.meetings[impact.meeting]
-        if meeting.normal is None:
-            return oblique.meets(self, impact)
-        ways = self._ways(meeting)
-        legs, latest = self.latest(impact)
-        since = self.when(latest) if latest is not None else None
-        gap, rate, rise = self.gap(impact.meeting), NIL, NIL
-        again = latest is not None and latest.meeting == impact.meeting and all(
-            self.leg(b, n).after == latest for b, n in legs.items()
-        )
-        for body, number in legs.items():
-            k, sense = ways[body]
-            sign = sense * (1.0 if body == meeting.b else -1.0)
-            if not again:
-                gap = gap + self.place(body, number, k, since).scaled(sign)
-            rate = rate + self.velocity(body, number, k, since).scaled(sign)
-            rise = rise + self.acceleration(k).scaled(sign)
-        return self._closed(impact, (NIL if again else gap, rate, rise), since)
-
-    def _closed(self, impact: Impact, motion: tuple[Polynomial, Polynomial, Polynomial], since: Symbol | None) -> Symbol:
-        gap, rate, rise = motion
-        step, name = self.book.open("impact time"), self.book.fresh("t")
-        t = Polynomial.of(name)
-        if not rise:
-            law = step.law(gap.expression(), (rate.scaled(-1.0) * t).collected((name.name,)))
-            formula: Expression = ratio(gap.expression(), rate.scaled(-1.0).expression())
-        elif not gap:
-            law = step.law(ZERO, (rate * t + (rise * t * t).scaled(0.5)).expression())
-            formula = ratio(rate.scaled(-2.0).expression(), rise.expression())
-        else:
-            law = step.law(ZERO, (gap + rate * t + (rise * t * t).scaled(0.5)).expression())
-            formula = self.root(gap, rate, rise)
-        step.say(f"{self.met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{' later' if since else ''}.")
-        step.close()
-        if since is None:
-            return name
-        step, whole = self.book.open("time"), self.book.fresh("t")
-        formula = added(since, name)
-        step.say(f"That is at {step.result(whole, formula, SECONDS, law=True)}.")
-        step.close()
-        self.lasting(since, whole, name)
-        return whole
-
-    def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial) -> Expression:
-        """The first time at which gap + rate t + ½ rise t² is zero."""
-        double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
-        v = rate.expression()
-        root = Root(added(Power(v, 2) if v != ZERO else ZERO, double))
-        if self.book.value(rise.expression()) < 0.0:
-            return ratio(added(root, v), rise.scaled(-1.0).expression())
-        return ratio(added(-v, -root), rise.expression())
-
-    def met(self, impact: Impact) -> str:
-        same = sum(held.meeting == impact.meeting for held in self.impacts[: impact.number + 1])
-        again = ORDINALS[same] if same < len(ORDINALS) else " again"
-        if len(impact.bodies) == 1:
-            return f"{capital(self.setting.called(impact.bodies[0]))} hits {self._what(impact)}{again}"
-        return f"{capital(self.setting.listed(list(impact.bodies)))} meet{again}"
-
-    def _what(self, impact: Impact) -> str:
-        normal = self.mechanism.meetings[impact.meeting].normal
-        return "the ground" if normal is not None and normal[2] > 1.0 - ALIGNED else "the wall"
-
-    def after(self, impact: Impact) -> dict[int, Polynomial]:
-        """The rates of the bodies that meet, just after it."""
-        if impact.number not in self._struck:
-            meeting = self.mechanism.meetings[impact.meeting]
-            if meeting.normal is None:
-                found = oblique.parts(self, impact)
-            else:
-                found = self._rebound(impact) if len(meeting.names) == 1 else self._collision(impact, meeting)
-            for body in impact.bodies:
-                for k in self.coordinates(body):
-                    if k not in found:
-                        found[k] = self.just_before(impact, body, k)
-            self._struck[impact.number] = found
-        return self._struck[impact.number]
-
-    def just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
-        time = self.when(impact) if self.acceleration(k) else None
-        return self.velocity(body, self.count(body, impact), k, time)
-
-    def restitution(self, number: int) -> Polynomial:
-        here, there = self.setting.lexicon.mechanism.meetings[number], self.setting.lexicon.twin.meetings[number]
-        return self.setting.lexicon.read(Both(here.restitution, there.restitution))
-
-    def _rebound(self, impact: Impact) -> dict[int, Polynomial]:
-        body = impact.bodies[0]
-        k, _ = self._ways(self.mechanism.meetings[impact.meeting])[body]
-        e, before = self.restitution(impact.meeting), self.just_before(impact, body, k)
-        step, name = self.book.open("rebound"), self.book.fresh("v", self.mark(body, k))
-        formula = (e * before).scaled(-1.0).expression()
-        met = self.met(impact).replace(" hits ", " rebounds from ")
-        step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}.")
-        step.close()
-        return {k: Polynomial.of(name)}
-
-    def _collision(self, impact: Impact, meeting: Meeting) -> dict[int, Polynomial]:
-        """Momentum and restitution, both velocities."""
-        ways = self._ways(meeting)
-        (one, (i, _)), (other, (j, _)) = ways.items()
-        u, w = self.just_before(impact, one, i), self.just_before(impact, other, j)
-        names = [self.book.fresh("v", self.mark(body, k)) for body, (k, _) in ways.items()]
-        lexicon = self.setting.lexicon
-        m, n = (mass_of(lexicon, body) for body in (one, other))
-        e, step = self.restitution(impact.meeting), self.book.open("impact")
-        x, y = (Polynomial.of(name) for name in names)
-        momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
-        parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
-        step.say(f"{self.met(impact)}. Momentum is kept: {momentum}; restitution: {parting}.")
-        step.label(f"impact {impact.number}")
-        step.close()
-        whole = (m + n).expression()
-        for name, heavy, sign in ((names[0], n, -1.0), (names[1], m, 1.0)):
-            step = self.book.open("solve")
-            step.rest_on(f"impact {impact.number}")
-            push = (heavy * e).scaled(sign).expression()
-            above = added((m * u + n * w).expression(), multiplied(push, (u - w).expression()))
-            step.say(f"So {step.result(name, ratio(above, whole), SPEED)}.")
-            step.close()
-        return {i: Polynomial.of(names[0]), j: Polynomial.of(names[1])}
-
-
-def mass_of(lexicon, body: str) -> Polynomial:  # noqa: ANN001
-    return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
-
-
-def _instant(time: float):  # noqa: ANN202
-    import numpy as np  # noqa: PLC0415
-
-    return np.array([time])

@@ -17,7 +17,8 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
-from sim2reason.solutions.expressions import Call, Expression, Symbol
+from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.functions import Call
 from sim2reason.solutions.polynomials import NIL, Polynomial
 
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
@@ -62,12 +63,15 @@ class Both:
     there: float
 
     def __mul__(self, other: "Both") -> "Both":
+        """Both products."""
         return Both(self.here * other.here, self.there * other.there)
 
     def __truediv__(self, other: "Both") -> "Both":
+        """Both quotients."""
         return Both(self.here / other.here, self.there / other.there)
 
     def __sub__(self, other: "Both") -> "Both":
+        """Both differences."""
         return Both(self.here - other.here, self.there - other.there)
 
 

@@ -129,8 +129,9 @@ class Newton:
         found: list[Polynomial] = []
         for number, body in enumerate(self.mechanism.bodies):
             frame = self._sides[0][1][body.name]
-            turning = frame.turning.gradient if frame.spin is not None and any(body.inertia) else {}
-            for j in turning if k in turning else ():
+            turns = frame.spin is not None and any(body.inertia)
+            turning = list(frame.turning.gradient) if turns else []
+            for j in turning if k in turning else []:
 
                 def inertia(m: Mechanism, f: Frames, n: int = number, j: int = j) -> float:
                     axes = f[m.bodies[n].name].turning.gradient
@@ -224,7 +225,9 @@ class Newton:
                 continue
             mass = self._masses[number]
             for j in self.moved(body.name):
-                part = self._read(lambda _, f, b=body.name, j=j: product(f.center(b).lift[face], f.center(b).gradient[j]))
+                part = self._read(
+                    lambda _, f, b=body.name, j=j: product(f.center(b).lift[face], f.center(b).gradient[j])
+                )
                 inertia.append(mass * part * symbol("q", j))
             down = self._read(lambda _, f, b=body.name: -float(f.center(b).lift[face][2]))
             forces.append(mass * self.gravity * down)

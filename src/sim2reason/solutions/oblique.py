@@ -1,16 +1,19 @@
 """Collisions of discs in a plane: when they touch, and the impulse along the line of their centres."""
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from sim2reason.dsl.triples import minus
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Root, Symbol, added, multiplied, ratio
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 
 if TYPE_CHECKING:
-    from sim2reason.solutions.flights import Flights, Impact
+    from sim2reason.solutions.flights import Impact
+    from sim2reason.solutions.impacts import Flights
 
 IMPULSE = r"\ \text{N s}"
 
@@ -48,9 +51,9 @@ def meets(flights: "Flights", impact: "Impact") -> Symbol:
     return end
 
 
-def _sum(parts: "object") -> Expression:
+def _sum(parts: Iterable[Expression]) -> Expression:
     found: Expression = ZERO
-    for part in parts:  # type: ignore[attr-defined]
+    for part in parts:
         found = added(found, part)
     return found
 
@@ -115,7 +118,7 @@ def parts(flights: "Flights", impact: "Impact") -> dict[int, Polynomial]:
     along = _sum(multiplied(w, m) for w, m in zip(u, n, strict=True))
     step.say(f"Along it they approach with {step.result(approach, along, SPEED, law=True)}.")
     step.close()
-    m, k = (lexicon_mass(flights, body).expression() for body in impact.bodies)
+    m, k = (flights.mass(body).expression() for body in impact.bodies)
     e = flights.restitution(impact.meeting).expression()
     step, push = book.open("impulse"), book.fresh("J")
     reduced = ratio(multiplied(m, k), added(m, k))
@@ -130,15 +133,8 @@ def parts(flights: "Flights", impact: "Impact") -> dict[int, Polynomial]:
             change = multiplied(Number(sign), multiplied(ratio(push, mass), n[place]))
             label = flights.mechanism.coordinates[number].label
             formula = added(before.expression(), change)
-            said = f"After it, {flights.setting.called(body)} has along {label}"
-            step.say(f"{said} {step.result(name, formula, SPEED, law=True)}.")
+            who = f"After it, {flights.setting.called(body)} has along {label}"
+            step.say(f"{who} {step.result(name, formula, SPEED, law=True)}.")
             step.close()
             found[number] = Polynomial.of(name)
     return found
-
-
-def lexicon_mass(flights: "Flights", body: str) -> Polynomial:
-    """The mass of a body."""
-    lexicon = flights.setting.lexicon
-    return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
-

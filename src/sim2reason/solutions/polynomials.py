@@ -4,7 +4,8 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Self
 
-from sim2reason.solutions.expressions import ZERO, Call, Expression, Number, Symbol, Values, added, multiplied
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, Values, added, multiplied
+from sim2reason.solutions.functions import Call, Power
 
 NOTHING = 1e-12  # a coefficient that rounding has left
 Monomial = tuple[tuple[Expression, int], ...]  # atoms and their powers, in the order in which they are written
@@ -150,7 +151,7 @@ def written(monomial: Monomial, part: float) -> Expression:
     """One term as a formula."""
     found: Expression = Number(part)
     for atom, power in monomial:
-        found = multiplied(found, atom**power)
+        found = multiplied(found, atom if power == 1 else Power(atom, power))
     return found
 
 
@@ -227,4 +228,3 @@ def _less(monomial: Monomial, shared: Monomial) -> Monomial:
     for atom, power in shared:
         powers[atom] -= power
     return tuple((atom, power) for atom, power in powers.items() if power)
-

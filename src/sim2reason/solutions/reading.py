@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 
 from sim2reason.grading import arithmetic
 from sim2reason.grading.arithmetic import Node
@@ -69,7 +70,7 @@ def read(text: str) -> Reading:
         name, last = _name(chain, table), sides[-1]
         if name and name not in values and not last[2] and (number := arithmetic.value(last[0], {})) is not None:
             values[name] = number
-        for one, other in zip(sides, sides[1:], strict=False):
+        for one, other in pairwise(sides):
             both = (one[0], other[0])
             equalities.append(Equality(chain, both, (*one[1], *other[1]), one[2] | other[2]))
     _follow(equalities, values)

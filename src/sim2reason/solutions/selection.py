@@ -46,5 +46,5 @@ def _taking_part(matrix: NDArray[np.float64], target: NDArray[np.float64], goal:
 def _weights(matrix: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64] | None:
     if not len(matrix):
         return None
-    weights, *_ = np.linalg.lstsq(matrix.T, target, rcond=1e-12)
+    weights = np.asarray(np.linalg.lstsq(matrix.T, target, rcond=1e-12)[0], dtype=np.float64)
     return weights if np.abs(matrix.T @ weights - target).max() <= 1e-8 else None

@@ -2,6 +2,9 @@
 
 from dataclasses import replace
 
+from sim2reason.prose.naming import Names, symbols
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.words import Words
 from sim2reason.solutions.book import Book, Relation, Solution, Step, UnsolvedError
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.lexicon import UnreadError
@@ -21,7 +24,7 @@ def solve(setting: Setting) -> Solution:
         if found.answer is not None:
             return found
         reasons.append(f"{strategy.name}: {found.reason}")
-    return Solution("", reason="; ".join(reasons) or "no strategy applies")
+    return Solution("", reason=f"no strategy applies: {'; '.join(reasons)}")
 
 
 def by(strategy: Strategy, setting: Setting) -> Solution:
@@ -35,16 +38,32 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
         book.know(given.symbol, given.value)
     try:
         goal = strategy.write(setting, book)
-    except UnsolvedError as error:
+    except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
     steps = _needed(book.steps, goal)
-    steps = [_givens(setting, book, steps), *steps]
+    steps = _renumbered([_givens(setting, book, steps), *steps])
     unit = book.units.get(goal, "")
-    return Solution(strategy.name, tuple(steps), book.observed | book.values, book.units, goal, book.values[goal], unit)
+    return Solution(strategy.name, steps, book.observed | book.values, goal, book.values[goal], unit)
+
+
+def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
+    """The solution of a problem from its text alone, in its own names; raises TextError as `parse_prompt` does."""
+    parsed = parse_prompt(prompt)
+    scene, mentions = parsed.reading.scene, parsed.reading.mentions
+    letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
+    nouns = {type(body): _noun(mentions[address]) for address, body in scene.bodies.items() if address in mentions}
+    said = [p for p in scene.parameters if not p.hidden and p.value is not None]
+    named = symbols(said, scene.bodies, Names(letters, nouns))
+    setting = Setting(scene, Words.of(scene, mentions), named, parsed.study, parsed.query)
+    return solve(setting), setting
+
+
+def _noun(mention: str) -> str:
+    return mention.removeprefix("the ") if mention.startswith("the ") else mention.rpartition(" ")[0]
 
 
 def _needed(steps: list[Step], goal: str) -> list[Step]:
-    """The steps that lead to the goal; laws and names always, results only if something rests on them."""
+    """The steps that lead to the goal; what gives no name is kept, since what laws say was chosen before."""
     source = {name: step.id for step in steps for name in step.gives}
     kept: set[int] = set()
     waiting = [source[goal]] if goal in source else []
@@ -72,11 +91,10 @@ def _givens(setting: Setting, book: Book, steps: list[Step]) -> Step:
     return Step(-1, "givens", f"Given: {joined(said)}." if said else "", tuple(relations), (), ())
 
 
-def renumbered(solution: Solution) -> Solution:
-    """The same with steps counted from zero."""
-    place = {step.id: number for number, step in enumerate(solution.steps)}
-    steps = tuple(
+def _renumbered(steps: list[Step]) -> tuple[Step, ...]:
+    """Steps counted from zero."""
+    place = {step.id: number for number, step in enumerate(steps)}
+    return tuple(
         replace(step, id=number, needs=tuple(place[n] for n in step.needs if n in place))
-        for number, step in enumerate(solution.steps)
+        for number, step in enumerate(steps)
     )
-    return replace(solution, steps=steps)

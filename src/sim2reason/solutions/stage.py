@@ -5,8 +5,9 @@ from dataclasses import dataclass, field
 
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import NEWTONS, Dynamics, Shared
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Power, Quotient, Root, Symbol, added, multiplied
+from sim2reason.solutions.dynamics import Dynamics, Shared
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied
+from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
 
@@ -50,18 +51,18 @@ class Stage:
     # ---- by coordinate
 
     def acceleration(self, k: int) -> Polynomial:
-        """q̈ of a coordinate."""
+        """The second derivative of a coordinate."""
         return self.dynamics.names[f"q{k}"]
 
     def velocity(self, k: int) -> Polynomial:
-        """q̇ of a coordinate at the end."""
+        """The rate of a coordinate at the end."""
         shared = self._shared(k)
         if shared is None:
             return self.speeds.get(k, NIL)
         return self._at_end(shared).scaled(float(shared.sense[k]))
 
     def place(self, k: int) -> Polynomial:
-        """q of a coordinate at the end."""
+        """How far a coordinate has come at the end."""
         shared, before = self._shared(k), self.places.get(k, NIL)
         if shared is None:
             if self.speeds.get(k, NIL):
@@ -132,7 +133,7 @@ class Stage:
         return self._velocity[name]
 
     def _speed(self, shared: Shared) -> Polynomial:
-        """v + a t, or by v² + 2 a d where a distance is known."""
+        """By v + a t, or by v² + 2 a d where a distance is known."""
         if self._ends(shared) and self.end.distance is None and self.end.time is None:
             return NIL
         begun, a = self._begun(shared).factored(), shared.symbol
@@ -152,7 +153,9 @@ class Stage:
         assert self.end.distance is not None
         distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
         step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
-        square = added(Power(begun, 2) if begun != ZERO else ZERO, multiplied(Number(2.0), multiplied(shared.symbol, distance)))
+        square = added(
+            Power(begun, 2) if begun != ZERO else ZERO, multiplied(Number(2.0), multiplied(shared.symbol, distance))
+        )
         law = step.law(Power(name, 2), square)
         sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
         step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}.")
@@ -166,7 +169,7 @@ class Stage:
         return self._moved[name]
 
     def _distance(self, shared: Shared) -> Polynomial:
-        """v t + ½ a t², or by v²/2a where it comes to rest."""
+        """By v t + ½ a t², or by v²/2a where it comes to rest."""
         if self._ends(shared) and self.end.distance is not None:
             return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
         begun, a = self._begun(shared).factored(), shared.symbol

@@ -1,7 +1,8 @@
 """What goals ask of a strategy for bodies on straight ways: components of accelerations, velocities, displacements."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from functools import cached_property
 
 from sim2reason.dsl.frames import Frames, start
@@ -115,16 +116,16 @@ class Way(ABC):
         return tuple(labels)
 
     def mass(self, body: str) -> Polynomial:
-        """m."""
+        """The mass of a body."""
         return self.newton.mass(body)
 
     @property
     def gravity(self) -> Polynomial:
-        """g."""
+        """The acceleration of free fall."""
         return self.newton.gravity
 
     @property
-    def speeds(self) -> Set[str]:
+    def speeds(self) -> AbstractSet[str]:
         """Speeds at the start, and distances and times that the question says."""
         first = {name for held in self.first_speeds.values() for name in held.names()}
         return first | set(self.book.stated)

@@ -1,7 +1,8 @@
 """What the quantities of questions are, in terms of accelerations, velocities, displacements and forces; one a file."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -9,7 +10,8 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
 from sim2reason.registry import Registry
 from sim2reason.solutions.book import Book
-from sim2reason.solutions.expressions import ZERO, Expression, Power, Root, Symbol, added
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
 
@@ -56,13 +58,13 @@ class Known(Protocol):
         ...
 
     @property
-    def speeds(self) -> Set[str]:
+    def speeds(self) -> AbstractSet[str]:
         """The given names that are speeds or distances of bodies."""
         ...
 
     @property
     def gravity(self) -> Polynomial:
-        """g."""
+        """The acceleration of free fall."""
         ...
 
 
@@ -72,7 +74,7 @@ class Goal(ABC):
     @property
     @abstractmethod
     def uses(self) -> str:
-        """What of the motion it needs: accelerations ``a``, velocities ``v``, displacements ``s``; empty for nothing."""
+        """What of the motion it needs: accelerations ``a``, velocities ``v``, displacements ``s``; or nothing."""
 
     def bodies(self, target: Target) -> Sequence[str]:
         """The bodies whose motion it needs; by default its subject."""

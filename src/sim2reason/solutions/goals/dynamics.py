@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 
 from sim2reason.questions import Target
-from sim2reason.solutions.expressions import Number, Power, Symbol, multiplied
+from sim2reason.solutions.expressions import Number, Symbol, multiplied
+from sim2reason.solutions.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, Known, Noun, finish, magnitude
 from sim2reason.solutions.goals.kinematics import ACCELERATION, METRES, SPEED
 

@@ -3,19 +3,23 @@
 from functools import cached_property
 from math import inf
 
+import numpy as np
+
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.bounced import Bounced
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Power, Symbol, added, multiplied, Number, NumericRoot, Expression, ZERO, ratio
-from sim2reason.solutions.flights import Flights, Impact
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.flights import Impact, Leg
+from sim2reason.solutions.functions import Power
 from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.impacts import Flights
 from sim2reason.solutions.lexicon import Both, UnreadError
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -23,6 +27,7 @@ from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import METRES, SECONDS
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way
+from sim2reason.solutions.worked import NumericRoot
 
 MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed)
 
@@ -58,11 +63,16 @@ class _Struck(Way):
 
     @cached_property
     def flights(self) -> Flights:
+        """All flights."""
         return Flights(self.setting, self.book)
 
-    @cached_property
+    @property
     def newton(self) -> Newton:
         """For masses and directions alone."""
+        return self._newton
+
+    @cached_property
+    def _newton(self) -> Newton:
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def write(self) -> str:
@@ -136,10 +146,12 @@ class _Struck(Way):
         self.book.say_given(name.name, moment.value, METRES)
         number = self.flights.count(moment.name, None)
         leg = self.flights.leg(moment.name, number)
-        there = float(self.setting.motion.state(_at(self.setting.time)).q[0, k])
+        there = float(self.setting.motion.state(np.array([self.setting.time])).q[0, k])
         before = self.flights.place(moment.name, number, k, None)
         gap = before - Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
-        return self._flown(leg.speeds[k], gap, k, f"{capital(self.setting.called(moment.name))} has moved so far when", leg)
+        return self._flown(
+            leg.speeds[k], gap, k, f"{capital(self.setting.called(moment.name))} has moved so far when", leg
+        )
 
     def _landing(self, body: str) -> Symbol:
         """When a body that flies comes down to the ground, where its description ends."""
@@ -151,7 +163,7 @@ class _Struck(Way):
         return self._flown(leg.speeds[k], height, k, said, leg)
 
     def _at_distance(self, moment: Away) -> Symbol:
-        """When a body in a plane is so far from where it began: a root that is found numerically, unless it is simple."""
+        """When a body in a plane is so far from where it began: a root that is found numerically."""
         body, number = moment.name, self.flights.count(moment.name, None)
         leg, name = self.flights.leg(body, number), self.book.fresh("d")
         self.book.say_given(name.name, moment.value, METRES)
@@ -187,7 +199,9 @@ class _Struck(Way):
         a = self.flights.acceleration(k)
         law = step.law((leg.speeds[k] + a * Polynomial.of(name)).expression(), NIL.expression())
         formula = ratio(leg.speeds[k].scaled(-1.0).expression(), a.expression())
-        step.say(f"{capital(self.setting.called(body))} turns back when {law}, so {step.result(name, formula, SECONDS)}.")
+        step.say(
+            f"{capital(self.setting.called(body))} turns back when {law}, so {step.result(name, formula, SECONDS)}."
+        )
         step.close()
         return self._since(leg, name)
 
@@ -205,7 +219,7 @@ class _Struck(Way):
         step.close()
         return before + Polynomial.of(name)
 
-    def _flown(self, speed: Polynomial, gap: Polynomial, k: int, said: str, leg: "object") -> Symbol:
+    def _flown(self, speed: Polynomial, gap: Polynomial, k: int, said: str, leg: Leg) -> Symbol:
         a = self.flights.acceleration(k)
         step, name = self.book.open("time"), self.book.fresh("t")
         t = Polynomial.of(name)
@@ -220,9 +234,9 @@ class _Struck(Way):
         step.close()
         return self._since(leg, name)
 
-    def _since(self, leg: "object", name: Symbol) -> Symbol:
+    def _since(self, leg: Leg, name: Symbol) -> Symbol:
         """The time since t = 0, of one since a flight began."""
-        begins = self.flights.begins(leg)  # type: ignore[arg-type]
+        begins = self.flights.begins(leg)
         if begins is None:
             return name
         step, whole = self.book.open("time"), self.book.fresh("t")
@@ -231,9 +245,3 @@ class _Struck(Way):
         step.close()
         self.flights.lasting(begins, whole, name)
         return whole
-
-
-def _at(time: float):  # noqa: ANN202
-    import numpy as np  # noqa: PLC0415
-
-    return np.array([time])

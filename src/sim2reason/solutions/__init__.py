@@ -1,0 +1,11 @@
+"""Worked solutions: in steps, as a teacher would write them, each equation checked.
+
+A `Setting` is a scene in the words of its text with a query about it; `solve` finds the cheapest strategy that leads
+to the answer. Symbols come from the scene alone, see `lexicon`; what holds of every solution, `check` says.
+"""
+
+from sim2reason.solutions.book import Relation, Solution, Step, UnsolvedError
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solve import by, solve, solve_prompt
+
+__all__ = ["Relation", "Setting", "Solution", "Step", "UnsolvedError", "by", "solve", "solve_prompt"]

@@ -1,0 +1,76 @@
+"""Powers, roots and functions in formulas."""
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from sim2reason.solutions.expressions import Expression, Scalar, Symbol, Values, parenthesized
+
+
+@dataclass(frozen=True, slots=True)
+class Power(Expression):
+    """A whole power."""
+
+    base: Expression
+    exponent: int
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The power."""
+        return self.base.value(at, digits) ** self.exponent
+
+    def latex(self) -> str:
+        """With the exponent raised; that of a sine stands before its angle."""
+        if isinstance(self.base, Call):
+            return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
+        return f"{parenthesized(self.base, 2)}^{{{self.exponent}}}"
+
+    def symbols(self) -> Iterator[str]:
+        """Those of the base."""
+        return self.base.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class Root(Expression):
+    """A square root, the positive one."""
+
+    inside: Expression
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The root; ValueError below zero."""
+        inside = self.inside.value(at, digits)
+        return cmath.sqrt(inside) if isinstance(inside, complex) else math.sqrt(inside)
+
+    def latex(self) -> str:
+        """Under its sign."""
+        return rf"\sqrt{{{self.inside.latex()}}}"
+
+    def symbols(self) -> Iterator[str]:
+        """Those under it."""
+        return self.inside.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class Call(Expression):
+    """A function of an angle in radians, or of a ratio."""
+
+    function: Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
+    argument: Expression
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The value of the function."""
+        inside = self.argument.value(at, digits)
+        name = {"arctan": "atan", "arccos": "acos", "arcsin": "asin", "ln": "log"}.get(self.function, self.function)
+        return getattr(cmath if isinstance(inside, complex) else math, name)(inside)
+
+    def latex(self) -> str:
+        """The sine of an angle without parentheses, where that is a symbol."""
+        inside = self.argument.latex()
+        if isinstance(self.argument, Symbol):
+            return rf"\{self.function}{inside if inside.startswith(chr(92)) else ' ' + inside}"
+        return rf"\{self.function}\left({inside}\right)"
+
+    def symbols(self) -> Iterator[str]:
+        """Those of the argument."""
+        return self.argument.symbols()
