@@ -7,5 +7,6 @@ to the answer. Symbols come from the scene alone, see `lexicon`; what holds of e
 from sim2reason.solutions.book import Relation, Solution, Step, UnsolvedError
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solve import by, solve, solve_prompt
+from sim2reason.solutions.strategies import STRATEGIES
 
-__all__ = ["Relation", "Setting", "Solution", "Step", "UnsolvedError", "by", "solve", "solve_prompt"]
+__all__ = ["STRATEGIES", "Relation", "Setting", "Solution", "Step", "UnsolvedError", "by", "solve", "solve_prompt"]

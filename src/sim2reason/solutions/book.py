@@ -32,7 +32,8 @@ class Relation:
         text = f"{self.left.latex()} = {self.right.latex()}"
         if value is not None:
             number = spelled(value, self.unit)
-            text = f"{self.left.latex()} = {number}" if number == self.right.latex() else f"{text} = {number}"
+            plain = self.right.latex() == rounded(value)
+            text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
         return f"${text}$"
 
     def symbols(self) -> Iterator[str]:
@@ -67,8 +68,11 @@ class Solution:
 
     @property
     def text(self) -> str:
-        """All steps, a paragraph each."""
-        return "\n\n".join(step.text for step in self.steps if step.text)
+        """All steps, a paragraph each, and the answer in a box, to three digits."""
+        told = [step.text for step in self.steps if step.text]
+        if self.answer is not None:
+            told.append(rf"Answer: ${self.goal} \approx \boxed{{{rounded(self.answer, 3)}}}{self.unit}$.")
+        return "\n\n".join(told)
 
     @property
     def relations(self) -> list[Relation]:
@@ -199,11 +203,17 @@ class Writing:
             self._book.close(self._kind, text, self._relations, self._gives, self._rests)
 
 
+def subscript(name: str) -> str:
+    """What stands below a name, without its braces; empty for nothing."""
+    inner = name.partition("_")[2]
+    return inner[1:-1] if inner.startswith("{") else inner
+
+
 def marked(base: str, mark: str) -> str:
     """A name with a subscript, added to the one that it may have."""
     if not mark:
         return base
-    stem, _, inner = base.partition("_")
-    inner = inner.strip("{}")
+    inner = subscript(base)
     joined = f"{inner},{mark}" if inner else mark
+    stem = base.partition("_")[0]
     return f"{stem}_{joined}" if len(joined) == 1 else f"{stem}_{{{joined}}}"

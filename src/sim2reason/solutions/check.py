@@ -1,5 +1,6 @@
 """Whether a worked solution is one: every relation holds, what is told determines the answer, and nothing is idle."""
 
+import re
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -11,8 +12,14 @@ from sim2reason.solutions.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.worked import gradient
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
+AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
+
+
+def words(text: str) -> int:
+    """How long a text is; a formula counts as a word."""
+    return len(re.sub(r"\$[^$]*\$", "x", text).split())
 
 
 def faults(solution: Solution, answer: float) -> list[str]:
@@ -60,11 +67,31 @@ def undetermined(solution: Solution) -> list[str]:
     if not _spanned(told, goal):
         found.append("the laws that are told do not determine the answer")
     else:
-        idle = [number for number in laws if _spanned([rows[other] for other in laws if other != number], goal)]
+        there = _elsewhere(solution)
+        others = [_row(r, there, place) for r in relations]
+        idle = [n for n in laws if all(_spanned([e[k] for k in laws if k != n], goal) for e in (rows, others))]
         found += [f"superfluous: {relations[number].latex()}" for number in idle]
     derived = (number for number, relation in enumerate(relations) if relation.role != "law")
     strays = [relations[number].latex() for number in derived if not _spanned(told, rows[number])]
     return found + [f"does not follow from what is told: {text}" for text in strays]
+
+
+def _elsewhere(solution: Solution) -> dict[str, float]:
+    """The values at other givens: where equal masses only exchange their velocities, a law would seem idle."""
+    values = dict(solution.values)
+    known: set[str] = set()
+    for number, relation in enumerate(solution.relations):
+        if not isinstance(relation.left, Symbol):
+            continue
+        name = relation.left.name
+        if relation.role == "given":
+            values[name] *= 1.0 + AWAY * (1.0 + number % 7) / 7.0
+        elif name not in known and all(other in known for other in relation.right.symbols()):
+            values[name] = float(relation.right.value(values).real)
+        else:
+            continue
+        known.add(name)
+    return values
 
 
 def _row(relation: Relation, values: dict[str, float], place: dict[str, int]) -> NDArray[np.float64]:

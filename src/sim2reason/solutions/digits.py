@@ -8,12 +8,12 @@ def shortened(value: float, digits: int = DIGITS) -> float:
     return float(f"{value:.{digits - 1}e}")
 
 
-def rounded(value: float) -> str:
-    """A number with five significant digits, in LaTeX."""
+def rounded(value: float, digits: int = DIGITS) -> str:
+    """A number with so many significant digits, in LaTeX."""
     if value == 0.0:
         return "0"
-    mantissa, _, power = f"{value:.{DIGITS - 1}e}".partition("e")
+    mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
     exponent = int(power)
     if -4 < exponent < 6:
-        return f"{value:.{max(0, DIGITS - 1 - exponent)}f}"
+        return f"{value:.{max(0, digits - 1 - exponent)}f}"
     return rf"{mantissa} \times 10^{{{exponent}}}"

@@ -106,7 +106,7 @@ class Dynamics:
         rows, unknowns = self._laws(goals)
         givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
         chosen = needed(rows, unknowns, {**givens, **self.values}, [goal for goal in goals if goal in unknowns])
-        self._share(chosen, goals)
+        self._share(chosen, goals, rows)
         self._name(chosen, goals)
         telling.Telling(self, chosen, goals).write()
         for name, held in self.names.items():
@@ -121,19 +121,19 @@ class Dynamics:
 
     # ---- names
 
-    def _share(self, rows: Sequence[Row], goals: Sequence[str]) -> None:
+    def _share(self, rows: Sequence[Row], goals: Sequence[str], laws: Sequence[Row]) -> None:
         """Coordinates that strings bind to each other at equal rates go by one name."""
         members: dict[int, dict[int, int]] = {}
         used = {name for row in rows for name in row.zero.names() if name[0] == "q" and name[1:].isdigit()}
         known = {f"q{self.measure.known[0]}"} if self.measure.known else set[str]()
         for k in sorted(int(name[1:]) for name in used | known | {goal for goal in goals if goal[0] == "q"}):
             members[k] = {k: 1}
-        for row in rows:
+        for row in laws:  # also those strings that an answer does not need: equal rates have one name all the same
             pair = _equal(row)
             if pair is None:
                 continue
             (one, other), sign = pair
-            if members[one] is members[other]:
+            if one not in members or other not in members or members[one] is members[other]:
                 continue
             turned = sign * members[one][one] * members[other][other]
             members[one] |= {k: turned * s for k, s in members[other].items()}

@@ -4,9 +4,11 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 from sim2reason.solutions.digits import rounded
 
+FUNCTIONS = ("\\sin", "\\cos", "\\tan", "\\arc", "\\ln", "\\exp")
 Scalar = float | complex
 Values = Mapping[str, Scalar]
 
@@ -163,9 +165,10 @@ class Product(Expression):
         if first == Number(-1.0):
             return "-" + Product(tuple(rest)).latex() if len(rest) > 1 else f"-{parenthesized(rest[0], 1)}"
         text = first.latex() if isinstance(first, Number) else parenthesized(first, 1)
-        for factor in rest:
+        for before, factor in pairwise(self.factors):
             part = parenthesized(factor, 1)
-            joint = r" \cdot " if part[0].isdigit() or part.startswith("-") else r"\," if text[-1].isdigit() else " "
+            apart = text[-1].isdigit() or before.latex().startswith(FUNCTIONS)  # sin θ m would be the sine of θ m
+            joint = r" \cdot " if part[0].isdigit() or part.startswith("-") else r"\," if apart else " "
             text += joint + part
         return text
 

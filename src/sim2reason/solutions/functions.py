@@ -24,7 +24,8 @@ class Power(Expression):
         """With the exponent raised; that of a sine stands before its angle."""
         if isinstance(self.base, Call):
             return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
-        return f"{parenthesized(self.base, 2)}^{{{self.exponent}}}"
+        base = rf"\left({self.base.latex()}\right)" if isinstance(self.base, Power) else parenthesized(self.base, 2)
+        return f"{base}^{{{self.exponent}}}"
 
     def symbols(self) -> Iterator[str]:
         """Those of the base."""

@@ -12,6 +12,8 @@ from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token, tokenize
 
 FORMULA = re.compile(r"\$([^$]*=[^$]*)\$")
+ANSWER = re.compile(r"\$([^$=]*?) \\approx \\boxed\{((?:[^{}]|\{[^{}]*\})*)\}[^$]*\$")
+BOXED = 6e-3  # relative: what three digits leave
 CLOSE = 3e-4  # relative to the largest term: what five digits leave
 SIGNS = ("plus", "minus", "dash")
 
@@ -24,6 +26,7 @@ class Equality:
     sides: tuple[Node, Node]
     terms: tuple[Node, ...]  # by whose size they are compared
     symbols: frozenset[str]
+    close: float = CLOSE
 
     def excess(self, values: Mapping[str, float]) -> float | None:
         """Left less right; None where a side has no value."""
@@ -34,7 +37,7 @@ class Equality:
         """Whether both sides agree, compared with their largest term."""
         excess = self.excess(values)
         sizes = [abs(size) for term in self.terms if (size := arithmetic.value(term, values)) is not None]
-        return excess is not None and abs(excess) <= CLOSE * max(sizes, default=1.0)
+        return excess is not None and abs(excess) <= self.close * max(sizes, default=1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +77,9 @@ def read(text: str) -> Reading:
             both = (one[0], other[0])
             equalities.append(Equality(chain, both, (*one[1], *other[1]), one[2] | other[2]))
     _follow(equalities, values)
+    for match in ANSWER.finditer(text):
+        (goal, _, names), (number, terms, _) = _side(match[1], table), _side(match[2], table)
+        equalities.append(Equality(match[0], (goal, number), terms, names, BOXED))
     return Reading(tuple(equalities), tuple(unread), values)
 
 

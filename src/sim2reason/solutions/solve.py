@@ -2,7 +2,11 @@
 
 from dataclasses import replace
 
-from sim2reason.prose.naming import Names, symbols
+import numpy as np
+
+from sim2reason.prose.naming import Names
+from sim2reason.prose.voices import numeric
+from sim2reason.prose.writer import Writer
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.book import Book, Relation, Solution, Step, UnsolvedError
@@ -41,7 +45,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
     steps = _needed(book.steps, goal)
-    steps = _renumbered([_givens(setting, book, steps), *steps])
+    steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     unit = book.units.get(goal, "")
     return Solution(strategy.name, steps, book.observed | book.values, goal, book.values[goal], unit)
 
@@ -52,8 +56,7 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
     scene, mentions = parsed.reading.scene, parsed.reading.mentions
     letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
     nouns = {type(body): _noun(mentions[address]) for address, body in scene.bodies.items() if address in mentions}
-    said = [p for p in scene.parameters if not p.hidden and p.value is not None]
-    named = symbols(said, scene.bodies, Names(letters, nouns))
+    named = Writer(scene, Names(letters, nouns), np.random.default_rng(0), numeric).symbols
     setting = Setting(scene, Words.of(scene, mentions), named, parsed.study, parsed.query)
     return solve(setting), setting
 
@@ -75,9 +78,9 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
     return [step for step in steps if step.id in kept or not step.gives]
 
 
-def _givens(setting: Setting, book: Book, steps: list[Step]) -> Step:
+def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
     """What the solution takes from the text."""
-    used = {name for step in steps for relation in step.relations for name in relation.symbols()}
+    used = {name for step in steps for relation in step.relations for name in relation.symbols()} | {goal}
     said: list[str] = []
     relations: list[Relation] = []
     for given in setting.lexicon.givens.values():

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.book import Book, UnsolvedError, subscript
 from sim2reason.solutions.dynamics import Dynamics, Shared
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied
 from sim2reason.solutions.functions import Power, Root
@@ -99,7 +99,7 @@ class Stage:
 
     def _mark(self, shared: Shared) -> str:
         """The subscript of its acceleration."""
-        return shared.symbol.name.partition("_")[2].strip("{}")
+        return subscript(shared.symbol.name)
 
     def _lasting(self) -> Symbol:
         shared = self._shared(self.end.coordinate)

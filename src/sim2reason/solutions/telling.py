@@ -47,13 +47,27 @@ class Telling:
         step = self.d.book.open("names")
         said = [f"${shared.symbol.name}$ {self._whose(shared)}" for shared in self.d.shared]
         if len(said) == 1:
-            step.say(f"Let {said[0].replace('$ of', '$ be the acceleration of', 1)}.")
+            noun = f"$ be the {self.d.measure.noun} of"
+            step.say(f"Let {said[0].replace('$ of', noun, 1)}.")
         elif said:
             step.say(f"{capital(self.d.measure.noun)}s: {'; '.join(said)}.")
         tensions = [f"${_name_of(self.names[n])}$ in {self._line(n)}" for n in self.names if n[0] == "T"]
         if tensions:
             step.say(f"Tension{'s' if len(tensions) > 1 else ''}: {'; '.join(tensions)}.")
+        step.say(*self._resting())
         step.close()
+
+    def _resting(self) -> list[str]:
+        """Who does not move on what carries it, in words."""
+        found: list[str] = []
+        for k in sorted(self.d.frozen):
+            coordinate = self.d.mechanism.coordinates[k]
+            parent = self.d.mechanism.body[coordinate.body].parent
+            own = [self._body(row.number) for group in self.d.groups for row in group]
+            if parent is not None and self._carried(coordinate.body, own):
+                on = self.d.setting.called(parent)
+                found.append(f"{capital(self.d.setting.called(coordinate.body))} stays at rest relative to {on}.")
+        return found
 
     def _line(self, name: str) -> str:
         return self.d.setting.lines[self.d.newton.lines[int(name[1:])].name]

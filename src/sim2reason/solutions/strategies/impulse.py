@@ -17,14 +17,14 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.flights import Impact, Leg
-from sim2reason.solutions.functions import Power
+from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.impacts import Flights
 from sim2reason.solutions.lexicon import Both, UnreadError
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.stage import METRES, SECONDS
+from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.worked import NumericRoot
@@ -169,6 +169,8 @@ class _Struck(Way):
         self.book.say_given(name.name, moment.value, METRES)
         paths: list[Polynomial] = []
         moves = self.moving([body])
+        if number == 0 and not any(self.flights.acceleration(k) for k in moves):
+            return self._straight([leg.speeds[k] for k in moves if k in leg.speeds], name, body)
         before = {k: self.flights.place(body, number, k, None) for k in moves}
         step, time = self.book.open("time"), self.book.fresh("t")
         t = Polynomial.of(time)
@@ -187,6 +189,19 @@ class _Struck(Way):
         step.say(f"{step.result(time, root, SECONDS)}.")
         step.close()
         return self._since(leg, time)
+
+    def _straight(self, speeds: list[Polynomial], distance: Symbol, body: str) -> Symbol:
+        """The time for a distance at a constant velocity."""
+        squares: Expression = ZERO
+        for speed in speeds:
+            squares = added(squares, Power(speed.expression(), 2))
+        step, speed, time = self.book.open("time"), self.book.fresh("v"), self.book.fresh("t")
+        step.say(
+            f"Until then {self.setting.called(body)} moves at {step.result(speed, Root(squares), SPEED, law=True)},"
+        )
+        step.say(f"so that {step.result(time, ratio(distance, speed), SECONDS, law=True)}.")
+        step.close()
+        return time
 
     def _turning(self, body: str) -> Symbol:
         """When the rate along which a body rises or falls is zero."""

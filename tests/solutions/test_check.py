@@ -1,0 +1,80 @@
+"""The checks themselves: each catches the fault that it is for, planted in a solution that was sound."""
+
+from dataclasses import replace
+
+import pytest
+
+from plain_scenes import atwood
+from sim2reason.solutions import Relation, Solution, solve
+from sim2reason.solutions.check import faults
+from sim2reason.solutions.expressions import Number, Symbol, added, multiplied
+from sim2reason.solutions.reading import read
+from worked import asked
+
+
+def sound() -> Solution:
+    return solve(asked(atwood(), "What is the tension in the string just after release?"))
+
+
+def altered(solution: Solution, kind: str, change: "object") -> Solution:
+    """With the relations of all steps of a kind changed."""
+    steps = tuple(
+        replace(step, relations=change(step.relations)) if step.kind == kind else step  # type: ignore[operator]
+        for step in solution.steps
+    )
+    return replace(solution, steps=steps)
+
+
+def test_a_sound_solution_has_no_faults() -> None:
+    found = sound()
+    assert found.answer is not None
+    assert not faults(found, found.answer)
+
+
+def test_a_wrong_answer() -> None:
+    found = sound()
+    assert found.answer is not None
+    assert any("the engine" in fault for fault in faults(found, found.answer * 1.001))
+
+
+def test_a_relation_that_does_not_hold() -> None:
+    found = sound()
+
+    def wrong(relations: tuple[Relation, ...]) -> tuple[Relation, ...]:
+        return tuple(replace(r, right=added(r.right, Number(0.1))) for r in relations)
+
+    assert any("does not hold" in fault for fault in faults(altered(found, "combine", wrong), found.answer or 0.0))
+
+
+def test_a_law_that_is_missing() -> None:
+    found = altered(sound(), "newton", lambda relations: relations[:1])
+    assert any("do not determine" in fault for fault in faults(found, found.answer or 0.0))
+
+
+def test_a_law_that_is_superfluous() -> None:
+    found = sound()
+    idle = Relation(Symbol("x"), multiplied(Number(2.0), Symbol("a")), "law")
+    found = altered(found, "newton", lambda relations: (*relations, idle))
+    found = replace(found, values={**found.values, "x": 2.0 * found.values["a"]})
+    assert any("superfluous" in fault for fault in faults(found, found.answer or 0.0))
+
+
+def test_what_holds_but_does_not_follow() -> None:
+    found = sound()
+    stray = Relation(Symbol("T"), Number(found.values["T"]), "derived")
+    laws = [step.kind for step in found.steps]
+    assert "newton" in laws
+    lone = altered(found, "newton", lambda relations: (*relations, replace(stray, right=Symbol("y"))))
+    lone = replace(lone, values={**found.values, "y": found.values["T"]})
+    assert any("does not follow" in fault for fault in faults(lone, found.answer or 0.0))
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("m_B a", "m_A a"), ("T - m_B g", "T + m_B g"), ("1.9600", "1.9700"), (r"\boxed{23.5", r"\boxed{24.5")],
+)
+def test_the_reader_finds_a_fault_in_the_text(old: str, new: str) -> None:
+    text = sound().text
+    assert not read(text).broken
+    assert old in text
+    assert read(text.replace(old, new, 1)).broken

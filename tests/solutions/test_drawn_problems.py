@@ -1,0 +1,97 @@
+"""What holds of every worked solution, over drawn problems of the recipes that strategies cover."""
+
+import random
+import re
+
+import pytest
+
+from sim2reason.solutions import STRATEGIES, Solution, by, solve
+from sim2reason.solutions.check import WORDS, faults, words
+from sim2reason.solutions.reading import read
+from worked import problems
+
+COVERED = ("pulley", "incline", "hybrid", "box", "projectile")
+DIFFICULTIES = ("easy", "medium", "hard")
+COUNT = 6
+
+
+@pytest.mark.parametrize("recipe", COVERED)
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+def test_every_problem_of_a_covered_recipe_is_solved_without_a_fault(recipe: str, difficulty: str) -> None:
+    for setting in problems(recipe, difficulty, COUNT):
+        solution = solve(setting)
+        assert solution.answer is not None, solution.reason
+        assert setting.answer is not None
+        assert not faults(solution, setting.answer), solution.text
+
+
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+def test_a_collision_is_solved_without_a_fault_or_says_why_not(difficulty: str) -> None:
+    for setting in problems("collision", difficulty, COUNT):
+        solution = solve(setting)
+        if solution.answer is None:
+            assert "accelerations change as it moves" in solution.reason  # a spring
+        else:
+            assert setting.answer is not None
+            assert not faults(solution, setting.answer), solution.text
+
+
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+def test_the_text_alone_says_equalities_that_hold_and_is_no_longer_than_it_may(difficulty: str) -> None:
+    for recipe in COVERED:
+        for setting in problems(recipe, difficulty, 3):
+            text = solve(setting).text
+            reading = read(text)
+            assert reading.equalities
+            assert not reading.unread
+            assert not reading.broken, reading.broken
+            assert words(text) <= WORDS[difficulty], text
+
+
+def test_planted_faults_are_found_in_the_text_alone() -> None:
+    caught = planted = 0
+    rng = random.Random(5)
+    for recipe in COVERED:
+        for setting in problems(recipe, "medium", 6):
+            text = solve(setting).text
+            for fault in faulty(text, rng):
+                reading = read(fault)
+                planted += 1
+                caught += bool(reading.broken or reading.unread)
+    assert planted >= 50
+    assert caught >= 0.93 * planted
+
+
+def faulty(text: str, rng: random.Random) -> list[str]:
+    """The text with one number 7 % larger, and with one sign turned."""
+    numbers = list(re.finditer(r"\d+\.\d{2,}", text))
+    signs = list(re.finditer(r" [+-] (?=[^$]*\$)", text))
+    found: list[str] = []
+    if numbers:
+        held = rng.choice(numbers)
+        places = len(held[0].split(".")[1])
+        found.append(f"{text[: held.start()]}{1.07 * float(held[0]):.{places}f}{text[held.end() :]}")
+    if signs:
+        held = rng.choice(signs)
+        found.append(text[: held.start()] + (" - " if "+" in held[0] else " + ") + text[held.end() :])
+    return found
+
+
+def test_strategies_check_each_other() -> None:
+    both = 0
+    for recipe in ("pulley", "hybrid", "projectile"):
+        for setting in problems(recipe, "easy", 10):
+            found: list[Solution] = [by(strategy, setting) for strategy in STRATEGIES.values()]
+            answers = [solution.answer for solution in found if solution.answer is not None]
+            both += len(answers) > 1
+            assert all(answer == pytest.approx(answers[0], rel=1e-9) for answer in answers)
+    assert both
+
+
+@pytest.mark.parametrize("recipe", ["springs", "pendulum", "orbital"])
+def test_what_no_strategy_covers_says_so(recipe: str) -> None:
+    for setting in problems(recipe, "easy", 2):
+        solution = solve(setting)
+        if solution.answer is None:
+            assert solution.reason.startswith("no strategy applies: ")
+            assert not solution.text

@@ -1,0 +1,49 @@
+"""Settings of worked solutions: of drawn problems, and of questions about plain scenes."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.questions import MODES, Query
+from sim2reason.questions.parse_question import parse_question
+from sim2reason.recipes import RECIPES, known
+from sim2reason.solutions import Setting
+
+TRIES = 40
+
+
+def setting_of(search: QuestionSearch, query: Query) -> Setting:
+    study = search.study
+    return Setting(study.scene, search.words, search.description.symbols, study, query)
+
+
+def asked(scene: Scene, question: str | Query) -> Setting:
+    """A question about a scene, in the words of the library or as a query."""
+    search = QuestionSearch(scene, 0)
+    query = question if isinstance(question, Query) else parse_question(question, search.study, search.words)
+    assert query is not None, question
+    return setting_of(search, query)
+
+
+def problems(recipe: str, difficulty: str, count: int, seed: int = 3) -> Iterator[Setting]:
+    """Drawn problems that pass every filter."""
+    for index in range(count):
+        found = _problem(recipe, difficulty, seed, index)
+        if found is not None:
+            yield found
+
+
+def _problem(recipe: str, difficulty: str, seed: int, index: int) -> Setting | None:
+    for attempt in range(TRIES):
+        rng = generator("worked", recipe, difficulty, seed, index, attempt)
+        try:
+            search = QuestionSearch(RECIPES[recipe](known(difficulty), rng), int(rng.random() * 2**31))
+            found = search.ask(MODES["numeric"], rng, Counter[str]())
+        except (SceneError, SimulationError, UnsupportedError):
+            continue
+        if found is not None:
+            return setting_of(search, found.question.query)
+    return None
