@@ -16,6 +16,7 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import SceneError
 from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.functions import Call
@@ -43,6 +44,8 @@ class Given:
     def latex(self) -> str:
         """The number as it is said, with its unit."""
         measure, value = self.parameter.measure, self.parameter.value or 0.0
+        if measure.unit.startswith("km"):
+            return rf"{self.value:g}\ \text{{{measure.unit[1:]}}}"  # metres, as formulas need them
         text = f"{value:.{measure.places(value)}f}"
         if abs(float(text) - value) > 1e-12 * abs(value):
             text = repr(value)
@@ -161,7 +164,7 @@ class Lexicon:
 
 
 def _counted(parameter: Parameter, value: float) -> float:
-    return math.radians(value) if parameter.measure.unit == "deg" else value
+    return value * parse_unit(parameter.measure.unit).factor
 
 
 def _factor(number: Both, atom: Both) -> float | None:

@@ -104,7 +104,7 @@ def single(parts: Components, known: Known) -> Symbol | None:
     return Symbol(unknown[0]) if size.number is not None and abs(size.number - 1.0) < 1e-9 and not rest else None
 
 
-def magnitude(parts: Components, known: Known, noun: "Noun", body: str) -> Expression:
+def magnitude(parts: Components, known: Known, noun: "VectorName", body: str) -> Expression:
     """The size of a vector, by its components where it has several; a name, or a formula of names."""
     one = single(parts, known)
     if one is not None:
@@ -135,7 +135,7 @@ def magnitude(parts: Components, known: Known, noun: "Noun", body: str) -> Expre
 
 
 @dataclass(frozen=True, slots=True)
-class Noun:
+class VectorName:
     """How a vector is called: its letter, its unit in LaTeX, its word."""
 
     base: str
@@ -143,7 +143,7 @@ class Noun:
     said: str
 
 
-def finish(known: Known, formula: Expression, noun: Noun, mark: str, what: str) -> Symbol:
+def finish(known: Known, formula: Expression, noun: VectorName, mark: str, what: str) -> Symbol:
     """The last step: a name for the answer, unless it has one."""
     if isinstance(formula, Symbol):
         return formula

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Number, Symbol, multiplied
 from sim2reason.solutions.functions import Power
-from sim2reason.solutions.goals import GOALS, Goal, Known, Noun, finish, magnitude
+from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import ACCELERATION, METRES, SPEED
 
 UP = (0.0, 0.0, 1.0)
@@ -15,8 +15,8 @@ UP = (0.0, 0.0, 1.0)
 class MassTimes(Goal):
     """The mass of a body times a vector: a momentum, or the net force."""
 
-    noun: Noun
-    of: Noun
+    noun: VectorName
+    of: VectorName
 
     @property
     def uses(self) -> str:
@@ -52,7 +52,7 @@ class KineticEnergyGoal(Goal):
         speed = magnitude(known.vector("v", body), known, SPEED, body)
         squared = getattr(speed, "inside", None) or Power(_positive(speed), 2)
         formula = multiplied(multiplied(Number(0.5), known.mass(body).expression()), squared)
-        noun, mark = Noun("K", r"\ \text{J}", "kinetic energy"), known.setting.mark(body)
+        noun, mark = VectorName("K", r"\ \text{J}", "kinetic energy"), known.setting.mark(body)
         return finish(known, formula, noun, mark, f"the kinetic energy of {known.setting.called(body)}")
 
 
@@ -70,7 +70,7 @@ class PotentialEnergyGoal(Goal):
         body = target.subject
         rise = known.component(METRES.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()
-        noun, mark = Noun("U", r"\ \text{J}", "energy"), known.setting.mark(body)
+        noun, mark = VectorName("U", r"\ \text{J}", "energy"), known.setting.mark(body)
         return finish(known, formula, noun, mark, f"the change in the potential energy of {known.setting.called(body)}")
 
 
@@ -79,7 +79,7 @@ def _positive(held: object) -> Symbol:
     return held if isinstance(held, Symbol) else held.factors[-1]  # type: ignore[attr-defined]
 
 
-GOALS.add("momentum", MassTimes(Noun("p", r"\ \text{kg m/s}", "momentum"), SPEED))
-GOALS.add("net force", MassTimes(Noun("F", r"\ \text{N}", "net force"), ACCELERATION))
+GOALS.add("momentum", MassTimes(VectorName("p", r"\ \text{kg m/s}", "momentum"), SPEED))
+GOALS.add("net force", MassTimes(VectorName("F", r"\ \text{N}", "net force"), ACCELERATION))
 GOALS.add("kinetic energy", KineticEnergyGoal())
 GOALS.add("potential energy", PotentialEnergyGoal())

@@ -4,18 +4,18 @@ from dataclasses import dataclass
 
 from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.goals import GOALS, Goal, Known, Noun, finish, magnitude
+from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
 
-METRES = Noun("s", r"\ \text{m}", "displacement")
-SPEED = Noun("v", r"\ \text{m/s}", "velocity")
-ACCELERATION = Noun("a", r"\ \text{m/s}^2", "acceleration")
+METRES = VectorName("s", r"\ \text{m}", "displacement")
+SPEED = VectorName("v", r"\ \text{m/s}", "velocity")
+ACCELERATION = VectorName("a", r"\ \text{m/s}^2", "acceleration")
 
 
 @dataclass(frozen=True, slots=True)
 class VectorGoal(Goal):
     """A vector of a body: its component along a sense, or its size."""
 
-    noun: Noun
+    noun: VectorName
 
     @property
     def uses(self) -> str:
