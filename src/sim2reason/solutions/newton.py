@@ -124,22 +124,21 @@ class Newton:
 
     def _turning(self, k: int) -> list[Polynomial]:
         """I/r² times the acceleration of the rim, of what turns about its own axis."""
-        if self.mechanism.coordinates[k].kind != "hinge":
-            return []
-        found: list[Polynomial] = []
-        for number, body in enumerate(self.mechanism.bodies):
-            frame = self._sides[0][1][body.name]
-            turns = frame.spin is not None and any(body.inertia)
-            turning = list(frame.turning.gradient) if turns else []
-            for j in turning if k in turning else []:
+        hinges = [j for j, coordinate in enumerate(self.mechanism.coordinates) if coordinate.kind == "hinge"]
+        return [part * symbol("q", j) for j in hinges if k in hinges and (part := self.turning(k, j))]
 
-                def inertia(m: Mechanism, f: Frames, n: int = number, j: int = j) -> float:
-                    axes = f[m.bodies[n].name].turning.gradient
-                    return product(axes[k], applied(m.bodies[n].inertia, axes[j]))
+    def turning(self, k: int, j: int) -> Polynomial:
+        """The moment of inertia that two hinges share, over the squares of the radii of their rims."""
 
-                both = self._both(inertia) / (self.scale[k] * self.scale[j])
-                found.append(self.lexicon.read(both) * symbol("q", j))
-        return found
+        def inertia(m: Mechanism, f: Frames) -> float:
+            total = 0.0
+            for body in m.bodies:
+                axes = f[body.name].turning.gradient
+                if any(body.inertia) and k in axes and j in axes:
+                    total += float(product(axes[k], applied(body.inertia, axes[j])))
+            return total
+
+        return self.lexicon.read(self._both(inertia) / (self.scale[k] * self.scale[j]))
 
     def _pull(self, number: int, line: Line, k: int) -> Polynomial:
         """What a line does along a coordinate."""

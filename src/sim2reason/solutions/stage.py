@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError, subscript
 from sim2reason.solutions.dynamics import Dynamics, Shared
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Power, Root
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
 
 SECONDS, METRES, SPEED = r"\ \text{s}", r"\ \text{m}", r"\ \text{m/s}"
@@ -23,6 +23,7 @@ class End:
     coordinate: int = -1
     distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
     what: str = ""  # in words
+    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
 
 
 @dataclass
@@ -79,7 +80,7 @@ class Stage:
         return self.speeds.get(k, NIL).scaled(float(sense))
 
     def _ends(self, shared: Shared) -> bool:
-        return self.end.coordinate in shared.sense
+        return not self.end.slip and self.end.coordinate in shared.sense
 
     def _value(self, shared: Shared, *, moved: bool) -> float:
         """What the engine has at the end: the rate, or how far it has moved."""
@@ -101,7 +102,20 @@ class Stage:
         """The subscript of its acceleration."""
         return subscript(shared.symbol.name)
 
+    def _rolling(self) -> Symbol:
+        """When the surfaces no longer slip: Σ factor (v + a t) = 0."""
+        begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
+        gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
+        step, name = self.book.open("time"), self.book.fresh("t")
+        law = step.law((begun + gained * Polynomial.of(name)).expression(), ZERO)
+        formula = ratio(-begun.expression(), gained.expression())
+        step.say(f"{self.end.what} {law}, so {step.result(name, formula, SECONDS)}.")
+        step.close()
+        return name
+
     def _lasting(self) -> Symbol:
+        if self.end.slip:
+            return self._rolling()
         shared = self._shared(self.end.coordinate)
         if shared is None:
             raise UnsolvedError("what ends a stage does not move")

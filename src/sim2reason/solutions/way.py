@@ -66,14 +66,25 @@ class Way(ABC):
         """The coordinates that move what is asked about."""
         if self.target is None or self.goal is None:
             return []
-        return self.moving(list(self.goal.bodies(self.target)))
+        bodies = list(self.goal.bodies(self.target))
+        hinges = [k for body in bodies if self.goal.turns and (k := self.hinge(body)) is not None]
+        return sorted({*self.moving(bodies), *hinges})
+
+    def hinge(self, body: str) -> int | None:
+        """The coordinate that turns a body about its own centre; None if there is none."""
+        own = self.mechanism.body[body]
+        turning = [c.name for c in own.coordinates if c.kind == "hinge" and any(own.inertia)]
+        return self.mechanism.number[turning[0]] if len(turning) == 1 else None
 
     @cached_property
     def first_speeds(self) -> Mapping[int, Polynomial]:
         """The rates of coordinates at the start, but for those that are zero."""
         lexicon = self.setting.lexicon
         pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
-        return {k: lexicon.read(Both(a.speed, b.speed)) for k, (a, b) in enumerate(pairs) if a.speed}
+        turns = any(c.kind == "hinge" for c in self.mechanism.coordinates)
+        scale = Newton(lexicon, self.setting.motion.segments[0]).scale if turns else None
+        speeds = {k: Both(a.speed, b.speed) for k, (a, b) in enumerate(pairs) if a.speed}
+        return {k: lexicon.read(speed * scale[k] if scale else speed) for k, speed in speeds.items()}
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
         """Along a direction of the room, or the line of the body's own motion.
@@ -106,6 +117,25 @@ class Way(ABC):
         )
         x, y, z = (lexicon.read(Both(float(a), float(b))) for a, b in zip(here, there, strict=True))
         return x, y, z
+
+    def rim(self, kind: str, body: str) -> Polynomial:
+        """What the rim of a body does that turns about its own axis."""
+        k = self.hinge(body)
+        return self.rate(kind, k) if k is not None else NIL
+
+    def radius(self, body: str) -> Polynomial:
+        """The radius of that rim."""
+        k = self.hinge(body)
+        if k is None:
+            raise UnsolvedError(f"{body} does not turn")
+        return self.setting.lexicon.read(self.newton.scale[k])
+
+    def rim_inertia(self, body: str) -> Polynomial:
+        """I/R²."""
+        k = self.hinge(body)
+        if k is None:
+            raise UnsolvedError(f"{body} does not turn")
+        return self.newton.turning(k, k)
 
     def axes(self, body: str) -> tuple[str, ...]:
         """What the text calls the room's directions for a body."""

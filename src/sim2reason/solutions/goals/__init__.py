@@ -49,6 +49,18 @@ class Known(Protocol):
         """The component of one of these along a direction of the room, or along the line of the body's own motion."""
         ...
 
+    def rim(self, kind: str, body: str) -> Polynomial:
+        """The acceleration, speed or path of the rim of a body that turns about its own axis; zero if it does not."""
+        ...
+
+    def radius(self, body: str) -> Polynomial:
+        """The radius of that rim."""
+        ...
+
+    def rim_inertia(self, body: str) -> Polynomial:
+        """The moment of inertia over the square of that radius."""
+        ...
+
     def force(self, kind: str, name: str) -> Symbol:
         """The tension ``T`` of a line, or normal force ``N`` or friction ``f`` on a body."""
         ...
@@ -75,6 +87,11 @@ class Goal(ABC):
     @abstractmethod
     def uses(self) -> str:
         """What of the motion it needs: accelerations ``a``, velocities ``v``, displacements ``s``; or nothing."""
+
+    @property
+    def turns(self) -> bool:
+        """Whether it hangs on how a body turns about its own axis; by default it does not."""
+        return False
 
     def bodies(self, target: Target) -> Sequence[str]:
         """The bodies whose motion it needs; by default its subject."""

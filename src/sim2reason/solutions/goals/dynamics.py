@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 
 from sim2reason.questions import Target
-from sim2reason.solutions.expressions import Number, Symbol, multiplied
-from sim2reason.solutions.functions import Power
+from sim2reason.solutions.expressions import Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import ACCELERATION, METRES, SPEED
+from sim2reason.solutions.goals.turning import squared
 
 UP = (0.0, 0.0, 1.0)
 
@@ -39,19 +39,26 @@ class MassTimes(Goal):
 
 @dataclass(frozen=True, slots=True)
 class KineticEnergyGoal(Goal):
-    """½ m v² of a body that does not turn."""
+    """½ m v², and ½ I ω² of what turns."""
 
     @property
     def uses(self) -> str:
         """The velocity."""
         return "v"
 
+    @property
+    def turns(self) -> bool:
+        """Of what turns, too."""
+        return True
+
     def write(self, target: Target, known: Known) -> Symbol:
         """The speed, then the energy."""
-        body = target.subject
+        body, rim = target.subject, known.rim("v", target.subject)
         speed = magnitude(known.vector("v", body), known, SPEED, body)
-        squared = getattr(speed, "inside", None) or Power(_positive(speed), 2)
-        formula = multiplied(multiplied(Number(0.5), known.mass(body).expression()), squared)
+        formula = multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
+        if rim:
+            half = known.rim_inertia(body).scaled(0.5).expression()
+            formula = added(formula, multiplied(half, squared(rim.expression())))
         noun, mark = VectorName("K", r"\ \text{J}", "kinetic energy"), known.setting.mark(body)
         return finish(known, formula, noun, mark, f"the kinetic energy of {known.setting.called(body)}")
 
@@ -72,11 +79,6 @@ class PotentialEnergyGoal(Goal):
         formula = (known.mass(body) * known.gravity * rise).factored()
         noun, mark = VectorName("U", r"\ \text{J}", "energy"), known.setting.mark(body)
         return finish(known, formula, noun, mark, f"the change in the potential energy of {known.setting.called(body)}")
-
-
-def _positive(held: object) -> Symbol:
-    """A speed without its sign: it will be squared."""
-    return held if isinstance(held, Symbol) else held.factors[-1]  # type: ignore[attr-defined]
 
 
 GOALS.add("momentum", MassTimes(VectorName("p", r"\ \text{kg m/s}", "momentum"), SPEED))

@@ -106,15 +106,12 @@ class _Staged(Way):
         moment = self.query.moment
         timed = self.uses in ("v", "s")
         bodies = [moment.name] if timed and isinstance(moment, Moved | Stopped) else []
-        slips = [self._slipping(moment.name)] if timed and isinstance(moment, StoppedSlipping) else []
+        slips = self._slipping(moment.name) if timed and isinstance(moment, StoppedSlipping) else []
         return sorted({*self.asked(), *self.moving(bodies), *slips})
 
-    def _slipping(self, body: str) -> int:
-        """The coordinate along which a body slides on its face."""
-        slip = self.mechanism.contacts[body].slip
-        if len(slip) != 1:
-            raise UnsolvedError("it turns while it slips")
-        return self.mechanism.number[slip[0][0]]
+    def _slipping(self, body: str) -> list[int]:
+        """The coordinates along which a body slides on its face."""
+        return [self.mechanism.number[name] for name, _ in self.mechanism.contacts[body].slip]
 
     @cached_property
     def segments(self) -> list[Segment]:
@@ -140,9 +137,8 @@ class _Staged(Way):
             places = {k: before.place(k) for k in self.wanted} if before else {}
             end = self._end(found, places) if last else self._stopping(segment, self.segments[number + 1])
             stage = Stage(self.setting, self.book, segment, until - segment.start, end, speeds, places)
-            goals = [f"q{k}" for k in self.wanted]
-            if not last and end.coordinate not in self.wanted:
-                goals.append(f"q{end.coordinate}")
+            ends = [] if last else [end.coordinate, *end.slip]
+            goals = [f"q{k}" for k in sorted({*self.wanted, *ends})]
             stage.reach([*goals, self._force[1]] if last and self._force[1] else goals)
             found.append(stage)
         return found
@@ -163,9 +159,18 @@ class _Staged(Way):
             k, *_ = self.moving([moment.name])
             return End(None, k, None, f"{capital(self.setting.called(moment.name))} comes to rest when")
         if isinstance(moment, StoppedSlipping):
-            k = self._slipping(moment.name)
-            return End(None, k, None, self._stops(moment.name))
+            return self._slips_no_more(moment.name)
         return End()
+
+    def _slips_no_more(self, body: str) -> End:
+        """When a body stops slipping on its face."""
+        slips = self._slipping(body)
+        if len(slips) == 1:
+            return End(None, slips[0], None, self._stops(body))
+        newton = Newton(self.setting.lexicon, self.segments[0])
+        face = list(self.mechanism.contacts).index(body)
+        what = f"{capital(self.setting.called(body))} begins to roll without slipping when"
+        return End(None, slips[0], None, what, newton.slip(face))
 
     def _stops(self, body: str) -> str:
         """That it stops sliding, in words."""
@@ -199,7 +204,6 @@ class _Staged(Way):
         """Which contact stops slipping between two segments."""
         faces = [face for face in self.mechanism.faces if face.friction > 0.0]
         for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
-            if side and later != side and len(face.slip) == 1:
-                k = self.mechanism.number[face.slip[0][0]]
-                return End(None, k, None, self._stops(face.subject))
+            if side and later != side:
+                return self._slips_no_more(face.subject)
         raise UnsolvedError("something changes on the way that is neither sliding nor sticking")

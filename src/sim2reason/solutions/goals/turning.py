@@ -1,0 +1,124 @@
+"""How a body turns about its own axis: by the speed of its rim, which rolling makes that of its centre."""
+
+from dataclasses import dataclass
+
+from sim2reason.questions import Target
+from sim2reason.solutions.expressions import Expression, Symbol, multiplied, ratio
+from sim2reason.solutions.functions import Power
+from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
+from sim2reason.solutions.goals.kinematics import SPEED
+
+
+class AboutAxis(Goal):
+    """What hangs on how a body turns."""
+
+    @property
+    def turns(self) -> bool:
+        """It does."""
+        return True
+
+
+@dataclass(frozen=True, slots=True)
+class AngularGoal(AboutAxis):
+    """The rate of the rim over its radius."""
+
+    noun: VectorName
+    of: str
+
+    @property
+    def uses(self) -> str:
+        """What of the rim."""
+        return self.of
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """As in: the angular velocity is v/R."""
+        body = target.subject
+        formula = ratio(_size(known.rim(self.of, body).expression(), known), known.radius(body).expression())
+        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        return finish(known, formula, self.noun, known.setting.mark(body), what)
+
+
+@dataclass(frozen=True, slots=True)
+class InertiaTimes(AboutAxis):
+    """The moment of inertia, or that times the rate of the rim over its radius: I ω, I α."""
+
+    noun: VectorName
+    of: str  # empty for the moment of inertia alone
+
+    @property
+    def uses(self) -> str:
+        """What of the rim."""
+        return self.of
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Of I = c m R², c m R times what the rim does."""
+        body = target.subject
+        held = known.rim_inertia(body) * known.radius(body)
+        other = _size(known.rim(self.of, body).expression(), known) if self.of else known.radius(body).expression()
+        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        return finish(known, multiplied(held.expression(), other), self.noun, known.setting.mark(body), what)
+
+
+@dataclass(frozen=True, slots=True)
+class EnergyOfRim(AboutAxis):
+    """½ I ω² as ½ (I/R²) of the square of the rim's speed."""
+
+    noun: VectorName
+
+    @property
+    def uses(self) -> str:
+        """The velocity."""
+        return "v"
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Half of I/R² times the square."""
+        body = target.subject
+        formula = multiplied(
+            known.rim_inertia(body).scaled(0.5).expression(), squared(known.rim("v", body).expression())
+        )
+        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        return finish(known, formula, self.noun, known.setting.mark(body), what)
+
+
+@dataclass(frozen=True, slots=True)
+class EnergyOfCenter(Goal):
+    """½ m v² of the centre of mass."""
+
+    noun: VectorName
+
+    @property
+    def uses(self) -> str:
+        """The velocity."""
+        return "v"
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Half of m v²."""
+        body = target.subject
+        speed = magnitude(known.vector("v", body), known, SPEED, body)
+        formula = multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
+        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        return finish(known, formula, self.noun, known.setting.mark(body), what)
+
+
+def squared(held: Expression) -> Expression:
+    """A square, of a root what stands under it; without a sign."""
+    inside = getattr(held, "inside", None)
+    if isinstance(inside, Expression):
+        return inside
+    return Power(-held if held.latex().startswith("-") else held, 2)
+
+
+def _size(held: Expression, known: Known) -> Expression:
+    return held if known.book.value(held) >= 0.0 else -held
+
+
+PER_SECOND = VectorName(r"\omega", r"\ \text{rad/s}", "angular velocity")
+PER_SQUARE_SECOND = VectorName(r"\alpha", r"\ \text{rad/s}^2", "angular acceleration")
+GOALS.add("angular velocity", AngularGoal(PER_SECOND, "v"))
+GOALS.add("angular acceleration", AngularGoal(PER_SQUARE_SECOND, "a"))
+GOALS.add("angle rolled", AngularGoal(VectorName(r"\phi", r"\ \text{rad}", "angle"), "s"))
+GOALS.add("moment of inertia", InertiaTimes(VectorName("I", r"\ \text{kg m}^2", "moment of inertia"), ""))
+GOALS.add("angular momentum", InertiaTimes(VectorName("L", r"\ \text{kg m}^2\text{/s}", "angular momentum"), "v"))
+GOALS.add("torque", InertiaTimes(VectorName("M", r"\ \text{N m}", "torque"), "a"))
+GOALS.add("rotational kinetic energy", EnergyOfRim(VectorName("K", r"\ \text{J}", "energy of rotation")))
+GOALS.add("translational kinetic energy", EnergyOfCenter(VectorName("K", r"\ \text{J}", "energy of translation")))
