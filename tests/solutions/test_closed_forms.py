@@ -2,10 +2,14 @@
 
 from math import cos, radians, sin, sqrt
 
+import numpy as np
 import pytest
 
-from plain_scenes import G, atwood, ramp, table
+from plain_scenes import G, atwood, ramp
+from sim2reason.bodies.puck import Puck, Table
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.solutions import Solution, solve, solve_prompt
@@ -47,11 +51,17 @@ def test_a_distance_is_found_without_forces() -> None:
     assert "g" not in {name for relation in found.relations for name in relation.symbols()}
 
 
-def test_two_pucks_head_on() -> None:
-    """The lighter one of m and 2 m at e = ½ stops: (m − 2 e m)/(3 m)."""
+def test_two_pucks_that_meet_aside() -> None:
+    """The centres are 2 R apart at the smaller root; only what moves along the line of centres changes."""
+    pucks = (Puck(mass=1.0, x=0.0, y=0.0, vx=2.0, vy=0.3), Puck(mass=2.0, x=1.0, y=0.1, vx=0.0, vy=0.0))
+    entity = TwoDCollisionPlane(table=Table(), radius=0.1, pucks=pucks, restitution=0.5)
+    scene = Scene(entities=(Named(name="table", entity=entity),))
     moment = Collided("table.pucks.0 & table.pucks.1")
-    found = solved(table(speed=2.0), Query("event", Target("velocity", "table.pucks.1"), moment))
-    assert found.answer == pytest.approx(2.0 * (1.0 + 0.5) / 3.0)
+    found = solved(scene, Query("event", Target("velocity", "table.pucks.1"), moment))
+    apart, closing = np.array([1.0, 0.1]), np.array([2.0, 0.3])
+    time = min(np.roots([closing @ closing, -2.0 * closing @ apart, apart @ apart - 0.2**2]).real)
+    normal = (apart - time * closing) / 0.2
+    assert found.answer == pytest.approx(1.5 / 3.0 * float(closing @ normal))
 
 
 def test_a_prompt_alone_is_solved_in_its_own_names() -> None:
@@ -80,3 +90,20 @@ def test_a_throw_is_highest_after_v_sin_over_g() -> None:
 def test_the_time_for_a_distance_from_rest() -> None:
     found = solved(ramp(angle=30.0), "From release on, how long does the block take to move 0.80 m?")
     assert found.answer == pytest.approx(sqrt(2.0 * 0.8 / (G / 2.0)))
+
+
+def test_a_pendulum_at_its_lowest_point_pulls_three_times_its_weight_if_it_falls_from_the_level() -> None:
+    """T = m g (3 − 2 cos θ₀), from rest."""
+    checked = 0
+    for setting in problems("pendulum", "easy", 60, seed=5):
+        target, moment = setting.query.target, setting.query.moment
+        if target is None or target.quantity not in ("tension", "rod force") or type(moment).__name__ != "LowestPoint":
+            continue
+        swing = setting.scene.entities[0].entity
+        mass, angle = getattr(getattr(swing, "bob"), "mass"), radians(getattr(swing, "angle"))  # noqa: B009
+        length, speed = getattr(getattr(swing, "hanger"), "length"), getattr(swing, "speed") or 0.0  # noqa: B009
+        found = solve(setting)
+        expected = mass * (G * (3.0 - 2.0 * cos(angle)) + speed**2 / length)
+        assert found.answer == pytest.approx(expected)
+        checked += 1
+    assert checked

@@ -2,12 +2,14 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from math import degrees
 from typing import Literal
 
 from sim2reason.solutions.digits import rounded
 from sim2reason.solutions.expressions import Expression, Symbol
 
 Role = Literal["given", "law", "derived", "result"]
+DEGREES = r"^\circ"
 WELL = 1e-9  # relative: how well every relation holds
 
 
@@ -32,7 +34,7 @@ class Relation:
         text = f"{self.left.latex()} = {self.right.latex()}"
         if value is not None:
             number = spelled(value, self.unit)
-            plain = self.right.latex() == rounded(value)
+            plain = self.right.latex() == rounded(value) and self.unit != DEGREES
             text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
         return f"${text}$"
 
@@ -81,7 +83,9 @@ class Solution:
 
 
 def spelled(value: float, unit: str) -> str:
-    """A number with its unit, in LaTeX."""
+    """A number with its unit, in LaTeX; an angle in degrees is known in radians."""
+    if unit == DEGREES:
+        return f"{rounded(degrees(value))}{unit}"
     return f"{rounded(value)}{unit}"
 
 

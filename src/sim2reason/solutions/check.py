@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from math import degrees
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.solutions.book import WELL, Relation, Solution
+from sim2reason.solutions.book import DEGREES, WELL, Relation, Solution
 from sim2reason.solutions.digits import DIGITS, shortened
 from sim2reason.solutions.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.worked import gradient
@@ -122,4 +123,5 @@ def by_digits(solution: Solution, digits: int = DIGITS) -> float:
             values[name] = solution.values[name]
         elif name not in values and all(other in values for other in relation.right.symbols()):
             values[name] = shortened(float(relation.right.value(values, digits).real), digits)
-    return values.get(solution.goal, float("nan"))
+    found = values.get(solution.goal, float("nan"))
+    return degrees(found) if solution.unit == DEGREES else found

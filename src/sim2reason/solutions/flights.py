@@ -19,6 +19,7 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 
 ALIGNED = 1e-9
+Relative = tuple[list[Expression], list[Expression], Symbol | None, list[str]]  # place, velocity, since when, axes
 
 
 @dataclass
@@ -58,7 +59,9 @@ class FreeFlights(ABC):
         self._speeds: dict[tuple[int, int, str], Polynomial] = {}
         self._places: dict[tuple[int, int, str], Polynomial] = {}
         self.struck: dict[int, dict[int, Polynomial]] = {}
-        self.relative: dict[int, tuple[list[Expression], list[Expression], Symbol | None]] = {}  # of discs that meet
+        self.relative: dict[
+            int, tuple[list[Expression], list[Expression], Symbol | None, list[str]]
+        ] = {}  # of discs that meet
 
     # ---- numbers
 

@@ -84,7 +84,8 @@ def _relative(
         w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
         if flights.acceleration(i) - flights.acceleration(j):
             raise ValueError("discs that are accelerated differently")
-        found.append((flights.mechanism.coordinates[i].label, apart, w))
+        if apart or w:  # along an axis on which nothing differs nothing happens
+            found.append((flights.mechanism.coordinates[i].label, apart, w))
     step, said = flights.book.open("relative"), list[str]()
     pair = "".join(flights.setting.mark(body) for body in impact.bodies)
     for label, apart, w in found:
@@ -96,26 +97,25 @@ def _relative(
     who = [flights.setting.called(body) for body in impact.bodies]
     step.say(f"From {who[0]} to {who[1]}: {joined(said)}.")
     step.close()
-    flights.relative[impact.number] = (X, u, since)
+    flights.relative[impact.number] = (X, u, since, labels)
     return X, u, since, labels
 
 
 def parts(flights: "Flights", impact: "Impact") -> dict[int, Polynomial]:
     """The velocities just after: each changes along the line of centres alone."""
     book, time = flights.book, flights.when(impact)
-    X, u, since = flights.relative[impact.number]
+    X, u, since, labels = flights.relative[impact.number]
     span = time if since is None else flights.passed(since, time)
     distance = _distance(flights, impact)
-    step, n = book.open("normal"), list[Symbol]()
+    step, n = book.open("normal"), dict[str, Symbol]()
     said: list[str] = []
     one, other = impact.bodies
-    coordinates = list(zip(flights.coordinates(one), flights.coordinates(other), strict=True))
-    for (i, _), x, w in zip(coordinates, X, u, strict=True):
-        n.append(book.fresh("n", flights.mechanism.coordinates[i].label))
-        said.append(step.result(n[-1], ratio(added(x, multiplied(w, span)), distance), "", law=True))
+    for label, x, w in zip(labels, X, u, strict=True):
+        n[label] = book.fresh("n", label)
+        said.append(step.result(n[label], ratio(added(x, multiplied(w, span)), distance), "", law=True))
     step.say(f"The line of centres then has the direction {joined(said)}.")
     approach = book.fresh("u", r"\text{n}")
-    along = _sum(multiplied(w, m) for w, m in zip(u, n, strict=True))
+    along = _sum(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
     step.say(f"Along it they approach with {step.result(approach, along, SPEED, law=True)}.")
     step.close()
     m, k = (flights.mass(body).expression() for body in impact.bodies)
@@ -127,11 +127,13 @@ def parts(flights: "Flights", impact: "Impact") -> dict[int, Polynomial]:
     step.close()
     found: dict[int, Polynomial] = {}
     for body, mass, sign in ((one, m, -1.0), (other, k, 1.0)):
-        for place, number in enumerate(flights.coordinates(body)):
-            before = flights.just_before(impact, body, number)
+        for number in flights.coordinates(body):
+            before, label = flights.just_before(impact, body, number), flights.mechanism.coordinates[number].label
+            if label not in n:
+                found[number] = before
+                continue
             step, name = book.open("after"), book.fresh("v", flights.mark(body, number))
-            change = multiplied(Number(sign), multiplied(ratio(push, mass), n[place]))
-            label = flights.mechanism.coordinates[number].label
+            change = multiplied(Number(sign), multiplied(ratio(push, mass), n[label]))
             formula = added(before.expression(), change)
             who = f"After it, {flights.setting.called(body)} has along {label}"
             step.say(f"{who} {step.result(name, formula, SPEED, law=True)}.")

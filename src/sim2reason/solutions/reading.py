@@ -78,7 +78,8 @@ def read(text: str) -> Reading:
             equalities.append(Equality(chain, both, (*one[1], *other[1]), one[2] | other[2]))
     _follow(equalities, values)
     for match in ANSWER.finditer(text):
-        (goal, _, names), (number, terms, _) = _side(match[1], table), _side(match[2], table)
+        boxed = match[2] + (r"^\circ" if r"\circ" in match[0][match.end(2) - match.start() :] else "")
+        (goal, _, names), (number, terms, _) = _side(match[1], table), _side(boxed, table)
         equalities.append(Equality(match[0], (goal, number), terms, names, BOXED))
     return Reading(tuple(equalities), tuple(unread), values)
 

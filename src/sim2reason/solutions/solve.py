@@ -1,6 +1,7 @@
 """From a query about a scene to its worked solution."""
 
 from dataclasses import replace
+from math import degrees
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
-from sim2reason.solutions.book import Book, Relation, Solution, Step, UnsolvedError
+from sim2reason.solutions.book import DEGREES, Book, Relation, Solution, Step, UnsolvedError
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.setting import Setting, joined
@@ -47,7 +48,8 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     steps = _needed(book.steps, goal)
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     unit = book.units.get(goal, "")
-    return Solution(strategy.name, steps, book.observed | book.values, goal, book.values[goal], unit)
+    answer = degrees(book.values[goal]) if unit == DEGREES else book.values[goal]
+    return Solution(strategy.name, steps, book.observed | book.values, goal, answer, unit)
 
 
 def solve_prompt(prompt: str) -> tuple[Solution, Setting]:

@@ -1,0 +1,163 @@
+"""Swing: a small body on a string or a light rod; its energy gives the speed, circular motion the force."""
+
+from sim2reason.solutions.book import DEGREES, Book, UnsolvedError
+from sim2reason.solutions.dynamics import METRES as PER_SQUARE_SECOND
+from sim2reason.solutions.dynamics import NEWTONS
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.pendulum import pivot
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.stage import METRES, SPEED
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swing_state import MOMENTS, SwingState
+
+JOULES = r"\ \text{J}"
+UP = (0.0, 0.0, 1.0)
+
+
+@strategy
+class Swing(Strategy):
+    """A single small body that swings about a fixed point, at a moment at which the angle is known or follows."""
+
+    name = "energy and circular motion"
+    cost = 1.0
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if pivot(setting.mechanism) is None:
+            return "it is no small body that swings about a fixed point"
+        if setting.query.target is None or not isinstance(setting.query.moment, MOMENTS):
+            return "only integration gives the time"
+        if setting.query.target.quantity not in _Angular.WAYS:
+            return f"no way to the quantity {setting.query.target.quantity}"
+        kinds = {event.kind for event in setting.motion.events if event.time < setting.time * (1.0 - 1e-9)}
+        return "it leaves its circle" if kinds & {"slack", "taut"} else ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The angle, the speed, and what is asked."""
+        return _Angular(setting, book).write().name
+
+
+class _Angular(SwingState):
+    """What is asked of a swing."""
+
+    def write(self) -> Symbol:
+        """By the quantity."""
+        target = self.setting.query.target
+        assert target is not None
+        if target.sense is not None and target.sense.vector != UP and any(target.sense.vector):
+            raise UnsolvedError("a component along a direction that is not vertical")
+        kind, base, unit, why = self.WAYS[target.quantity]
+        formula: Expression = getattr(self, kind)()
+        if target.sense is None and self.book.value(formula) < 0.0:
+            formula = -formula
+        if isinstance(formula, Symbol):
+            return formula
+        step, name = self.book.open("answer"), self.book.fresh(base)
+        step.say(f"{why or 'So'} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
+    @property
+    def _vertical(self) -> bool:
+        target = self.setting.query.target
+        return target is not None and target.sense is not None and target.sense.vector == UP
+
+    def _velocity(self) -> Expression:
+        """Along the arc, or how fast it rises."""
+        if not self._vertical:
+            return self.speed
+        rises = self.now * self.turning >= 0.0
+        return multiplied(self.speed if rises else -self.speed, self.sine)
+
+    def _kinetic(self) -> Expression:
+        return multiplied(Number(0.5), multiplied(self.mass, self.squared))
+
+    def _potential(self) -> Expression:
+        lower = added(self.cosine_first, -self.cosine)
+        return multiplied(multiplied(self.mass, multiplied(self.gravity, self.length)), lower)
+
+    def _momentum(self) -> Expression:
+        return multiplied(self.mass, self._velocity())
+
+    def _pull(self) -> Expression:
+        """T = m g cos φ + m v²/ℓ."""
+        weight = multiplied(multiplied(self.mass, self.gravity), self.cosine)
+        bend = multiplied(self.mass, ratio(self.squared, self.length)) if self.squared != ZERO else ZERO
+        return added(weight, bend)
+
+    def _acceleration(self) -> Expression:
+        """Towards the point about which it swings v²/ℓ, along the arc g sin φ."""
+        inward = ratio(self.squared, self.length) if self.squared != ZERO else ZERO
+        along = multiplied(self.gravity, self.sine)
+        if self._vertical:
+            return added(multiplied(inward, self.cosine), -multiplied(along, self.sine))
+        if ZERO in (inward, along):
+            return added(inward, along)
+        return Root(added(Power(inward, 2), Power(along, 2)))
+
+    def _force(self) -> Expression:
+        return multiplied(self.mass, self._acceleration())
+
+    def _spin(self) -> Expression:
+        return ratio(self.speed, self.length)
+
+    def _spin_up(self) -> Expression:
+        return ratio(multiplied(self.gravity, self.sine), self.length)
+
+    def _deflection(self) -> Expression:
+        if isinstance(self.angle, Number):
+            raise UnsolvedError("the angle is that of the lowest or highest point")
+        return -self.angle if self.angle.latex().startswith("-") else self.angle
+
+    def _between(self) -> Expression:
+        """The angle from the start."""
+        found = added(self.angle, -self.first)
+        return found if self.book.value(found) >= 0.0 else -found
+
+    def _chord(self) -> Expression:
+        if self._vertical:
+            return multiplied(self.length, added(self.cosine_first, -self.cosine))
+        half = ratio(self._between(), Number(2.0))
+        return multiplied(multiplied(Number(2.0), self.length), Call("sin", half))
+
+    WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit
+        "velocity": ("_velocity", "v", SPEED, ""),
+        "kinetic energy": ("_kinetic", "K", JOULES, "Its kinetic energy is"),
+        "potential energy": ("_potential", "U", JOULES, "It is higher or lower than at first, so"),
+        "momentum": ("_momentum", "p", r"\ \text{kg m/s}", "Its momentum is"),
+        "tension": (
+            "_pull",
+            "T",
+            NEWTONS,
+            "It holds the part of the weight along it and bends the path into a circle:",
+        ),
+        "rod force": (
+            "_pull",
+            "T",
+            NEWTONS,
+            "It holds the part of the weight along it and bends the path into a circle:",
+        ),
+        "acceleration": (
+            "_acceleration",
+            "a",
+            PER_SQUARE_SECOND,
+            "Towards the fixed point and along the arc together,",
+        ),
+        "net force": (
+            "_force",
+            "F",
+            NEWTONS,
+            "Mass times acceleration, towards the fixed point and along the arc:",
+        ),
+        "angular velocity": ("_spin", r"\omega", r"\ \text{rad/s}", "The speed over the radius is"),
+        "angular acceleration": (
+            "_spin_up",
+            r"\alpha",
+            r"\ \text{rad/s}^2",
+            "The acceleration along the arc over the radius is",
+        ),
+        "deflection": ("_deflection", r"\phi", DEGREES, ""),
+        "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
+        "displacement": ("_chord", "s", METRES, "The chord between the two places is"),
+    }

@@ -1,0 +1,180 @@
+"""A swing at one moment: at which angle, and how fast."""
+
+from functools import cached_property
+from math import atan2, hypot, pi
+
+import numpy as np
+
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.went_slack import WentSlack
+from sim2reason.solutions.book import DEGREES, Book
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.pendulum import geometry, pivot, place
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.stage import SPEED
+
+MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
+SLOW = 1e-5  # of its greatest speed: none
+
+
+class SwingState:
+    """The angle and the speed of a swing at the moment that is asked about, written as they are needed.
+
+    Angles are counted from the downward vertical, positive on the side on which it begins.
+    """
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError if its length or its start are no simple numbers."""
+        self.setting, self.book = setting, book
+        found = pivot(setting.mechanism)
+        assert found is not None
+        self.body, self.line, _ = found
+        lexicon = setting.lexicon
+        here, there = geometry(lexicon.mechanism), geometry(lexicon.twin)
+        self.length = lexicon.read(Both(here[0], there[0])).expression()
+        self.first = lexicon.read(Both(here[1], there[1])).expression()
+        self.launch = lexicon.read(Both(here[2], there[2])).expression()
+        self.gravity = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2])).expression()
+        masses = (lexicon.mechanism.body[self.body].mass, lexicon.twin.body[self.body].mass)
+        self.mass = lexicon.read(Both(*masses)).expression()
+        self.began, self.now, self.turning = here[1], *self._seen()
+
+    def _seen(self) -> tuple[float, float]:
+        """The angle and its rate at the moment, for signs alone."""
+        moment = self.setting.query.moment
+        assert moment is not None
+        state = self.setting.study.trace.sample(np.array([moment.side(self.setting.time)]))
+        found = pivot(self.setting.mechanism)
+        assert found is not None
+        point = found[2]
+        center = state.frames.center(self.body)
+        apart = [float(np.ravel(part)[0]) - point[n] for n, part in enumerate(center.place)]
+        speed = [float(np.ravel(part)[0]) for part in center.velocity]
+        side = 1.0 if place(self.setting.mechanism)[0] >= 0.0 else -1.0
+        across = side * (speed[0] * -apart[2] + speed[2] * apart[0])
+        return atan2(side * apart[0], -apart[2]), across / hypot(*apart) ** 2
+
+    # ---- the angle and the speed
+
+    @cached_property
+    def angle(self) -> Expression:
+        """The angle at the moment."""
+        moment = self.setting.query.moment
+        if isinstance(moment, AtStart | LowestPoint):
+            return self.first if isinstance(moment, AtStart) else ZERO
+        if isinstance(moment, Deflected):
+            given = self._given(moment.value)
+            return given if self.now >= 0.0 else -given
+        if isinstance(moment, TurnedThrough):
+            given = self._given(moment.value)
+            return added(self.first, given if self.now > self.began else -given)
+        if isinstance(moment, WentSlack):
+            return self._slack()
+        if abs(self.turning) > SLOW:
+            return Number(pi)  # over the top
+        return self._turned()
+
+    def _given(self, degrees: float) -> Symbol:
+        name = self.book.fresh(r"\phi")
+        self.book.know(name.name, np.radians(degrees), DEGREES)
+        self.book.stated[name.name] = rf"{degrees:g}{DEGREES}"
+        return name
+
+    @property
+    def cosine_first(self) -> Expression:
+        """The cosine of the angle at the start."""
+        return Call("cos", self.first) if self.first != ZERO else ONE
+
+    @property
+    def cosine(self) -> Expression:
+        """The cosine of the angle at the moment."""
+        if self.angle == ZERO:
+            return ONE
+        if isinstance(self.angle, Number):
+            return Number(-1.0)
+        plain = -self.angle if self.angle.latex().startswith("-") else self.angle
+        return Call("cos", plain)
+
+    @property
+    def sine(self) -> Expression:
+        """The sine of the angle, of its size."""
+        if isinstance(self.angle, Number):
+            return ZERO
+        negative = self.angle.latex().startswith("-")
+        sine = Call("sin", -self.angle if negative else self.angle)
+        return sine if self.book.value(sine) >= 0.0 else -sine
+
+    def _turned(self) -> Expression:
+        """Where it turns back: all energy is of height."""
+        name = self.book.fresh(r"\phi")
+        step = self.book.open("energy")
+        m, g, ell, v = self.mass, self.gravity, self.length, self.launch
+        high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -Call("cos", name)))
+        law = step.law(high, self._energy)
+        ratio_of = ratio(Power(v, 2), multiplied(Number(2.0), multiplied(g, ell))) if v != ZERO else ZERO
+        formula = Call("arccos", added(self.cosine_first, -ratio_of))
+        said = f"{capital(self.who)} turns back where all its energy is of height"
+        step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
+        step.close()
+        return name if self.now >= 0.0 else -name
+
+    def _slack(self) -> Expression:
+        """Where weight alone bends the path: m v²/ℓ = −m g cos φ, with the energy."""
+        name, fast = self.book.fresh(r"\phi"), self.book.fresh("v", r"\text{s}")
+        step, bent = self.book.open("slack"), Call("cos", name)
+        g, ell, v = self.gravity, self.length, self.launch
+        circle = step.law(ratio(Power(fast, 2), ell), -multiplied(g, bent))
+        gained = multiplied(multiplied(Number(2.0), multiplied(g, ell)), added(bent, -self.cosine_first))
+        energy = step.law(Power(fast, 2), added(Power(v, 2) if v != ZERO else ZERO, gained))
+        over = ratio(Power(v, 2), multiplied(g, ell)) if v != ZERO else ZERO
+        formula = Call("arccos", ratio(added(multiplied(Number(2.0), self.cosine_first), -over), Number(3.0)))
+        step.say(f"The string goes slack where weight alone bends the path: {circle}; by energy {energy}.")
+        step.say(f"Together, {step.result(name, formula, DEGREES)}")
+        step.say(f"and {step.result(fast, Root(-multiplied(multiplied(g, ell), bent)), SPEED)}.")
+        step.close()
+        return name if self.now >= 0.0 else -name
+
+    @property
+    def _energy(self) -> Expression:
+        """Of the start, above the lowest point."""
+        m, g, ell = self.mass, self.gravity, self.length
+        high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -self.cosine_first))
+        if self.launch == ZERO:
+            return high
+        return added(multiplied(Number(0.5), multiplied(m, Power(self.launch, 2))), high)
+
+    @cached_property
+    def squared(self) -> Expression:
+        """The square of the speed at the moment."""
+        moment = self.setting.query.moment
+        if isinstance(moment, AtStart):
+            return Power(self.launch, 2) if self.launch != ZERO else ZERO
+        if isinstance(moment, HighestPoint | Stopped) and abs(self.turning) <= SLOW:
+            return ZERO
+        there = self.cosine
+        step, name = self.book.open("energy"), self.book.fresh("v")
+        gained = multiplied(
+            multiplied(Number(2.0), multiplied(self.gravity, self.length)), added(there, -self.cosine_first)
+        )
+        square = added(Power(self.launch, 2) if self.launch != ZERO else ZERO, gained)
+        law = step.law(Power(name, 2), square)
+        step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), SPEED)}.")
+        step.close()
+        return Power(name, 2)
+
+    @property
+    def speed(self) -> Expression:
+        """The speed itself."""
+        return self.squared.base if isinstance(self.squared, Power) else ZERO
+
+    @property
+    def who(self) -> str:
+        """Who swings."""
+        return self.setting.called(self.body)
