@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from sim2reason.dsl.triples import minus
+from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.lexicon import Both
@@ -77,9 +77,10 @@ def _relative(
     u: list[Expression] = []
     labels: list[str] = []
     found: list[tuple[str, Polynomial, Polynomial]] = []
-    for (i, way), (j, _) in zip(flights.coordinates(one).items(), flights.coordinates(other).items(), strict=True):
-        axis = next(n for n in range(3) if abs(way[n]) > 0.5)
-        apart = lexicon.read(Both(float(places[0][axis]), float(places[1][axis])))
+    for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
+        axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
+        along = [float(product(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
+        apart = lexicon.read(Both(*along))
         apart = apart + flights.place(other, legs[other], j, since) - flights.place(one, legs[one], i, since)
         w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
         if flights.acceleration(i) - flights.acceleration(j):

@@ -6,7 +6,7 @@ from collections.abc import Set as AbstractSet
 from functools import cached_property
 
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.triples import product
+from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
 from sim2reason.solutions.book import Book, UnsolvedError
@@ -94,6 +94,8 @@ class Way(ABC):
         parts: list[Polynomial] = []
         for k in self.moving([body]):
             along = product(self._start.center(body).gradient[k], way)
+            if abs(along) < STILL:
+                continue
             if abs(abs(along) - 1.0) < STILL:
                 factor = Polynomial.of(1.0 if along > 0.0 else -1.0)
             elif way in ROOM:
@@ -104,19 +106,31 @@ class Way(ABC):
         return total(parts)
 
     def vector(self, kind: str, body: str) -> Components:
-        """All three components."""
+        """All three components, along the axes that the text gives the body, else those of the room."""
+        own = self._own(body)
+        if own:
+            parts = [*(self.rate(kind, k) for k in own), NIL]
+            return parts[0], parts[1], parts[2]
         x, y, z = (self.component(kind, body, way) for way in ROOM)
         return x, y, z
+
+    def _own(self, body: str) -> list[int]:
+        """The coordinates of a body that has axes of its own in the text, at right angles."""
+        found = [c for c in self.mechanism.body[body].coordinates if c.label in AXES and c.kind == "slide"]
+        free = self.mechanism.body[body].parent is None and len(found) == 2
+        return [self.mechanism.number[c.name] for c in found] if free else []
 
     def apart(self, one: str, other: str) -> Components:
         """From the centre of one body to that of another, at the start."""
         lexicon = self.setting.lexicon
-        here, there = (
-            [b - a for a, b in zip(f.center(one).place, f.center(other).place, strict=True)]
-            for f in (self._start, start(lexicon.twin))
-        )
-        x, y, z = (lexicon.read(Both(float(a), float(b))) for a, b in zip(here, there, strict=True))
-        return x, y, z
+        places = [minus(f.center(other).place, f.center(one).place) for f in (self._start, start(lexicon.twin))]
+        own, ways = self._own(other), list[tuple[Vector, Vector]]()
+        for n in range(3):
+            axes = [(m.coordinates[own[n]].axis if n < len(own) else ROOM[n]) for m in (self.mechanism, lexicon.twin)]
+            ways.append((axes[0], axes[1]))
+        pairs = ([float(product(place, way)) for place, way in zip(places, axes, strict=True)] for axes in ways)
+        x, y, z = (lexicon.read(Both(*pair)) for pair in pairs)
+        return (x, y, NIL) if own else (x, y, z)
 
     def rim(self, kind: str, body: str) -> Polynomial:
         """What the rim of a body does that turns about its own axis."""
@@ -139,11 +153,8 @@ class Way(ABC):
 
     def axes(self, body: str) -> tuple[str, ...]:
         """What the text calls the room's directions for a body."""
-        own = [c for c in self.mechanism.body[body].coordinates if c.label in AXES]
-        if len(own) < 2:
-            return AXES
-        labels = [next((c.label for c in own if abs(product(c.axis, way)) > 1.0 - STILL), "") for way in ROOM]
-        return tuple(labels)
+        own = [self.mechanism.coordinates[k].label for k in self._own(body)]
+        return (*own, "") if own else AXES
 
     def mass(self, body: str) -> Polynomial:
         """The mass of a body."""
