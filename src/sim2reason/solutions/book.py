@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Literal
 
+from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.solutions.digits import rounded
 from sim2reason.solutions.expressions import Expression, Symbol
 
@@ -89,11 +90,16 @@ def spelled(value: float, unit: str) -> str:
     return f"{rounded(value)}{unit}"
 
 
+RESULTS = (("m", ""), ("s", ""), ("kg", ""), ("N", ""), ("J", ""), ("m/s", ""), ("m/s", "^2"), ("kg m/s", ""))
+CANONICAL = {rf"\ \text{{{name}}}" + power: name + power for name, power in RESULTS}  # by their LaTeX
+
+
 class Book:
     """Names with their values, and steps as they are written."""
 
-    def __init__(self) -> None:
-        """Nothing is known yet."""
+    def __init__(self, units: UnitSystem = SI) -> None:
+        """Nothing is known yet; results are in `units`."""
+        self._units = units
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
         self.steps: list[Step] = []
@@ -130,6 +136,7 @@ class Book:
 
     def say_given(self, name: str, value: float, unit: str) -> None:
         """A number that the question itself says."""
+        unit = self.spelled(unit)
         self.know(name, value, unit)
         self.stated[name] = f"{value:g}{unit}"
 
@@ -138,6 +145,14 @@ class Book:
         found = held.value(self.values)
         assert not isinstance(found, complex)
         return found
+
+    def spelled(self, unit: str) -> str:
+        """A unit of the SI, in LaTeX, as the text of this scene has it."""
+        name = CANONICAL.get(unit)
+        if name is None or self._units == SI:
+            return unit
+        found, _, power = self._units.spell(name).partition("^")
+        return rf"\ \text{{{found}}}" + (f"^{power}" if power and len(power) == 1 else "")
 
     def open(self, kind: str) -> "Writing":
         """Begin a step."""
@@ -189,6 +204,7 @@ class Writing:
 
     def result(self, name: Symbol, formula: Expression, unit: str, *, law: bool = False) -> str:
         """A name and what it comes to; with `law`, the formula is a law by itself, as v = a t is."""
+        unit = self._book.spelled(unit)
         relation = Relation(name, formula, "law" if law else "result", unit)
         self._relations.append(relation)
         value = self._book.value(formula)

@@ -164,7 +164,9 @@ class Lexicon:
 
 
 def _counted(parameter: Parameter, value: float) -> float:
-    return value * parse_unit(parameter.measure.unit).factor
+    """In the mechanism's own count: that of the text, but for degrees and for kilometres."""
+    unit = parameter.measure.unit
+    return value * (parse_unit(unit).factor if unit == "deg" or unit.startswith("km") else 1.0)
 
 
 def _factor(number: Both, atom: Both) -> float | None:

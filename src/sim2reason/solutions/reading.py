@@ -14,7 +14,8 @@ from sim2reason.grading.tokens import Token, tokenize
 FORMULA = re.compile(r"\$([^$]*=[^$]*)\$")
 ANSWER = re.compile(r"\$([^$=]*?) \\approx \\boxed\{((?:[^{}]|\{[^{}]*\})*)\}[^$]*\$")
 BOXED = 6e-3  # relative: what three digits leave
-CLOSE = 3e-4  # relative to the largest term: what five digits leave
+CLOSE = 6e-5  # relative: what five digits leave of a number, at most
+STEP = 1e-6  # relative, of a derivative
 SIGNS = ("plus", "minus", "dash")
 
 
@@ -34,10 +35,15 @@ class Equality:
         return None if left is None or right is None else left - right
 
     def holds(self, values: Mapping[str, float]) -> bool:
-        """Whether both sides agree, compared with their largest term."""
+        """Whether both sides agree as well as numbers of five digits can."""
         excess = self.excess(values)
+        if excess is None:
+            return False
         sizes = [abs(size) for term in self.terms if (size := arithmetic.value(term, values)) is not None]
-        return excess is not None and abs(excess) <= self.close * max(sizes, default=1.0)
+        for name in self.symbols:
+            moved = self.excess({**values, name: values[name] * (1.0 + STEP)})
+            sizes.append(abs(moved - excess) / STEP if moved is not None else 0.0)
+        return abs(excess) <= self.close * sum(sizes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +100,7 @@ def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
             found = [equality.excess({**values, missing[0]: x}) for x in (0.0, 1.0, 2.0)]
             if None not in found:
                 zero, one, two = (float(x or 0.0) for x in found)
-                if one != zero and abs(two - 2.0 * one + zero) <= CLOSE * abs(one - zero):
+                if one != zero and abs(two - 2.0 * one + zero) <= 1e-6 * abs(one - zero):
                     values[missing[0]] = -zero / (one - zero)
                     break
         else:

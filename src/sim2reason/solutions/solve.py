@@ -37,7 +37,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     refused = strategy.refusal(setting)
     if refused:
         return Solution(strategy.name, reason=refused)
-    book = Book()
+    book = Book(setting.words.units)
     for given in setting.lexicon.givens.values():
         book.reserve(given.symbol)
         book.know(given.symbol, given.value)

@@ -1,0 +1,216 @@
+"""Forces at the start: where every spring and every attracting body is known, Newton's law gives the acceleration."""
+
+from functools import cached_property
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
+from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import Vector
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.dynamics import METRES as PER_SQUARE_SECOND
+from sim2reason.solutions.dynamics import NEWTONS
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
+from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting, capital, joined
+from sim2reason.solutions.stage import METRES
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.way import Way
+
+
+@strategy
+class ForcesAtStart(Strategy):
+    """The acceleration or net force just after the start, of a body on which springs, weight and attractions act."""
+
+    name = "forces at the start"
+    cost = 1.2
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        target, m = setting.query.target, setting.mechanism
+        if not isinstance(setting.query.moment, AtStart) or target is None:
+            return "it is not about the start"
+        if target.quantity not in ("acceleration", "net force"):
+            return "neither an acceleration nor a net force is asked for"
+        if target.subject not in m.body or m.body[target.subject].parent is not None:
+            return "it rides on something"
+        if any(c.kind != "slide" for c in m.body[target.subject].coordinates):
+            return "it turns"
+        faces = [face for face in m.faces if face.subject == target.subject and face.friction]
+        other = [line for line in _held(m, target.subject) if not isinstance(line.law, Elastic)]
+        forces = [force for force in m.forces if force.body == target.subject]
+        burns = [burn for burn in m.burns if burn.body == target.subject]
+        return "other forces than those of springs and weight act" if faces or other or forces or burns else ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Each force, then their sum over the mass."""
+        way = _AtStart(setting, book)
+        assert way.target is not None
+        return GOALS[way.target.quantity].write(way.target, way).name
+
+
+def _held(m: Mechanism, body: str) -> list[Line]:
+    return [line for line in m.lines if any(m.site[site].body == body for site in line.through)]
+
+
+class _AtStart(Way):
+    """Accelerations at t = 0."""
+
+    @property
+    def newton(self) -> Newton:
+        """Only for masses."""
+        return self._newton
+
+    @cached_property
+    def _newton(self) -> Newton:
+        return Newton(self.setting.lexicon, self.setting.motion.segments[0])
+
+    def mass(self, body: str) -> Polynomial:
+        """The mass of a body."""
+        lexicon = self.setting.lexicon
+        return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """None by itself."""
+        raise UnsolvedError(f"no {kind} of {name}")
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """Accelerations alone."""
+        if kind != "a":
+            raise UnsolvedError("only accelerations follow from the forces at the start")
+        return Polynomial.of(self._accelerations[k])
+
+    # ---- places
+
+    @cached_property
+    def _body(self) -> str:
+        assert self.target is not None
+        return self.target.subject
+
+    @cached_property
+    def _axes(self) -> dict[int, tuple[Vector, Vector]]:
+        """The direction of each of its coordinates, here and in the twin."""
+        lexicon = self.setting.lexicon
+        pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
+        return {k: (a.axis, b.axis) for k, (a, b) in enumerate(pairs) if a.body == self._body}
+
+    def _apart(self, ends: list[tuple[Vector, Vector]]) -> dict[int, Polynomial]:
+        """From one end to the other, along each coordinate; `ends` are here and in the twin."""
+        found: dict[int, Polynomial] = {}
+        for k, axes in self._axes.items():
+            values = [float(product(minus(b, a), axis)) for (a, b), axis in zip(ends, axes, strict=True)]
+            found[k] = self.setting.lexicon.read(Both(values[0], values[1]))
+        return found
+
+    def _distance(self, apart: dict[int, Polynomial], base: str, mark: str, said: str) -> Symbol:
+        kept = [part for part in apart.values() if part]
+        squares: Expression = ZERO
+        for part in kept:
+            squares = added(squares, Power(part.expression(), 2))
+        only = kept[0].expression() if len(kept) == 1 else ZERO
+        sign = 1.0 if len(kept) == 1 and self.book.value(only) >= 0.0 else -1.0
+        formula = (only if sign > 0.0 else -only) if len(kept) == 1 else Root(squares)
+        step, name = self.book.open("length"), self.book.fresh(base, mark)
+        step.say(f"{said} {step.result(name, formula, METRES, law=True)}.")
+        step.close()
+        return name
+
+    # ---- forces
+
+    @cached_property
+    def _accelerations(self) -> dict[int, Symbol]:
+        pulls = [*self._springs(), *self._attractions()]
+        mass, found = self.mass(self._body).expression(), dict[int, Symbol]()
+        step, said = self.book.open("newton"), list[str]()
+        asked = self._wanted()
+        for k in asked:
+            total: Expression = ZERO
+            for strength, apart, length, per_mass in pulls:
+                if apart[k]:
+                    along = multiplied(strength, ratio(apart[k].expression(), length))
+                    total = added(total, along if per_mass else ratio(along, mass))
+            weight = self._weight(k)
+            total = added(total, weight.expression())
+            label = self.mechanism.coordinates[k].label
+            several = len(self._axes) > 1
+            mark = self.setting.mark(self._body)
+            parts = [part for part in (mark, label if several else "") if part]
+            found[k] = self.book.fresh("a", ",".join(parts))
+            said.append(step.result(found[k], total, PER_SQUARE_SECOND, law=True))
+        step.say(f"The sum of the forces over the mass: {joined(said)}.")
+        step.close()
+        return found
+
+    def _wanted(self) -> list[int]:
+        """The coordinates whose acceleration is asked for: one alone, if a component is."""
+        target = self.target
+        assert target is not None
+        if target.sense is None or not any(target.sense.vector):
+            return list(self._axes)
+        return [k for k, (axis, _) in self._axes.items() if abs(product(axis, target.sense.vector)) > 1e-9]
+
+    def _weight(self, k: int) -> Polynomial:
+        lexicon = self.setting.lexicon
+        down = lexicon.read(Both(-self._axes[k][0][2], -self._axes[k][1][2]))
+        g = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2])) if down else NIL
+        return g * down
+
+    def _springs(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
+        """Each spring: its pull, from the body to its other end, its length."""
+        m, lexicon = self.mechanism, self.setting.lexicon
+        found: list[tuple[Expression, dict[int, Polynomial], Expression, bool]] = []
+        for line in _held(m, self._body):
+            number, law = m.lines.index(line), line.law
+            twin = lexicon.twin.lines[number]
+            assert isinstance(law, Elastic)
+            assert isinstance(twin.law, Elastic)
+            if (law.damping and any(c.speed for c in m.coordinates)) or law.side or len(line.through) != 2:
+                raise UnsolvedError("a spring that is damped, or acts only one way")
+            first = m.site[line.through[0]].body == self._body
+            near, far = (line.through[0], line.through[1]) if first else (line.through[1], line.through[0])
+            ends = [(f.site(near).place, f.site(far).place) for f in (start(m), start(lexicon.twin))]
+            apart = self._apart(ends)
+            mark = str(len(found) + 1) if len(_held(m, self._body)) > 1 else ""
+            which = f"Spring {mark}" if mark else "The spring"
+            length = self._distance(apart, r"\ell", mark, f"{which} has the length")
+            stiffness = lexicon.read(Both(law.stiffness, twin.law.stiffness)).expression()
+            natural = lexicon.read(Both(law.length, twin.law.length)).expression()
+            step, name = self.book.open("spring"), self.book.fresh("F", mark)
+            formula = multiplied(stiffness, added(length, -natural))
+            step.say(f"It pulls with {step.result(name, formula, NEWTONS, law=True)}.")
+            step.close()
+            found.append((name, apart, length, False))
+        return found
+
+    def _attractions(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
+        """Each body that attracts: by how much it accelerates, towards it, its distance."""
+        m, lexicon = self.mechanism, self.setting.lexicon
+        found: list[tuple[Expression, dict[int, Polynomial], Expression, bool]] = []
+        pulls = [pull for pull in m.attractions if self._body in (pull.a, pull.b)]
+        for pull in pulls:
+            if pull.power != 2.0:
+                raise UnsolvedError("an attraction that does not fall with the square of the distance")
+            other = pull.b if pull.a == self._body else pull.a
+            ends = [(f.center(self._body).place, f.center(other).place) for f in (start(m), start(lexicon.twin))]
+            apart, constant = self._apart(ends), self._constant(pull.constant)
+            who = capital(self.setting.called(other))
+            r = self._distance(apart, "r", self.setting.mark(other), f"{who} is at the distance")
+            step, name = self.book.open("attraction"), self.book.fresh("g", self.setting.mark(other) or "1")
+            heavy = self.mass(other).expression()
+            formula = ratio(multiplied(constant, heavy), Power(r, 2))
+            step.say(f"It accelerates by {step.result(name, formula, PER_SQUARE_SECOND, law=True)}.")
+            step.close()
+            found.append((name, apart, r, True))
+        return found
+
+    def _constant(self, value: float) -> Expression:
+        """The constant of gravitation, which the text says once for all."""
+        if "G" not in self.book.values:
+            self.book.reserve("G")
+            self.book.know("G", value)
+            self.book.stated["G"] = f"{value:.8g}"
+        return Symbol("G")
