@@ -124,7 +124,9 @@ class _AtStart(Way):
     @cached_property
     def _accelerations(self) -> dict[int, Symbol]:
         pulls = [*self._springs(), *self._attractions()]
-        mass, found = self.mass(self._body).expression(), dict[int, Symbol]()
+        heavy = any(not per_mass for *_, per_mass in pulls)
+        mass: Expression = self.mass(self._body).expression() if heavy else ZERO
+        found = dict[int, Symbol]()
         step, said = self.book.open("newton"), list[str]()
         asked = self._wanted()
         for k in asked:
