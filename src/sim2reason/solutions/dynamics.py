@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from sim2reason.dsl.triples import product
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions import telling
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.newton import Newton, Row
+from sim2reason.solutions.newton import Newton, Row, symbol
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.selection import needed
 from sim2reason.solutions.setting import Setting
@@ -71,6 +72,48 @@ class Dynamics:
             held |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
         return held
 
+    @cached_property
+    def carried(self) -> dict[int, tuple[int, float]]:
+        """The coordinates along which a body slides parallel to its carrier, each with the carrier's, and the sense.
+
+        A slab on a slab on a slope: there one speaks of the acceleration of each, not of one relative to the other.
+        """
+        found: dict[int, tuple[int, float]] = {}
+        if self.measure.values:
+            return found
+        for k, coordinate in enumerate(self.mechanism.coordinates):
+            if (
+                k in self.frozen
+                or coordinate.kind != "slide"
+                or len(self.mechanism.body[coordinate.body].coordinates) > 1
+            ):
+                continue
+            below = [j for j in self._below(coordinate.body) if j not in self.frozen]
+            along = [product(coordinate.axis, self.mechanism.coordinates[j].axis) for j in below]
+            if below and all(abs(abs(part) - 1.0) < STILL for part in along):
+                sign = float(round(along[0]))
+                if self._tied_outside(k, below[0], sign):
+                    found[k] = below[0], sign
+        return found
+
+    def _tied_outside(self, k: int, j: int, sign: float) -> bool:
+        """Whether strings feel how a body moves in the room, not how it does on its carrier."""
+        for place in self._taut:
+            terms = self.newton.string(place).inertia
+            own, other = terms.coefficient(f"q{k}"), terms.coefficient(f"q{j}")
+            if own and own - other.scaled(sign):
+                return False
+        return True
+
+    def _below(self, body: str) -> list[int]:
+        """The coordinates of what carries a body, the nearest first."""
+        found: list[int] = []
+        step = self.mechanism.body[body].parent
+        while step is not None:
+            found += [self.mechanism.number[c.name] for c in reversed(self.mechanism.body[step].coordinates)]
+            step = self.mechanism.body[step].parent
+        return found
+
     @property
     def _taut(self) -> list[int]:
         acting = self.segment.found.mode.acting
@@ -87,6 +130,8 @@ class Dynamics:
         rows += [newton.string(place) for place in self._taut]
         rows += [newton.rolling(face) for face in sticking if newton.alone(face) is None]
         still = {f"q{k}": NIL for k in self.frozen}
+        for k, (j, sign) in self.carried.items():  # from now on that of the body itself, not relative to its carrier
+            still[f"q{k}"] = symbol("q", k) - symbol("q", j).scaled(sign)
         rows = [Row(r.kind, r.number, r.forces.put(still), r.inertia.put(still)) for r in rows]
         unknowns = [f"q{k}" for k in range(size) if k not in self.frozen]
         if self.measure.values:
@@ -117,7 +162,17 @@ class Dynamics:
     def values(self) -> dict[str, float]:
         """What the engine has for the unknowns."""
         pairs = zip(self.measure.values, self.newton.scale, strict=False)
-        return self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
+        found = self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
+        for k, (j, sign) in self.carried.items():  # in the order of bodies, so that a carrier's is there already
+            found[f"q{k}"] += sign * found[f"q{j}"]
+        return found
+
+    def own(self, values: Sequence[float]) -> list[float]:
+        """Rates relative to carriers as those of the bodies themselves."""
+        found = list(values)
+        for k, (j, sign) in self.carried.items():
+            found[k] += sign * found[j]
+        return found
 
     # ---- names
 
@@ -152,19 +207,19 @@ class Dynamics:
         name = goal if goal in told else next(iter(told), bodies[0])
         told_already = self.measure.known is not None and self.measure.known[0] in held
         if told_already and self.measure.known is not None:
-            symbol = self.measure.known[1]
+            named = self.measure.known[1]
         else:
-            symbol = self.book.fresh(self.measure.base, "" if alone else self.setting.mark(name))
+            named = self.book.fresh(self.measure.base, "" if alone else self.setting.mark(name))
         turn = self._turn(held)
-        self.shared.append(Shared(symbol, {k: turn * s for k, s in held.items()}))
+        self.shared.append(Shared(named, {k: turn * s for k, s in held.items()}))
         self.sense |= self.shared[-1].sense
-        self._units[symbol.name] = self.measure.unit
+        self._units[named.name] = self.measure.unit
         for k, sense in self.shared[-1].sense.items():
-            self.names[f"q{k}"] = Polynomial.of(symbol).scaled(float(sense))
+            self.names[f"q{k}"] = Polynomial.of(named).scaled(float(sense))
 
     def _turn(self, held: dict[int, int]) -> int:
         """The sense in which they move, or begin to."""
-        for values in (self.segment.v, [self.values[f"q{k}"] for k in range(len(self.segment.v))]):
+        for values in (self.own(self.segment.v), [self.values[f"q{k}"] for k in range(len(self.segment.v))]):
             found = next((s * values[k] for k, s in held.items() if abs(values[k]) > STILL), 0.0)
             if found:
                 return 1 if found > 0.0 else -1
@@ -209,10 +264,10 @@ class Dynamics:
         return straight and same and all(self.mechanism.body[c.body].mass for c in (a, b))
 
     def _force(self, name: str, base: str, mark: str) -> None:
-        symbol = self.book.fresh(base, mark)
+        named = self.book.fresh(base, mark)
         sense = -1.0 if base == "f" and self.values[name] < 0.0 else 1.0
-        self.names[name] = Polynomial.of(symbol).scaled(sense)
-        self._units[symbol.name] = NEWTONS
+        self.names[name] = Polynomial.of(named).scaled(sense)
+        self._units[named.name] = NEWTONS
 
     @property
     def units(self) -> dict[str, str]:
@@ -223,8 +278,13 @@ class Dynamics:
         """The direction of a coordinate, in words."""
         coordinate = self.mechanism.coordinates[k]
         x, y, z = coordinate.axis
-        parent = self.mechanism.body[coordinate.body].parent
+        parent = self.mechanism.body[coordinate.body].parent if k not in self.carried else None
         return self.setting.towards((sense * x, sense * y, sense * z), on=parent)
+
+    def enough(self, coordinates: Sequence[int]) -> list[int]:
+        """Those of a body's coordinates that its own motion needs: not its carrier's where it is counted by itself."""
+        spared = {j for k in coordinates if k in self.carried for j in self._below(self.mechanism.coordinates[k].body)}
+        return [k for k in coordinates if k not in spared]
 
 
 def _equal(row: Row) -> tuple[tuple[int, int], int] | None:

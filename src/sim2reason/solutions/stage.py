@@ -37,39 +37,85 @@ class Stage:
     end: End
     speeds: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
     places: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
+    uniform: bool = False  # nothing is accelerated any more
 
     def __post_init__(self) -> None:
         """Nothing is written yet."""
         self.dynamics = Dynamics(self.setting, self.book, self.segment)
+        self.speeds = self._by_themselves(self.speeds)
+        self.places = self._by_themselves(self.places)
         self._time: Symbol | None = self.end.time
         self._velocity: dict[str, Polynomial] = {}
         self._moved: dict[str, Polynomial] = {}
 
+    def _by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
+        """What is relative to carriers as that of the bodies themselves, where they are counted so."""
+        found = dict(relative)
+        for k, (j, sign) in self.dynamics.carried.items():
+            if k in found or j in found:
+                found[k] = found.get(k, NIL) + found.get(j, NIL).scaled(sign)
+        return found
+
+    def relative(self, kind: str, k: int) -> Polynomial:
+        """A rate or a way at the end, relative to what carries the body."""
+        of = {"v": self.velocity, "s": self.place}[kind]
+        if k not in self.dynamics.carried:
+            return of(k)
+        j, sign = self.dynamics.carried[k]
+        return of(k) - of(j).scaled(sign)
+
     def reach(self, goals: Sequence[str]) -> None:
         """Find accelerations and forces."""
-        self.dynamics.reach(goals)
+        if not self.uniform:
+            self.dynamics.reach(goals)
 
     # ---- by coordinate
 
     def acceleration(self, k: int) -> Polynomial:
         """The second derivative of a coordinate."""
-        return self.dynamics.names[f"q{k}"]
+        return NIL if self.uniform else self.dynamics.names[f"q{k}"]
 
     def velocity(self, k: int) -> Polynomial:
         """The rate of a coordinate at the end."""
+        if self.uniform:
+            return self.speeds.get(k, NIL)
         shared = self._shared(k)
         if shared is None:
-            return self.speeds.get(k, NIL)
+            return NIL if k in self.dynamics.frozen else self.speeds.get(k, NIL)
         return self._at_end(shared).scaled(float(shared.sense[k]))
 
     def place(self, k: int) -> Polynomial:
         """How far a coordinate has come at the end."""
         shared, before = self._shared(k), self.places.get(k, NIL)
+        if self.uniform:
+            return self._glided(k, before)
         if shared is None:
-            if self.speeds.get(k, NIL):
+            if self.speeds.get(k, NIL) and k not in self.dynamics.frozen:
                 raise UnsolvedError("a coordinate that keeps its speed without a law")
             return before
         return before + self._travelled(shared).scaled(float(shared.sense[k]))
+
+    def _glided(self, k: int, before: Polynomial) -> Polynomial:
+        """How far it has come at a constant velocity."""
+        if not self.speeds.get(k, NIL):
+            return before
+        time = self.time
+        step, name = self.book.open("distance"), self.book.fresh("s")
+        formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
+        step.say(f"From then on the velocity is constant: {step.result(name, formula, METRES, law=True)}.")
+        step.close()
+        return Polynomial.of(name)
+
+    def _at_constant_velocity(self) -> Symbol:
+        """How long a distance takes at a constant velocity."""
+        k = self.end.coordinate
+        if self.end.distance is None or not self.speeds.get(k, NIL):
+            raise UnsolvedError("nothing ends a motion at constant velocity")
+        step, name = self.book.open("time"), self.book.fresh("t")
+        formula = ratio(self.end.distance.expression(), self.speeds[k].expression())
+        step.say(f"From then on the velocity is constant, so {step.result(name, formula, SECONDS, law=True)}.")
+        step.close()
+        return name
 
     def _shared(self, k: int) -> Shared | None:
         return next((shared for shared in self.dynamics.shared if k in shared.sense), None)
@@ -86,7 +132,8 @@ class Stage:
         """What the engine has at the end: the rate, or how far it has moved."""
         k, sense = next(iter(shared.sense.items()))
         scale = sense * self.dynamics.newton.scale[k].here
-        v, a = scale * self.segment.v[k], scale * self.segment.found.a[k]
+        own = self.dynamics.own
+        v, a = scale * own(self.segment.v)[k], scale * own(self.segment.found.a)[k]
         return v * self.span + 0.5 * a * self.span**2 if moved else v + a * self.span
 
     # ---- written once
@@ -114,6 +161,8 @@ class Stage:
         return name
 
     def _lasting(self) -> Symbol:
+        if self.uniform:
+            return self._at_constant_velocity()
         if self.end.slip:
             return self._rolling()
         shared = self._shared(self.end.coordinate)

@@ -81,7 +81,7 @@ class Telling:
                 continue
             parent = self.d.mechanism.body[coordinate.body].parent
             way = self.d.moving(k, sense)
-            if parent is not None and self._moves(parent):
+            if parent is not None and self._moves(parent) and k not in self.d.carried:
                 way += f" relative to {self.d.setting.called(parent)}"
             ways.setdefault(way, []).append(coordinate.body)
         return " and ".join(f"of {self.d.setting.listed(bodies)} {way}" for way, bodies in ways.items())
@@ -155,7 +155,11 @@ class Telling:
     def _equation(self, group: Sequence[Row], number: int, count: int) -> Equation:
         row = self._row(group)
         k = group[0].number
-        moves = self.names.get(f"q{k}", NIL).scaled(float(self.d.sense.get(k, 1)))
+        moves = self.names.get(f"q{k}", NIL)
+        if k in self.d.carried:  # what it carries along with it is in the law of its carrier
+            j, sign = self.d.carried[k]
+            moves = moves - self.names.get(f"q{j}", NIL).scaled(sign)
+        moves = moves.scaled(float(self.d.sense.get(k, 1)))
         return Equation(f"({number})" if count > 1 else "", row.forces, row.inertia, moves)
 
     def _tell(self, groups: Sequence[Sequence[Row]], equations: Sequence[Equation]) -> None:

@@ -62,6 +62,10 @@ class Way(ABC):
         ways = (self._start.center(body).gradient.items() for body in bodies)
         return sorted({k for found in ways for k, way in found if product(way, way) > STILL})
 
+    def own(self, body: str) -> list[int]:
+        """The coordinates whose rates add up to the motion of a body; by default all that move it."""
+        return self.moving([body])
+
     def asked(self) -> list[int]:
         """The coordinates that move what is asked about."""
         if self.target is None or self.goal is None:
@@ -92,7 +96,7 @@ class Way(ABC):
         A slanted sense holds the scene's own numbers, so that the twin's could not be read along it.
         """
         parts: list[Polynomial] = []
-        for k in self.moving([body]):
+        for k in self.own(body):
             along = product(self._start.center(body).gradient[k], way)
             if abs(along) < STILL:
                 continue

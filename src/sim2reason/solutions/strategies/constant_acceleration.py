@@ -12,7 +12,7 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import NEWTONS
+from sim2reason.solutions.dynamics import NEWTONS, Dynamics
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.lexicon import UnreadError
@@ -129,19 +129,41 @@ class _Staged(Way):
     def stages(self) -> list[Stage]:
         """All stages, each with what the one before it leaves."""
         found: list[Stage] = []
+        pairs = zip(self.segments, self.segments[1:], strict=False)
+        stops = [self._stopping(now, after) for now, after in pairs]
         for number, segment in enumerate(self.segments):
             last = number == len(self.segments) - 1
             until = self.setting.time if last else self.segments[number + 1].start
             before = found[-1] if found else None
-            speeds = {k: before.velocity(k) for k in self.wanted} if before else self.first_speeds
-            places = {k: before.place(k) for k in self.wanted} if before else {}
-            end = self._end(found, places) if last else self._stopping(segment, self.segments[number + 1])
+            later = {k for stop in stops[number:] for k in (stop.coordinate, *stop.slip)}
+            handed = sorted({*self.wanted, *later})
+            speeds = {k: before.relative("v", k) for k in handed} if before else self.first_speeds
+            places = {k: before.relative("s", k) for k in self.wanted} if before else {}
+            end = self._end(found, places) if last else stops[number]
             stage = Stage(self.setting, self.book, segment, until - segment.start, end, speeds, places)
-            ends = [] if last else [end.coordinate, *end.slip]
-            goals = [f"q{k}" for k in sorted({*self.wanted, *ends})]
+            spare = set[int]() if not last else {*self.wanted} - {*self._enough(stage)}
+            goals = [f"q{k}" for k in sorted({*handed, *end.slip} - spare)]
+            resting = not self._force[1] and all(abs(segment.found.a[k]) < STILL for k in speeds)
+            stage.uniform = resting and before is not None and not stage.dynamics.carried
             stage.reach([*goals, self._force[1]] if last and self._force[1] else goals)
             found.append(stage)
         return found
+
+    def _enough(self, stage: Stage) -> list[int]:
+        """The coordinates that the last stage needs."""
+        moment = self.query.moment
+        bodies = list(self.goal.bodies(self.target)) if self.goal is not None and self.target is not None else []
+        timed = self.uses in ("v", "s") and isinstance(moment, Moved | Stopped)
+        hinges = [k for body in bodies if (k := self.hinge(body)) is not None]
+        found = [*hinges, *self.moving([moment.name] if timed and isinstance(moment, Moved | Stopped) else [])]
+        found += self._slipping(moment.name) if isinstance(moment, StoppedSlipping) else []
+        for body in bodies:
+            found += stage.dynamics.enough(self.moving([body]))
+        return found
+
+    def own(self, body: str) -> list[int]:
+        """Without those of its carrier where it is counted by itself."""
+        return self.stages[-1].dynamics.enough(self.moving([body]))
 
     def _end(self, before: list[Stage], places: Mapping[int, Polynomial]) -> End:
         """What ends the last stage: what the question says."""
@@ -159,14 +181,19 @@ class _Staged(Way):
             k, *_ = self.moving([moment.name])
             return End(None, k, None, f"{capital(self.setting.called(moment.name))} comes to rest when")
         if isinstance(moment, StoppedSlipping):
-            return self._slips_no_more(moment.name)
+            return self._slips_no_more(moment.name, self.segments[-1])
         return End()
 
-    def _slips_no_more(self, body: str) -> End:
+    def _slips_no_more(self, body: str, segment: Segment) -> End:
         """When a body stops slipping on its face."""
         slips = self._slipping(body)
         if len(slips) == 1:
-            return End(None, slips[0], None, self._stops(body))
+            carried = Dynamics(self.setting, self.book, segment).carried
+            if slips[0] not in carried:
+                return End(None, slips[0], None, self._stops(body))
+            j, sign = carried[slips[0]]
+            slip = {slips[0]: Polynomial.of(1.0), j: Polynomial.of(-sign)}
+            return End(None, slips[0], None, self._stops(body), slip)
         newton = Newton(self.setting.lexicon, self.segments[0])
         face = list(self.mechanism.contacts).index(body)
         what = f"{capital(self.setting.called(body))} begins to roll without slipping when"
@@ -205,5 +232,5 @@ class _Staged(Way):
         faces = [face for face in self.mechanism.faces if face.friction > 0.0]
         for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
             if side and later != side:
-                return self._slips_no_more(face.subject)
+                return self._slips_no_more(face.subject, now)
         raise UnsolvedError("something changes on the way that is neither sliding nor sticking")
