@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.book import Book, UnsolvedError, Writing
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.worked import Worked
@@ -42,9 +42,15 @@ class Numeric:
 class Elimination:
     """Solves equations for unknowns, and writes down how; what is known is in the book."""
 
-    def __init__(self, book: Book, units: Mapping[str, str]) -> None:
-        """`units`, in LaTeX, of every unknown."""
-        self.book, self.units = book, units
+    def __init__(self, book: Book, units: Mapping[str, str], rests: Sequence[str] = ()) -> None:
+        """`units`, in LaTeX, of every unknown; `rests` label the steps in which the equations are told."""
+        self.book, self.units, self._rests = book, units, rests
+
+    def _open(self, kind: str) -> Writing:
+        step = self.book.open(kind)
+        for label in self._rests:
+            step.rest_on(label)
+        return step
 
     def solve(self, equations: Sequence[Equation], unknowns: Sequence[str], goals: Sequence[str]) -> None:
         """Write the way to all goals; UnsolvedError where it finds none."""
@@ -72,7 +78,7 @@ class Elimination:
         return found[0] if found else None
 
     def _one(self, equation: Equation, name: str) -> None:
-        step = self.book.open("solve")
+        step = self._open("solve")
         step.rest_on(_key(equation) if not equation.label else "")
         formula = solved(equation.zero, name)
         where = f"From {equation.label}, " if equation.label else "So "
@@ -113,7 +119,7 @@ class Elimination:
             return None
         if len(weighted) == 1:
             return weighted[0][0]
-        step = self.book.open("combine")
+        step = self._open("combine")
         label = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
         whole = Equation("", forces, inertia, NIL)
         step.say(f"{label}: {step.derived(forces.expression(), inertia.collected(free))}.")
@@ -125,7 +131,7 @@ class Elimination:
 
     def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
         """Numbers put in, then one unknown after the other eliminated, the first last."""
-        step = self.book.open("solve")
+        step = self._open("solve")
         marks = iter("abcdefghijklmnop")
         numeric: list[Numeric] = []
         said: list[str] = []
@@ -145,7 +151,7 @@ class Elimination:
         first = names[0]
         if len(names) == 1:
             equation = equations[0]
-            step = self.book.open("solve")
+            step = self._open("solve")
             step.rest_on(equation.label)
             formula = equation.right / equation.left[first]
             step.say(f"So {step.result(Symbol(first), formula, self.units[first])}.")
@@ -156,7 +162,7 @@ class Elimination:
         pivot = max(having, key=lambda e: abs(self.book.value(e.left[last])))
         reduced = [self._without(e, pivot, last, marks) if last in e.left else e for e in equations if e is not pivot]
         self._reduce(reduced, names[:-1], marks)
-        step = self.book.open("solve")
+        step = self._open("solve")
         step.rest_on(pivot.label)
         rest = pivot.right
         for name, part in pivot.left.items():
@@ -176,7 +182,7 @@ class Elimination:
         }
         right = self._worked(equation.right - multiplied(ratio, pivot.right))
         found = Numeric(f"({next(marks)})", left, right)
-        step = self.book.open("combine")
+        step = self._open("combine")
         step.rest_on(equation.label)
         step.rest_on(pivot.label)
         step.label(found.label)

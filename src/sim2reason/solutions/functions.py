@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from sim2reason.solutions.expressions import Expression, Scalar, Symbol, Values, parenthesized
+from sim2reason.solutions.expressions import Expression, Number, Scalar, Symbol, Values, parenthesized
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,11 @@ class Power(Expression):
         """With the exponent raised; that of a sine stands before its angle."""
         if isinstance(self.base, Call):
             return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
-        base = rf"\left({self.base.latex()}\right)" if isinstance(self.base, Power) else parenthesized(self.base, 2)
+        base = (
+            rf"\left({self.base.latex()}\right)"
+            if isinstance(self.base, Power | Number)
+            else parenthesized(self.base, 2)
+        )
         return f"{base}^{{{self.exponent}}}"
 
     def symbols(self) -> Iterator[str]:

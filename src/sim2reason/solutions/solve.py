@@ -16,6 +16,8 @@ from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.strategies import STRATEGIES, Strategy
 
+SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it says
+
 
 def solve(setting: Setting) -> Solution:
     """The worked solution by the cheapest strategy that finds one; else one that says why there is none."""
@@ -49,6 +51,8 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     unit = book.units.get(goal, "")
     answer = degrees(book.values[goal]) if unit == DEGREES else book.values[goal]
+    if setting.answer is None or abs(answer - setting.answer) > SAME * abs(setting.answer):
+        return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")
     return Solution(strategy.name, steps, book.observed | book.values, goal, answer, unit)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from sim2reason.solutions.book import UnsolvedError
+from sim2reason.solutions.book import UnsolvedError, Writing
 from sim2reason.solutions.elimination import Elimination, Equation, solved
 from sim2reason.solutions.expressions import Expression, Symbol, multiplied
 from sim2reason.solutions.newton import Row
@@ -22,9 +22,17 @@ class Telling:
         self.d, self.rows = dynamics, rows
         self.names = dynamics.names
         self.goals = [_name_of(dynamics.names[goal]) for goal in goals]
+        self._labels: list[str] = []
         self.inline: dict[str, Polynomial] = {}  # normal forces that weights alone give
         self.pressed: dict[str, Polynomial] = {}  # the others, in terms of accelerations
         self.bound: dict[str, Polynomial] = {}  # accelerations by others
+
+    def _open(self, kind: str) -> Writing:
+        """Begin a step that is kept only if something rests on it."""
+        step = self.d.book.open(kind)
+        self._labels.append(f"{kind} {len(self.d.book.steps)}")
+        step.label(self._labels[-1])
+        return step
 
     def write(self) -> None:
         """Write everything."""
@@ -39,12 +47,12 @@ class Telling:
         heavy = [e.put(known).put(known) for e in rows if e not in light]
         all_of_them = heavy + equations + [Equation(e.label, e.forces, e.inertia, NIL) for e in light]
         unknowns = sorted({n for e in all_of_them for n in e.zero.names()} & self.d.units.keys())
-        Elimination(self.d.book, self.d.units).solve(all_of_them, unknowns, self.goals)
+        Elimination(self.d.book, self.d.units, self._labels).solve(all_of_them, unknowns, self.goals)
 
     # ---- what things are called
 
     def _introduce(self) -> None:
-        step = self.d.book.open("names")
+        step = self._open("names")
         said = [f"${shared.symbol.name}$ {self._whose(shared)}" for shared in self.d.shared]
         if len(said) == 1:
             noun = f"$ be the {self.d.measure.noun} of"
@@ -94,7 +102,7 @@ class Telling:
     def _strings(self) -> list[Equation]:
         """Strings that bind accelerations at other ratios than one."""
         found: list[Equation] = []
-        step = self.d.book.open("constraint")
+        step = self._open("constraint")
         for row in self.rows:
             if row.kind not in ("string", "grip"):
                 continue
@@ -126,7 +134,7 @@ class Telling:
     def _faces(self) -> list[Equation]:
         """Normal forces that the weight alone gives are put in at once; others are told."""
         found: list[Equation] = []
-        step = self.d.book.open("normal")
+        step = self._open("normal")
         for row in self.rows:
             if row.kind != "normal":
                 continue
@@ -163,7 +171,7 @@ class Telling:
         return Equation(f"({number})" if count > 1 else "", row.forces, row.inertia, moves)
 
     def _tell(self, groups: Sequence[Sequence[Row]], equations: Sequence[Equation]) -> None:
-        step = self.d.book.open("newton")
+        step = self._open("newton")
         for group, equation in zip(groups, equations, strict=True):
             if not equation.inertia and not self._mass(group):
                 left, right = _balance(equation.forces)

@@ -142,7 +142,7 @@ class _Staged(Way):
             end = self._end(found, places) if last else stops[number]
             stage = Stage(self.setting, self.book, segment, until - segment.start, end, speeds, places)
             spare = set[int]() if not last else {*self.wanted} - {*self._enough(stage)}
-            goals = [f"q{k}" for k in sorted({*handed, *end.slip} - spare)]
+            goals = [f"q{k}" for k in sorted(({*handed} - spare) | {*end.slip})]
             resting = not self._force[1] and all(abs(segment.found.a[k]) < STILL for k in speeds)
             stage.uniform = resting and before is not None and not stage.dynamics.carried
             stage.reach([*goals, self._force[1]] if last and self._force[1] else goals)

@@ -38,6 +38,8 @@ class ForcesAtStart(Strategy):
             return "neither an acceleration nor a net force is asked for"
         if target.subject not in m.body or m.body[target.subject].parent is not None:
             return "it rides on something"
+        if any(body.parent == target.subject for body in m.bodies):
+            return "something rides on it"
         if any(c.kind != "slide" for c in m.body[target.subject].coordinates):
             return "it turns"
         faces = [face for face in m.faces if face.subject == target.subject and face.friction]
