@@ -1,46 +1,17 @@
 """Accelerations and forces of one segment of a motion, from Newton's laws of the bodies that matter."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from sim2reason.dsl.triples import product
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions import telling
 from sim2reason.solutions.book import Book
-from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.newton import Newton, Row, symbol
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.selection import needed
 from sim2reason.solutions.setting import Setting
-
-NEWTONS, METRES = r"\ \text{N}", r"\ \text{m/s}^2"
-STILL = 1e-9
-
-
-@dataclass(slots=True)
-class Shared:
-    """Coordinates that change at one rate, up to a sign: `sense` of each, by its number."""
-
-    symbol: Symbol
-    sense: dict[int, int]
-
-
-@dataclass(frozen=True, slots=True)
-class Measure:
-    """What of coordinates the laws are about: accelerations, or displacements where no force has a part.
-
-    `values` are the engine's, by coordinate; `known` is a coordinate whose value has a name already.
-    """
-
-    base: str
-    unit: str
-    noun: str
-    values: tuple[float, ...] = ()
-    known: tuple[int, Symbol] | None = None
-
-
-ACCELERATIONS = Measure("a", METRES, "acceleration")
+from sim2reason.solutions.shared import ACCELERATIONS, NEWTONS, STILL, Measure, Shared, equal
 
 
 class Dynamics:
@@ -184,7 +155,7 @@ class Dynamics:
         for k in sorted(int(name[1:]) for name in used | known | {goal for goal in goals if goal[0] == "q"}):
             members[k] = {k: 1}
         for row in laws:  # also those strings that an answer does not need: equal rates have one name all the same
-            pair = _equal(row)
+            pair = equal(row)
             if pair is None:
                 continue
             (one, other), sign = pair
@@ -285,16 +256,6 @@ class Dynamics:
         """Those of a body's coordinates that its own motion needs: not its carrier's where it is counted by itself."""
         spared = {j for k in coordinates if k in self.carried for j in self._below(self.mechanism.coordinates[k].body)}
         return [k for k in coordinates if k not in spared]
-
-
-def _equal(row: Row) -> tuple[tuple[int, int], int] | None:
-    """The two coordinates that a string binds at equal rates, and whether with equal signs; None if it does not."""
-    if row.kind not in ("string", "grip") or len(row.inertia.terms) != 2:
-        return None
-    parts = [(int(m[0][0].latex()[1:]), part) for m, part in row.inertia.terms.items() if len(m) == 1 and m[0][1] == 1]
-    if len(parts) != 2 or abs(abs(parts[0][1]) - abs(parts[1][1])) > STILL:
-        return None
-    return (parts[0][0], parts[1][0]), -1 if parts[0][1] * parts[1][1] > 0.0 else 1
 
 
 def _close(one: Sequence[float], other: Sequence[float]) -> bool:

@@ -5,11 +5,12 @@ from dataclasses import dataclass, field
 
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError, subscript
-from sim2reason.solutions.dynamics import Dynamics, Shared
+from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.shared import Shared
 
 SECONDS, METRES, SPEED = r"\ \text{s}", r"\ \text{m}", r"\ \text{m/s}"
 HALF = Number(0.5)

@@ -11,7 +11,8 @@ from sim2reason.solutions.polynomials import NIL, Polynomial, divided, total
 from sim2reason.solutions.setting import capital
 
 if TYPE_CHECKING:
-    from sim2reason.solutions.dynamics import Dynamics, Shared
+    from sim2reason.solutions.dynamics import Dynamics
+from sim2reason.solutions.shared import Shared
 
 
 class Telling:

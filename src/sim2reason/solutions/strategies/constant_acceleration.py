@@ -12,13 +12,14 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import NEWTONS, Dynamics
+from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.shared import NEWTONS
 from sim2reason.solutions.stage import METRES, SECONDS, End, Stage
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import STILL, Way

@@ -6,13 +6,14 @@ import numpy as np
 
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import Dynamics, Measure
+from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.shared import Measure
 from sim2reason.solutions.stage import METRES
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way

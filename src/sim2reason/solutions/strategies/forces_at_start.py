@@ -8,8 +8,6 @@ from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import METRES as PER_SQUARE_SECOND
-from sim2reason.solutions.dynamics import NEWTONS
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.goals import GOALS
@@ -17,6 +15,7 @@ from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital, joined
+from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
 from sim2reason.solutions.stage import METRES
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way

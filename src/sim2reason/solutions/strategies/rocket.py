@@ -10,8 +10,6 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import METRES as PER_SQUARE_SECOND
-from sim2reason.solutions.dynamics import NEWTONS
 from sim2reason.solutions.expressions import Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call
 from sim2reason.solutions.goals import GOALS
@@ -19,6 +17,7 @@ from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way

@@ -1,12 +1,11 @@
 """Swing: a small body on a string or a light rod; its energy gives the speed, circular motion the force."""
 
 from sim2reason.solutions.book import DEGREES, Book, UnsolvedError
-from sim2reason.solutions.dynamics import METRES as PER_SQUARE_SECOND
-from sim2reason.solutions.dynamics import NEWTONS
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.pendulum import pivot
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
 from sim2reason.solutions.stage import METRES, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swing_state import MOMENTS, SwingState
