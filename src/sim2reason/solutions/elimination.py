@@ -3,11 +3,14 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from sim2reason.solutions.book import Book, UnsolvedError, Writing
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.worked import Worked
 
+TINY = 1e-7  # relative: a weight that rounding has left
 LONG = 130  # characters of a formula that is better written in numbers
 
 
@@ -101,13 +104,43 @@ class Elimination:
         free = sorted({name for e in equations for name in e.moves.names() if name in left})
         sums = [self._sum(equations, name, left, free) for name in free]
         if not sums or not all(sums):
-            raise UnsolvedError("no sum of the equations is free of forces")
+            self._one(self._alone(equations, left, wanted[0]), wanted[0])
+            return
         combined = [held for held in sums if held is not None]
         if len(combined) == 1:
             self._one(combined[0], free[0])
             return
         goal = next((name for name in wanted if name in free), free[0])
         self._in_numbers(combined, [goal, *(name for name in free if name != goal)])
+
+    def _alone(self, equations: Sequence[Equation], left: set[str], goal: str) -> Equation:
+        """The plain sum of equations in which one unknown alone is left; UnsolvedError if there is none."""
+        names = sorted(left)
+        known = self.book.values | self.book.observed
+        rows = [[e.zero.coefficient(name).value(known) for name in names] for e in equations]
+        target = np.array([1.0 if name == goal else 0.0 for name in names])
+        weights = np.linalg.lstsq(np.array(rows).T, target, rcond=1e-12)[0]
+        least = min((abs(w) for w in weights if abs(w) > TINY * np.abs(weights).max()), default=1.0)
+        whole = [round(float(w) / least) for w in weights]
+        if any(abs(w / least - n) > TINY for w, n in zip(weights, whole, strict=True)):
+            raise UnsolvedError("no sum of the equations is free of forces")
+        weighted = [(e, Polynomial.of(float(n))) for e, n in zip(equations, whole, strict=True) if n]
+        found = self._combined(weighted, [goal])
+        if found.zero.names() & (left - {goal}):
+            raise UnsolvedError("no sum of the equations is free of forces")
+        return found
+
+    def _combined(self, weighted: Sequence[tuple[Equation, Polynomial]], names: Sequence[str]) -> Equation:
+        """Equations added up with weights, and told."""
+        forces = total(e.forces * weight for e, weight in weighted)
+        inertia = total(e.inertia * weight for e, weight in weighted)
+        step = self._open("combine")
+        label = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
+        whole = Equation("", forces, inertia, NIL)
+        step.say(f"{label}: {step.derived(forces.expression(), inertia.collected(names))}.")
+        step.label(_key(whole))
+        step.close()
+        return whole
 
     def _sum(self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]) -> Equation | None:
         """The sum of all equations, each times how fast it moves as one acceleration changes."""
@@ -119,13 +152,7 @@ class Elimination:
             return None
         if len(weighted) == 1:
             return weighted[0][0]
-        step = self._open("combine")
-        label = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
-        whole = Equation("", forces, inertia, NIL)
-        step.say(f"{label}: {step.derived(forces.expression(), inertia.collected(free))}.")
-        step.label(_key(whole))
-        step.close()
-        return whole
+        return self._combined(weighted, free)
 
     # ---- in numbers
 
@@ -240,7 +267,9 @@ def solved(zero: Polynomial, name: str) -> Expression:
     if before.number is not None:
         return rest.scaled(1.0 / before.number).factored()
     shared = _cancelled(rest, before)
-    return Quotient(shared[0].factored(), shared[1].factored()) if shared[1].number != 1.0 else shared[0].factored()
+    if shared[1].number is not None:
+        return shared[0].scaled(1.0 / shared[1].number).factored()
+    return Quotient(shared[0].factored(), shared[1].factored())
 
 
 def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:

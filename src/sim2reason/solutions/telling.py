@@ -84,16 +84,19 @@ class Telling:
     def _whose(self, shared: "Shared") -> str:
         """Of block A downward and of block B up the slope."""
         ways: dict[str, list[str]] = {}
+        turning: list[str] = []
         for k, sense in shared.sense.items():
             coordinate = self.d.mechanism.coordinates[k]
             if coordinate.kind == "hinge":
+                turning.append(coordinate.body)
                 continue
             parent = self.d.mechanism.body[coordinate.body].parent
             way = self.d.moving(k, sense)
             if parent is not None and self._moves(parent) and k not in self.d.carried:
                 way += f" relative to {self.d.setting.called(parent)}"
             ways.setdefault(way, []).append(coordinate.body)
-        return " and ".join(f"of {self.d.setting.listed(bodies)} {way}" for way, bodies in ways.items())
+        said = [f"of {self.d.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
+        return " and ".join([*said, *(f"of the rim of {self.d.setting.called(body)}" for body in turning)])
 
     def _moves(self, body: str) -> bool:
         return any(k not in self.d.frozen for k in self.d.newton.moved(body))
