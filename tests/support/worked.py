@@ -13,6 +13,7 @@ from sim2reason.recipes import RECIPES, known
 from sim2reason.solutions import Setting
 
 TRIES = 40
+ANSWERED = ("start", "state", "event", "time_to_event")  # kinds that strategies have a way to
 
 
 def setting_of(search: QuestionSearch, query: Query) -> Setting:
@@ -29,7 +30,7 @@ def asked(scene: Scene, question: str | Query) -> Setting:
 
 
 def problems(recipe: str, difficulty: str, count: int, seed: int = 3) -> Iterator[Setting]:
-    """Drawn problems that pass every filter."""
+    """Drawn problems that pass every filter, of each kind that strategies answer in turn."""
     for index in range(count):
         found = _problem(recipe, difficulty, seed, index)
         if found is not None:
@@ -41,7 +42,8 @@ def _problem(recipe: str, difficulty: str, seed: int, index: int) -> Setting | N
         rng = generator("worked", recipe, difficulty, seed, index, attempt)
         try:
             search = QuestionSearch(RECIPES[recipe](known(difficulty), rng), int(rng.random() * 2**31))
-            found = search.ask(MODES["numeric"], rng, Counter[str]())
+            kind = ANSWERED[index % len(ANSWERED)]
+            found = search.ask(MODES["numeric"], rng, Counter[str](), kind)
         except (SceneError, SimulationError, UnsupportedError):
             continue
         if found is not None:

@@ -33,7 +33,7 @@ class UnreadError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
+class StatedNumber:
     """A number that the text says: its symbol, its value and unit as said, and its value in the mechanism."""
 
     symbol: str
@@ -85,7 +85,7 @@ class Lexicon:
         """`symbols` are those of the text, by address. UnreadError if no twin can be built."""
         self.scene, self.mechanism = scene, scene.mechanism
         self.givens = {
-            p.path: Given(symbols[p.path], p, _counted(p, p.value))
+            p.path: StatedNumber(symbols[p.path], p, _counted(p, p.value))
             for p in scene.parameters
             if p.value is not None and p.path in symbols
         }

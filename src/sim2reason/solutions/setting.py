@@ -11,7 +11,7 @@ from sim2reason.quantities.subjects.lines import line_phrases, pulleys
 from sim2reason.questions import KINDS, Query, Study, Words
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
-from sim2reason.solutions.lexicon import Given, Lexicon
+from sim2reason.solutions.lexicon import Lexicon, StatedNumber
 
 LEVEL = 1e-9  # the part of a direction that is none
 BEYOND = 1.001  # times the moment that is asked about, to which the motion is followed
@@ -119,7 +119,7 @@ class Setting:
         """Whether the text says the value of a symbol."""
         return name in self._given_names
 
-    def given(self, path: str) -> Given | None:
+    def given(self, path: str) -> StatedNumber | None:
         """A number that the text says."""
         return self.lexicon.givens.get(path)
 

@@ -26,6 +26,8 @@ def solve(setting: Setting) -> Solution:
         _ = setting.lexicon
     except UnreadError as error:
         return Solution("", reason=str(error))
+    if not any(setting.query.kind in strategy.kinds for strategy in STRATEGIES.values()):
+        return Solution("", reason=f"no strategy applies: none has a way to the kind {setting.query.kind}")
     for strategy in sorted(STRATEGIES.values(), key=lambda held: held.cost):
         found = by(strategy, setting)
         if found.answer is not None:
@@ -36,7 +38,8 @@ def solve(setting: Setting) -> Solution:
 
 def by(strategy: Strategy, setting: Setting) -> Solution:
     """The solution by one strategy, without an answer where it finds none."""
-    refused = strategy.refusal(setting)
+    kind = setting.query.kind
+    refused = strategy.refusal(setting) if kind in strategy.kinds else f"no way to the kind {kind}"
     if refused:
         return Solution(strategy.name, reason=refused)
     book = Book(setting.words.units)

@@ -14,10 +14,12 @@ class Strategy(ABC):
     Class data:
         name: under which it is registered.
         cost: how long its solutions are compared with others'; the cheapest that applies is written.
+        kinds: of questions that it can answer.
     """
 
     name: ClassVar[str]
     cost: ClassVar[float]
+    kinds: ClassVar[frozenset[str]] = frozenset({"start", "state", "event", "time_to_event"})
 
     @abstractmethod
     def refusal(self, setting: Setting) -> str:

@@ -12,6 +12,7 @@ from sim2reason.questions.moments.bounced import Bounced
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.landed import Landed
+from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions.book import Book, UnsolvedError
@@ -29,7 +30,7 @@ from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.worked import NumericRoot
 
-MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed)
+MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed, LastCollision)
 
 
 @strategy
@@ -92,6 +93,8 @@ class _Struck(Way):
     def impact(self) -> Impact | None:
         """The impact that the moment speaks of."""
         moment = self.query.moment
+        if isinstance(moment, LastCollision):
+            return [held for held in self.flights.impacts if held.time <= self.setting.time][-1]
         if not isinstance(moment, Collided | Bounced):
             return None
         bodies = set(moment.subjects)
@@ -122,7 +125,8 @@ class _Struck(Way):
         """In which of its flights a body is at the moment, just before it or after it as the question says."""
         if self.impact is None:
             return self.flights.count(body, None)
-        after = isinstance(self.query.moment, Collided | Bounced) and self.query.moment.after
+        moment = self.query.moment
+        after = isinstance(moment, LastCollision) or (isinstance(moment, Collided | Bounced) and moment.after)
         return self.flights.count(body, self.impact) + (1 if after and body in self.impact.bodies else 0)
 
     def rate(self, kind: str, k: int) -> Polynomial:
