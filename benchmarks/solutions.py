@@ -18,6 +18,7 @@ from sim2reason.solutions.check import WORDS, faults, words
 from sim2reason.solutions.reading import read
 
 TRIES = 40
+KINDS = ("start", "state", "event", "time_to_event")  # that strategies have a way to
 
 
 def problem(recipe: str, difficulty: str, seed: int, index: int) -> Setting | None:
@@ -25,7 +26,7 @@ def problem(recipe: str, difficulty: str, seed: int, index: int) -> Setting | No
         rng = generator("worked", recipe, difficulty, seed, index, attempt)
         try:
             search = QuestionSearch(RECIPES[recipe](known(difficulty), rng), int(rng.random() * 2**31))
-            found = search.ask(MODES["numeric"], rng, Counter())
+            found = search.ask(MODES["numeric"], rng, Counter(), KINDS[attempt % len(KINDS)])
         except (SceneError, SimulationError, UnsupportedError):
             continue
         if found is not None:

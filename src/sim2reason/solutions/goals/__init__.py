@@ -84,6 +84,11 @@ class Goal(ABC):
     """How a quantity follows from what a strategy knows."""
 
     @property
+    def summary(self) -> str:
+        """What lists say of it: the first line of what documents its class."""
+        return (type(self).__doc__ or "").partition("\n")[0]
+
+    @property
     @abstractmethod
     def uses(self) -> str:
         """What of the motion it needs: accelerations ``a``, velocities ``v``, displacements ``s``; or nothing."""
