@@ -32,7 +32,7 @@ def asked(recipe: str, count: int) -> Iterator[tuple[QuestionSearch, Question]]:
                 search = QuestionSearch(sample(recipe, difficulty, seed=seed), seed)
             except (SimulationError, UnsupportedError):
                 continue
-            question = MODES["numeric"](search.study, search.words, "", np.random.default_rng(seed))
+            question = MODES["numeric"].ask(search.study, search.words, "", np.random.default_rng(seed))
             if question is not None:
                 yield search, question
 

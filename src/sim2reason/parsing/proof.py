@@ -77,6 +77,8 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping
         order = tuple(first.told)
     echo = ScriptedWriter(scene, state.names, state.script, given, order, state.unknowns)
     told = Description(scene, tuple(echo.sentences()), state.names, {})
+    if spare := given.keys() - {echo.symbols.get(path) for path in echo.told}:
+        raise TextError("text", f"it gives ${min(spare)}$, of which it does not speak", "leave it out")
     again = pieces(told.text)
     for number, (mine, theirs) in enumerate(zip(again, text, strict=False), start=1):
         if mine != theirs:

@@ -34,7 +34,7 @@ class Equation:
 
 
 @dataclass(frozen=True, slots=True)
-class Numeric:
+class NumericEquation:
     """A linear equation in numbers: Σ coefficient · unknown = `right`."""
 
     label: str
@@ -160,13 +160,13 @@ class Elimination:
         """Numbers put in, then one unknown after the other eliminated, the first last."""
         step = self._open("solve")
         marks = iter("abcdefghijklmnop")
-        numeric: list[Numeric] = []
+        numeric: list[NumericEquation] = []
         said: list[str] = []
         for equation in equations:
             before = {n: self._worked(-equation.zero.coefficient(n).expression()) for n in names}
             rest = self._worked(equation.zero.without(names).expression())
             kept = {n: part for n, part in before.items() if part.comes_to}
-            numeric.append(Numeric(f"({next(marks)})", kept, rest))
+            numeric.append(NumericEquation(f"({next(marks)})", kept, rest))
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
             said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
@@ -174,7 +174,7 @@ class Elimination:
         step.close()
         self._reduce(numeric, list(names), marks)
 
-    def _reduce(self, equations: list[Numeric], names: list[str], marks: Iterator[str]) -> None:
+    def _reduce(self, equations: list[NumericEquation], names: list[str], marks: Iterator[str]) -> None:
         first = names[0]
         if len(names) == 1:
             equation = equations[0]
@@ -198,7 +198,9 @@ class Elimination:
         step.say(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
         step.close()
 
-    def _without(self, equation: Numeric, pivot: Numeric, last: str, marks: Iterator[str]) -> Numeric:
+    def _without(
+        self, equation: NumericEquation, pivot: NumericEquation, last: str, marks: Iterator[str]
+    ) -> NumericEquation:
         """An equation less so much of another that an unknown is gone."""
         ratio = self._worked(equation.left[last] / pivot.left[last])
         names = dict.fromkeys((*equation.left, *pivot.left))
@@ -208,7 +210,7 @@ class Elimination:
             if name != last
         }
         right = self._worked(equation.right - multiplied(ratio, pivot.right))
-        found = Numeric(f"({next(marks)})", left, right)
+        found = NumericEquation(f"({next(marks)})", left, right)
         step = self._open("combine")
         step.rest_on(equation.label)
         step.rest_on(pivot.label)
@@ -225,7 +227,7 @@ def _key(equation: Equation) -> str:
     return f"sum {id(equation)}" if not equation.label else equation.label
 
 
-def _left(equation: Numeric) -> Expression:
+def _left(equation: NumericEquation) -> Expression:
     found: Expression = ZERO
     for name, part in equation.left.items():
         found = added(found, _term(part, name, 1.0))

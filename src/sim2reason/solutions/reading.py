@@ -47,7 +47,7 @@ class Equality:
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class ReadText:
     """What a text says: equalities, formulas that could not be read, and the values of its symbols.
 
     `values` are the numbers that it says, and those that follow for what cancels, such as tensions.
@@ -63,7 +63,7 @@ class Reading:
         return [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
 
 
-def read(text: str) -> Reading:
+def read(text: str) -> ReadText:
     """All equalities of a text; a symbol has the number that it is first said to equal."""
     equalities: list[Equality] = []
     unread: list[str] = []
@@ -87,7 +87,7 @@ def read(text: str) -> Reading:
         boxed = match[2] + (r"^\circ" if r"\circ" in match[0][match.end(2) - match.start() :] else "")
         (goal, _, names), (number, terms, _) = _side(match[1], table), _side(boxed, table)
         equalities.append(Equality(match[0], (goal, number), terms, names, BOXED))
-    return Reading(tuple(equalities), tuple(unread), values)
+    return ReadText(tuple(equalities), tuple(unread), values)
 
 
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:

@@ -35,6 +35,7 @@ class Numeric(QuestionMode):
         return Question(self.name, query, sentence(chosen(shapes, rng)), answer, unit, sign, query.hides)
 
     def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
-        """A query in the words of its kind."""
+        """A query in the words of its kind; what the text leaves unknown must be what it asks for."""
         query = parse_question(text, study, words)
-        return Reading(self.name, query) if query is not None else None
+        hidden = {unknown.path for unknown in words.unknowns}
+        return Reading(self.name, query) if query is not None and hidden <= {query.hides} else None
