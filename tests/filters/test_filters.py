@@ -7,7 +7,11 @@ import pytest
 
 from motions import spring_block
 from plain_scenes import G, atwood, half_atwood, massive, ramp, table
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.plane import Plane
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.parts.effects import effects
 from sim2reason.questions import KINDS, Moment, Query, Question, Study, Target
@@ -184,3 +188,12 @@ def test_slips_that_are_about_the_whole_are_made_where_nothing_is_asked_of_a_par
     assert answer is not None
     found = Candidate(study, Question("numeric", query, "?", answer, "s"), "a b c")
     assert "length as extension" in {effect.simplification.name for effect in effects(found, part=False)}
+
+
+def test_a_string_that_is_slack_at_once_is_not_called_taut() -> None:
+    """Down a smooth slope of 30° a block alone would fall at 4.9 m/s²; a rougher one above it is not drawn along."""
+    assert not reason("taut", candidate(half_atwood(), AtTime(0.5), Target("velocity", "ramp.blocks.0")))
+    lower, upper = Block(mass=1.0), Block(mass=2.0)
+    sliding = TwoSideMassPlane(plane=Plane(angle=30.0, friction=0.1), blocks=(lower, upper))
+    scene = Scene(entities=(Named(name="ramp", entity=sliding),))
+    assert "slack" in reason("taut", candidate(scene, AtTime(0.5), Target("velocity", "ramp.blocks.0")))
