@@ -1,6 +1,7 @@
 """Ask about one scene until a question passes every filter."""
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -8,6 +9,7 @@ import numpy as np
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate, sift
+from sim2reason.filters.length import followed
 from sim2reason.prose.voices import hiding
 from sim2reason.prose.writer import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
@@ -18,7 +20,9 @@ from sim2reason.simulation.certify import Certificate, witnessed
 
 SAMPLES = 41
 SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
-QUESTIONS = 4  # tries
+WORDINGS = 6  # tries
+QUESTIONS = 4  # tries that differ
+DRAWS = 8  # of questions, at most
 
 
 @dataclass(frozen=True)
@@ -50,11 +54,17 @@ class QuestionSearch:
     """
 
     def __init__(self, scene: Scene, wording: int, difficulty: Difficulty = "medium") -> None:
-        """`wording` is the seed of the text."""
+        """`wording` is the seed of the text, or that of the first that is tried."""
         self._difficulty: Difficulty = difficulty
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
-        self._wording = wording
+        self._first_wording = wording
         self._vouched: tuple[Study, Certificate] | None = None
+
+    @cached_property
+    def _wording(self) -> int:
+        """The seed of a text whose sentences about strings can be followed, if one is found soon."""
+        tried = range(self._first_wording, self._first_wording + WORDINGS)
+        return next((n for n in tried if followed(describe(self.study.scene, n).sentences)), self._first_wording)
 
     @cached_property
     def description(self) -> Description:
@@ -91,11 +101,10 @@ class QuestionSearch:
         if self.study.trace.stable_until < SHORTEST * self.study.scene.horizon:
             refused[f"unstable: {self.study.trace.cut}"] += 1
             return None
-        for _ in range(QUESTIONS):
-            question = mode.ask(self.study, self.words, kind, rng)
-            if question is None:
-                refused["nothing to ask"] += 1
-                continue
+        if not followed(self.description.sentences):
+            refused["length"] += 1
+            return None
+        for question in self._questions(mode, kind, rng, refused):
             description, study = self._described(question), mode.study(question, self.study)
             prompt = shaped(description, question, rng)
             candidate = Candidate(
@@ -114,3 +123,19 @@ class QuestionSearch:
                     return CertifiedQuestion(candidate, study, certificate, description, prompt.shape)
             refused[verdict.counted] += 1
         return None
+
+    def _questions(
+        self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str]
+    ) -> Iterator[Question]:
+        """Some questions that differ; fewer if the motion offers no more."""
+        asked = set[tuple[Query, str]]()
+        for _ in range(DRAWS):
+            question = mode.ask(self.study, self.words, kind, rng)
+            if question is None:
+                refused["nothing to ask"] += 1
+                return
+            if (question.query, question.unknown) not in asked:
+                asked.add((question.query, question.unknown))
+                yield question
+            if len(asked) >= QUESTIONS:
+                return

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
+from sim2reason.questions.choices import has_met
 
-AT_ONCE = 1e-9  # of the time
 SHOWN = 5  # collisions
 
 
@@ -15,13 +15,10 @@ class Collision(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """A collision must come before the moment, or be what has just happened."""
-        time, trace, moment = candidate.time, candidate.study.trace, candidate.question.query.moment
-        if time is None or not candidate.study.mechanism.meetings:
-            return ""
-        just_after = moment is not None and moment.sided
-        end = time * (1.0 + (AT_ONCE if just_after else -AT_ONCE))
-        hit = any(event.kind == "collision" and event.time <= end for event in trace.events)
-        return "" if hit else "nothing has collided before"
+        time, moment = candidate.time, candidate.question.query.moment
+        just_after = moment is not None and bool(moment.sided)
+        met = time is None or has_met(candidate.study.trace, time, just_after=just_after)
+        return "" if met else "nothing has collided before"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """When the first collisions are."""

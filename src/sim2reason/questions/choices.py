@@ -10,6 +10,7 @@ from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.targets import Target
 from sim2reason.simulation.trace import Trace
 
+AT_ONCE = 1e-9  # of a time
 CLEAR = 1e-3  # of the duration: how far a time stays away from events
 
 
@@ -36,6 +37,14 @@ def apart(time: float, trace: Trace) -> bool:
 def at(trace: Trace, time: float) -> State:
     """The motion at one instant."""
     return trace.sample(np.array([time]))
+
+
+def has_met(trace: Trace, time: float, *, just_after: bool = False) -> bool:
+    """Whether, where bodies can collide, some have before a time, or `just_after` it; else no collision has a bearing."""
+    if not trace.mechanism.meetings:
+        return True
+    end = time * (1.0 + (AT_ONCE if just_after else -AT_ONCE))
+    return any(event.kind == "collision" and event.time <= end for event in trace.events)
 
 
 def only_falls(mechanism: Mechanism) -> bool:

@@ -9,7 +9,7 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import at
+from sim2reason.questions.choices import at, has_met
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then, naming_then
@@ -206,13 +206,22 @@ def drawn(
     rng: np.random.Generator,
     wanted: Callable[[M], bool] = lambda _: True,
 ) -> M | None:
-    """One of the moments that a motion offers: a class of them is drawn first; None if there is none."""
+    """One of the moments that a motion offers: a class of them is drawn first; None if there is none.
+
+    Where bodies can collide, none comes before any have.
+    """
     order: list[int] = rng.permutation(len(classes)).tolist()
     for number in order:
-        found = [moment for moment in classes[number].found(study, words, rng) if wanted(moment)]
+        offered = classes[number].found(study, words, rng)
+        found = [moment for moment in offered if wanted(moment) and _follows_a_meeting(study, moment)]
         if found:
             return found[int(rng.integers(len(found)))]
     return None
+
+
+def _follows_a_meeting(study: Study, moment: Moment) -> bool:
+    time = study.time(moment)
+    return time is not None and has_met(study.trace, time, just_after=bool(moment.sided))
 
 
 def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:

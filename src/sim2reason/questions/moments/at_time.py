@@ -28,9 +28,12 @@ class AtTime(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """A time of two digits, away from events."""
+        """A time of two digits, away from events; where bodies can collide, after some have."""
         del words
-        moment = cls(spoken(rng.uniform(EARLIEST, LATEST) * study.trace.stable_until))
+        trace = study.trace
+        met = next((event.time for event in trace.events if event.kind == "collision"), 0.0)
+        begins = max(EARLIEST * trace.stable_until, met if trace.mechanism.meetings else 0.0)
+        moment = cls(spoken(rng.uniform(min(begins, LATEST * trace.stable_until), LATEST * trace.stable_until)))
         return [moment] if moment.time(study.trace) is not None and apart(moment.after, study.trace) else []
 
     @classmethod
