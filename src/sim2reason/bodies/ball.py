@@ -5,6 +5,9 @@ from typing import Annotated
 from sim2reason.dsl.body import Body, body
 from sim2reason.dsl.looks import Small
 from sim2reason.dsl.measures import Mass, Range
+from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.solids import Solid, point
+from sim2reason.dsl.vectors import Vector
 
 
 @body
@@ -30,3 +33,27 @@ class Bead(Ball):
 
     nouns = ("bead",)
     alike = "({mass} each)"
+
+
+@body
+class FixedBall(Shape):
+    """A ball that is fixed to something and so small that its own moment of inertia never matters."""
+
+    nouns = ("ball",)
+    lone = ("a small {noun} of mass {mass}", "a small heavy {noun} ({mass})")
+    named = ("a small {noun} {letter} of mass {mass}", "a small heavy {noun} {letter} ({mass})")
+
+    @property
+    def solid(self) -> Solid:
+        """A point."""
+        return point()
+
+    @property
+    def look(self) -> Small:
+        """A filled circle."""
+        return Small("ball")
+
+    def reach(self, way: Vector) -> float:
+        """Nowhere."""
+        del way
+        return 0.0

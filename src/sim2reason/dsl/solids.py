@@ -90,6 +90,11 @@ def _even(size: float, xx: float, yy: float, zz: float, height: float = 0.0) -> 
 # ---- primitives, each about its centre unless it says otherwise
 
 
+def point() -> Solid:
+    """Something without extent."""
+    return _even(1.0, 0.0, 0.0, 0.0)
+
+
 def ball(radius: float) -> Solid:
     """A solid sphere: ⟨x²⟩ = r²/5."""
     square = radius**2 / 5.0

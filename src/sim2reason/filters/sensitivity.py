@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters, shifted
@@ -25,7 +26,8 @@ class Sensitivity(Filter):
         scene, query = candidate.study.scene, candidate.question.query
         given = [given for given in givens(scene, candidate.question.unknown) if given.owner != "world"]
         aside = [effect.subject for effect in effects(candidate, part=True) if effect.close]
-        excused = [g for g in given if f"{query.subject}.mass" in g.paths or any(_belongs(g, name) for name in aside)]
+        own = f"{_lone(candidate.study.mechanism, query.subject)}.mass"
+        excused = [g for g in given if own in g.paths or any(_belongs(g, name) for name in aside)]
         counted = candidate.kind.measured(query).whole  # which changes with some of the numbers only
         moving, idle = list[Given](), list[Given]()
         for found in elasticities(candidate):
@@ -52,6 +54,21 @@ def _is_indifferent(candidate: Candidate, given: Given) -> bool:
     """Whether such answers by nature do not depend on it, as a period on how far a spring is pulled."""
     other = shifted(candidate.study, given, candidate.until)
     return other is not None and candidate.kind.indifferent(candidate.question.query, candidate.study, other)
+
+
+def _lone(mechanism: Mechanism, subject: str) -> str:
+    """The only body with mass that moves as one with the subject, such as the bob on its rod; else the subject."""
+    frame = _carrier(mechanism, subject)
+    found = [body.name for body in mechanism.bodies if body.mass and _carrier(mechanism, body.name) == frame]
+    return found[0] if frame and len(found) == 1 else subject
+
+
+def _carrier(mechanism: Mechanism, name: str | None) -> str:
+    """The body with coordinates that a body is, or is fixed to; empty for what is no body or fixed in the room."""
+    body = mechanism.body.get(name or "")
+    if body is None:
+        return ""
+    return body.name if body.coordinates else _carrier(mechanism, body.parent)
 
 
 def _belongs(given: Given, name: str) -> bool:

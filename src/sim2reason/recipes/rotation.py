@@ -1,27 +1,128 @@
 """Rigid bodies that swing about an axle."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 
-from sim2reason.dsl.measures import Count
+from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.measures import Count, Range
+from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.solids import Solid
+from sim2reason.entities.parts.assembly import WeldedArm
+from sim2reason.entities.parts.pieces import (
+    AxialPiece,
+    BallPiece,
+    BarPiece,
+    CappedPiece,
+    HoledPiece,
+    RoundPiece,
+    TiltedPiece,
+    WeldedPiece,
+)
+from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.errors import SceneError
 from sim2reason.recipes import Difficulty, recipe
-from sim2reason.recipes.parts.ideas import Idea, one_of
+from sim2reason.recipes.parts.bearing import idle
 
-KIND = "RotationEntity"
-IDEAS = {
-    "easy": (Idea(KIND, {"pieces": Count(1, 1)}),),
-    "medium": (  # several pieces, or one that is pushed
-        Idea(KIND, {"pieces": Count(2, 3)}, 2.0),
-        Idea(KIND, {"pieces": Count(1, 1), "rate?": 1.0}),
-    ),
-    "hard": (  # several pieces that are pushed, so that they may go over the top
-        Idea(KIND, {"pieces": Count(2, 4)}),
-        Idea(KIND, {"pieces": Count(2, 3), "rate?": 1.0}, 2.0),
-    ),
+NEAR = {  # large beside the distances from the axle, so that moments of inertia about centres of mass count
+    "distance": Range(0.15, 0.8),
+    "side?": 0.4,
+    "side": ("beyond the axle",),
+    "UniformRod.length": Range(0.6, 1.6),
+    "Bar.length": Range(0.6, 1.4),
+    "Bar.width": Range(0.3, 0.6),
+    "radius": Range(0.15, 0.4),
+    "height": Range(0.4, 1.0),
+    "hole": Range(0.1, 0.2),
+    "offset": Range(0.1, 0.2),
+    "RoundPiece.body": ("Sphere", "SphericalShell"),  # the thickness of a wall would hardly count
+    "CappedPiece.body": ("Hemisphere", "SphericalCap"),
+    "HoledPiece.body": ("SphereWithHole",),
+}
+FAR = {"distance": Range(0.3, 1.2), "side?": 0.4, "side": ("beyond the axle",)}
+PUSH = Range(2.5, 6.0)  # rad/s
+SOLID = {AxialPiece: 0.4, RoundPiece: 0.2, CappedPiece: 0.1, TiltedPiece: 0.1, HoledPiece: 0.1, BarPiece: 0.1}
+SMALL = 0.5  # the chance that a further piece is a small ball
+OWN = 0.14  # of all inertia that belongs to the pieces about their own centres: less would be forgiven
+MANY = 3  # pieces, of which one may have a size without bearing
+DRAWS = 200
+
+
+@dataclass(frozen=True)
+class SwingTier:
+    """How hard: how many pieces, and how often they are pushed."""
+
+    pieces: Count
+    pushed: float
+
+
+TIERS = {
+    "easy": (SwingTier(Count(1, 1), 0.0),),
+    "medium": (SwingTier(Count(2, 3), 0.0), SwingTier(Count(1, 1), 1.0)),
+    "hard": (SwingTier(Count(2, 4), 0.0), SwingTier(Count(2, 3), 1.0)),  # some go over the top
 }
 
 
 @recipe("rotation", share=2)
 def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Up to four solid bodies fixed to a light arm: let go, or set turning."""
-    return one_of(IDEAS[difficulty], rng, "arm")
+    tiers = TIERS[difficulty]
+    tier = tiers[int(rng.integers(len(tiers)))]
+    choices = {"rate?": tier.pushed, "rate": PUSH}
+    for _ in range(DRAWS):
+        arm = draw(RotationEntity, rng, choices, {"pieces": _pieces(tier, rng)})
+        if _bears(arm):
+            return Scene(entities=(Named(name="arm", entity=arm),))
+    raise SceneError("arm", f"the pieces of none of {DRAWS} draws all have a bearing", "draw again")
+
+
+def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...]:
+    """One that is large, and others, perhaps small, where there is room on the arm."""
+    count, found = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), list[WeldedPiece]()
+    shares = np.array(list(SOLID.values()))
+    while len(found) < count:
+        kind = BallPiece if found and rng.random() < SMALL else list(SOLID)[int(rng.choice(len(SOLID), p=shares))]
+        piece = draw(kind, rng, NEAR if kind is not BallPiece else FAR, {} if found else {"side": "from the axle"})
+        if kind is not BallPiece and _own([piece]) < OWN * _inertia([piece]):
+            continue
+        if not any(_overlap(piece, other) for other in found):
+            found.append(piece)
+    return tuple(found)
+
+
+def _overlap(one: WeldedPiece, other: WeldedPiece) -> bool:
+    """Whether two pieces that are not thin take the same room."""
+    (low, high), (start, end) = one.span, other.span
+    thin = isinstance(one.shape, UniformRod) or isinstance(other.shape, UniformRod)
+    return not thin and low < end and start < high
+
+
+def _bears(arm: WeldedArm) -> bool:
+    """Whether sizes count, of all pieces together and one by one; the mass of a lone piece cancels."""
+    if _own(arm.pieces) < OWN * _inertia(arm.pieces):
+        return False
+    unmoved = [path for path in idle(arm, _responses) if path.startswith("pieces.")]
+    return len(unmoved) <= (len(arm.pieces) >= MANY) or unmoved == ["pieces.0.body.mass"]
+
+
+def _responses(arm: WeldedArm) -> tuple[float]:
+    """What its motion hangs on: the sum of m x over the moment of inertia about the axle, 1/m."""
+    return (sum(p.shape.mass * (_solid(p).center[0] + p.place) for p in arm.pieces) / _inertia(arm.pieces),)
+
+
+def _own(pieces: Sequence[WeldedPiece]) -> float:
+    """The sum of their moments of inertia about their own centres of mass, kg m²."""
+    return sum(_solid(piece).inertia(piece.shape.mass)[1] for piece in pieces)
+
+
+def _inertia(pieces: Sequence[WeldedPiece]) -> float:
+    """That about the axle, by the parallel-axis theorem, kg m²."""
+    centers = ((piece.shape.mass, piece.place, _solid(piece).center) for piece in pieces)
+    return _own(pieces) + sum(mass * ((place + c[0]) ** 2 + c[2] ** 2) for mass, place, c in centers)
+
+
+def _solid(piece: WeldedPiece) -> Solid:
+    return piece.shape.solid.turned(piece.axes)

@@ -10,6 +10,7 @@ from annotated_types import Gt, Le, Lt
 from pydantic import model_validator
 
 from sim2reason.authoring import LEAST, Chance, Measure, Part, Range, X, Y, Z, either, outer, scale
+from sim2reason.bodies.ball import FixedBall
 from sim2reason.bodies.bar import Bar
 from sim2reason.bodies.bowl import Bowl, SphericalCap
 from sim2reason.bodies.cylinder import Cylinder
@@ -62,6 +63,30 @@ class WeldedPiece(Part):
     def outwards(self, *, away: bool) -> Axes:
         """Axes of which z points away from the axle, or towards it."""
         return axes_along(scale(1.0 if away == (self.place > 0.0) else -1.0, X))
+
+
+class BallPiece(WeldedPiece):
+    """A small ball, whose distance is all that matters."""
+
+    body: FixedBall
+
+    says = (
+        either(
+            "{body} is fixed to the arm {distance} {side}.",
+            "rigidly attached to the arm is {body}, {distance} {side}.",
+            "the arm carries {body}, fixed to it {distance} {side}.",
+        ),
+    )
+
+    @property
+    def shape(self) -> Shape:
+        """The ball."""
+        return self.body
+
+    @property
+    def axes(self) -> Axes:
+        """Any."""
+        return axes_along(X)
 
 
 class RoundPiece(WeldedPiece):
@@ -229,4 +254,4 @@ class BarPiece(WeldedPiece):
         return (ways[0], ways[1], ways[2])
 
 
-AnyPiece = RoundPiece | AxialPiece | TiltedPiece | CappedPiece | HoledPiece | BarPiece
+AnyPiece = BallPiece | RoundPiece | AxialPiece | TiltedPiece | CappedPiece | HoledPiece | BarPiece
