@@ -16,8 +16,9 @@ BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu")
 G = 6.674e-11  # N m²/kg²
 KILO = 1e3
 THRUST = Range(0.8, 4.0)  # times the weight at the start: below 1 the rocket waits until it is light enough
-ESCAPE = Range(0.3, 1.2)  # exhaust speeds, in terms of the escape speed
-BURNS = 2.0  # times the time that the fuel lasts, for which the motion is followed
+AWAY = Range(1.2, 2.5)  # the same where it goes so far from a planet that its attraction falls off
+ESCAPE = Range(0.6, 1.2)  # exhaust speeds, in terms of the escape speed
+BURNS = 3.0  # times the time that the fuel lasts, for which the motion is followed
 
 
 @entity
@@ -48,11 +49,12 @@ class RocketEntity(Entity):
         place, exhaust = drawn["place"], drawn["exhaust"]
         if isinstance(place, DeepSpace):
             return {}
-        g = GRAVITY
+        g, times = GRAVITY, THRUST
         if isinstance(place, AirlessPlanet):
+            times = AWAY
             g, escape = place.gravity, sqrt(2.0 * place.gravity * place.radius / KILO)
             exhaust = as_said(RocketEntity, "exhaust", rng.uniform(ESCAPE.low, ESCAPE.high) * escape)
-        thrust = rng.uniform(THRUST.low, THRUST.high) * drawn["rocket"].mass * g
+        thrust = rng.uniform(times.low, times.high) * drawn["rocket"].mass * g
         return {"exhaust": exhaust, "rate": as_said(RocketEntity, "rate", thrust / (KILO * exhaust))}
 
     @property
@@ -67,7 +69,7 @@ class RocketEntity(Entity):
 
     @property
     def horizon(self) -> float:
-        """Twice the time that the fuel lasts, s."""
+        """Three times the time that the fuel lasts, s."""
         return BURNS * self.burning_time
 
     def build(self, room: Frame) -> None:

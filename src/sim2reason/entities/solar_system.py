@@ -113,12 +113,17 @@ def _lighter(planet: AnyPlanet, mass: float, rng: np.random.Generator) -> AnyPla
 
 
 def orbiting(
-    planets: Iterable[AnyPlanet], mass: float, eccentricities: Range, rng: np.random.Generator
+    planets: Iterable[AnyPlanet],
+    mass: float,
+    eccentricities: Range,
+    rng: np.random.Generator,
+    gap: Range | None = None,
 ) -> tuple[AnyPlanet, ...]:
     """The same planets somewhere on ellipses about a star of some mass, each orbit outside the one before.
 
     With p = a(1 − e²), at the angle ν from the perihelion, r = p/(1 + e cos ν), and the velocity is √(GM/p) times
-    (−sin ν, e + cos ν) in axes of which the first points to the perihelion.
+    (−sin ν, e + cos ν) in axes of which the first points to the perihelion. A `gap` is the ratio of a perihelion to the
+    aphelion before it.
     """
     found: list[AnyPlanet] = []
     nearest = rng.uniform(INNERMOST.low, INNERMOST.high)
@@ -130,7 +135,7 @@ def orbiting(
         along, across = -speed * sin(angle), speed * (e + cos(angle))
         vx, vy = along * cos(turn) - across * sin(turn), along * sin(turn) + across * cos(turn)
         orbit = {name: as_said(type(planet), name, part) for name, part in (("x", x), ("y", y), ("vx", vx), ("vy", vy))}
-        apart = FAR_APART if isinstance(planet, HeavyPlanet) else APART
+        apart = gap or (FAR_APART if isinstance(planet, HeavyPlanet) else APART)
         nearest *= (1.0 + e) / (1.0 - e) * rng.uniform(apart.low, apart.high)
         found.append(rebuilt(planet, **orbit))
     return tuple(found)

@@ -7,6 +7,7 @@ import numpy as np
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.questions import KINDS
+from sim2reason.questions.choices import least
 
 SMALLEST = 0.01  # of the scene's largest value of the quantity: two spoken digits can't tell less from zero
 SAME = 2e-3  # relative: what rounds to the same three digits
@@ -29,10 +30,11 @@ class Degenerate(Filter):
 
 
 def _least(candidate: Candidate) -> float:
-    """The smallest result; of what grows with mass in proportion to the heaviest body, where that is light."""
-    least, quantity = KINDS[candidate.question.query.kind].measured(candidate.question.query).least, _asked(candidate)
-    heaviest = max(body.mass for body in candidate.study.mechanism.bodies)
-    return least * min(1.0, heaviest) if quantity is not None and quantity.heavy else least
+    """The smallest result."""
+    quantity = _asked(candidate)
+    if quantity is not None:
+        return least(candidate.study.mechanism, quantity)
+    return KINDS[candidate.question.query.kind].measured(candidate.question.query).least
 
 
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:

@@ -1,12 +1,13 @@
 """What is worth asking about a motion."""
 
 from collections.abc import Callable, Iterable
+from math import inf
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import State
-from sim2reason.quantities import QUANTITIES
+from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.questions.targets import Target
 from sim2reason.simulation.trace import Trace
 
@@ -37,6 +38,22 @@ def apart(time: float, trace: Trace) -> bool:
 def at(trace: Trace, time: float) -> State:
     """The motion at one instant."""
     return trace.sample(np.array([time]))
+
+
+def bears_from(trace: Trace) -> float:
+    """From when on all that a text gives can have a bearing, s; infinite if it never has.
+
+    Where bodies can collide, that is the first collision; where fuel burns, the end of it.
+    """
+    burned = max((burn.until for burn in trace.mechanism.burns), default=0.0)
+    if not trace.mechanism.meetings:
+        return burned
+    return max(burned, next((event.time for event in trace.events if event.kind == "collision"), inf))
+
+
+def least(mechanism: Mechanism, quantity: Quantity) -> float:
+    """The smallest answer of a quantity; of what grows with mass in proportion to the heaviest body, if that is light."""
+    return quantity.least * min(1.0, max(body.mass for body in mechanism.bodies)) if quantity.heavy else quantity.least
 
 
 def has_met(trace: Trace, time: float, *, just_after: bool = False) -> bool:

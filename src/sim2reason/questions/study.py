@@ -69,6 +69,7 @@ class Study:
         until = end if until is None else min(max(until, SHORTEST * end), end)
         known, reaches = self._variants.get(key, (None, -1.0))
         if reaches < until:
+            until = until if reaches < 0.0 else end  # who asks again will ask once more
             try:
                 known = _made(*make(), until)
             except (SceneError, SimulationError, UnsupportedError):

@@ -15,33 +15,38 @@ from sim2reason.recipes import Difficulty, recipe
 
 @dataclass(frozen=True)
 class OrbitTier:
-    """How hard: how many planets, how long their ellipses, and how often they attract one another."""
+    """How hard: how many planets, how long their ellipses, and what part of the star's mass each has, if any.
+
+    Light planets do not bear on each other: two of them are there to be asked about together.
+    """
 
     planets: Count
     eccentricity: Range
-    heavy: float = 0.0
+    ratio: Range | None = None
+    gap: Range | None = None  # from an aphelion to the next perihelion, as a ratio; by default that of the entity
 
 
-HEAVY = Count(2, 3)  # planets that attract one another; more would hardly move in a period of the first
 TIERS = {
-    "easy": OrbitTier(Count(1, 2), Range(0.0, 0.0)),
-    "medium": OrbitTier(Count(2, 4), Range(0.0, 0.3)),
-    "hard": OrbitTier(Count(3, 6), Range(0.1, 0.5), heavy=0.5),
+    "easy": (OrbitTier(Count(1, 1), Range(0.0, 0.3)),),
+    "medium": (OrbitTier(Count(1, 1), Range(0.2, 0.6)), OrbitTier(Count(2, 2), Range(0.0, 0.3))),
+    "hard": (  # they disturb each other
+        OrbitTier(Count(2, 2), Range(0.1, 0.3), Range(0.15, 0.3), Range(1.2, 1.5)),
+        OrbitTier(Count(2, 3), Range(0.1, 0.3), Range(0.15, 0.3), Range(1.2, 1.5)),
+    ),
 }
 
 
 @recipe("orbital", share=2)
 def draw_orbital(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Planets on circles or ellipses about a fixed star; heavy ones disturb each other."""
-    tier = TIERS[difficulty]
-    heavy = bool(rng.random() < tier.heavy)
-    count = HEAVY if heavy else tier.planets
-    kind = HeavyPlanet if heavy else Planet
-    many = int(rng.integers(count.low, count.high + 1))
+    tiers = TIERS[difficulty]
+    tier = tiers[int(rng.integers(len(tiers)))]
+    kind = Planet if tier.ratio is None else HeavyPlanet
+    many = int(rng.integers(tier.planets.low, tier.planets.high + 1))
     system = draw(SolarSystem, rng, {"planets": (kind.__name__,)})
     planets = tuple(draw(kind, rng, {}) for _ in range(many))
-    if heavy:
-        light = [rng.uniform(0.01, 0.05) * system.star.mass for _ in planets]
-        planets = tuple(rebuilt(p, mass=float(f"{m:.1e}")) for p, m in zip(planets, light, strict=True))
-    planets = orbiting(planets, system.star.mass, tier.eccentricity, rng)
+    if tier.ratio is not None:
+        parts = rng.uniform(tier.ratio.low, tier.ratio.high, many) * system.star.mass
+        planets = tuple(rebuilt(p, mass=float(f"{m:.1e}")) for p, m in zip(planets, parts, strict=True))
+    planets = orbiting(planets, system.star.mass, tier.eccentricity, rng, tier.gap)
     return Scene(entities=(Named(name="system", entity=rebuilt(system, planets=planets)),))

@@ -2,20 +2,21 @@
 
 import numpy as np
 
-from sim2reason.dsl.measures import Count
+from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
 KIND = "SpringBlock"
+EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
 IDEAS = {
     "easy": (  # one spring, or two, released
         Idea(KIND, {"springs": Count(1, 1), "damping?": 0.0, "launch?": 0.3}),
         Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}),
     ),
-    "medium": (Idea(KIND, {"springs": Count(2, 4), "damping?": 0.0, "launch?": 0.7}),),
+    "medium": (Idea(KIND, {**EVEN, "springs": Count(2, 3), "damping?": 0.0, "launch?": 0.7}),),
     "hard": (  # friction of the springs themselves
-        Idea(KIND, {"springs": Count(3, 5), "damping?": 0.6, "launch?": 0.6}),
+        Idea(KIND, {**EVEN, "springs": Count(3, 4), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6}),
     ),
 }
 

@@ -9,7 +9,7 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import at, has_met
+from sim2reason.questions.choices import AT_ONCE, at, bears_from, has_met, least
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then, naming_then
@@ -208,24 +208,26 @@ def drawn(
 ) -> M | None:
     """One of the moments that a motion offers: a class of them is drawn first; None if there is none.
 
-    Where bodies can collide, none comes before any have.
+    None comes before all that the text gives can bear.
     """
     order: list[int] = rng.permutation(len(classes)).tolist()
     for number in order:
         offered = classes[number].found(study, words, rng)
-        found = [moment for moment in offered if wanted(moment) and _follows_a_meeting(study, moment)]
+        found = [moment for moment in offered if wanted(moment) and _bears(study, moment)]
         if found:
             return found[int(rng.integers(len(found)))]
     return None
 
 
-def _follows_a_meeting(study: Study, moment: Moment) -> bool:
+def _bears(study: Study, moment: Moment) -> bool:
     time = study.time(moment)
-    return time is not None and has_met(study.trace, time, just_after=bool(moment.sided))
+    if time is None or not has_met(study.trace, time, just_after=bool(moment.sided)):
+        return False
+    return time >= bears_from(study.trace) * (1.0 - AT_ONCE)
 
 
 def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
-    """Whether a quantity at a moment is not what it was just after the start: else the moment decorates the question.
+    """Whether a quantity at a moment is something, and not what it was just after the start: a moment may not decorate.
 
     At an event whose words name no side of it, it must not jump either.
     """
@@ -237,7 +239,9 @@ def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
 
     def differs(target: Target) -> bool:
         value = target.value(here)
-        if not np.isfinite(value) or abs(value - target.value(start)) <= SAME * abs(value):
+        if not abs(value) > least(study.mechanism, QUANTITIES[target.quantity]):  # NaN is no more
+            return False
+        if abs(value - target.value(start)) <= SAME * abs(value):
             return False
         return all(abs(value - target.value(side)) <= JUMP * abs(value) for side in sides)
 

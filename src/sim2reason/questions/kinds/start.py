@@ -3,11 +3,11 @@
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import only_falls, pick
+from sim2reason.questions.choices import at, least, only_falls, pick
 from sim2reason.questions.kinds import ValueKind, drawn, kind
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Targets
+from sim2reason.questions.targets import Target, Targets
 from sim2reason.questions.words import Words
 
 
@@ -21,8 +21,12 @@ class StartKind(ValueKind):
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A quantity that can differ from zero before anything has moved."""
-        if only_falls(study.mechanism):
+        moment, mechanism, here = drawn(self.moments(), study, words, rng), study.mechanism, at(study.trace, 0.0)
+        if moment is None or only_falls(mechanism):
             return None
-        target = pick([target for target in targets if QUANTITIES[target.quantity].immediate], rng)
-        moment = drawn(self.moments(), study, words, rng)
-        return Query(self.name, target, moment) if target is not None and moment is not None else None
+
+        def is_something(target: Target) -> bool:
+            return abs(target.value(here)) > least(mechanism, QUANTITIES[target.quantity])
+
+        target = pick([t for t in targets if QUANTITIES[t.quantity].immediate], rng, is_something)
+        return Query(self.name, target, moment) if target is not None else None

@@ -6,7 +6,7 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.questions.choices import apart
+from sim2reason.questions.choices import apart, bears_from
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.spoken import said, say, spoken
 from sim2reason.questions.study import Study
@@ -28,12 +28,10 @@ class AtTime(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """A time of two digits, away from events; where bodies can collide, after some have."""
+        """A time of two digits, away from events and not before all that the text gives can bear."""
         del words
-        trace = study.trace
-        met = next((event.time for event in trace.events if event.kind == "collision"), 0.0)
-        begins = max(EARLIEST * trace.stable_until, met if trace.mechanism.meetings else 0.0)
-        moment = cls(spoken(rng.uniform(min(begins, LATEST * trace.stable_until), LATEST * trace.stable_until)))
+        earliest, latest = (share * study.trace.stable_until for share in (EARLIEST, LATEST))
+        moment = cls(spoken(rng.uniform(min(max(earliest, bears_from(study.trace)), latest), latest)))
         return [moment] if moment.time(study.trace) is not None and apart(moment.after, study.trace) else []
 
     @classmethod

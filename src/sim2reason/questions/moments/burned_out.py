@@ -6,7 +6,9 @@ from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.simulation.channels import Channel
 
 
 @MOMENTS.register("burned_out")
@@ -30,6 +32,16 @@ class BurnedOut(Occurrence):
             f"when the engine of {rocket} burns out",
             f"at the moment when the fuel of {rocket} is used up",
         )
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """The mass that is left, which the text gives."""
+        return (Channel(self.name, "mass"),)
+
+    def is_plain(self, study: Study) -> bool:
+        """Fuel and rate give the time."""
+        del study
+        return True
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the engine of the rocket burns out."""

@@ -12,7 +12,7 @@ from sim2reason.questions.spoken import spoken
 from sim2reason.simulation.trace import Trace
 
 NEAREST, FARTHEST = 0.2, 0.9  # of how far the body gets
-SHORTEST, LONGEST, TIED = 0.01, 9e3, 3.0  # m; strings are not longer than the last
+SHORTEST, LONGEST, TIED = 0.01, 9e4, 3.0  # m; strings are not longer than the last
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class DistanceThreshold(Threshold):
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
         """A part of how far it gets."""
         reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
-        distance = rng.uniform(NEAREST, FARTHEST) * min(reached, TIED if trace.mechanism.lines else LONGEST)
+        distance = rng.uniform(NEAREST, FARTHEST) * min(reached, TIED if trace.mechanism.strings else LONGEST)
         return spoken(distance) if distance >= SHORTEST else None
 
     def excess(self, state: State) -> Array:
