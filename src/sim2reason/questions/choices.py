@@ -43,21 +43,26 @@ def at(trace: Trace, time: float) -> State:
 def bears_from(trace: Trace) -> float:
     """From when on all that a text gives can have a bearing, s; infinite if it never has.
 
-    Where bodies can collide, that is the first collision; where fuel burns, the end of it.
+    Where bodies can collide, that is when all have that ever do; where fuel burns, the end of it.
     """
     burned = max((burn.until for burn in trace.mechanism.burns), default=0.0)
     if not trace.mechanism.meetings:
         return burned
-    return max(burned, next((event.time for event in trace.events if event.kind == "collision"), inf))
+    first: dict[str, float] = {}
+    for event in trace.events:
+        if event.kind == "collision":
+            for name in event.subjects:
+                first.setdefault(name, event.time)
+    return max([burned, *first.values()]) if first else inf
 
 
 def least(mechanism: Mechanism, quantity: Quantity) -> float:
-    """The smallest answer of a quantity; of what grows with mass in proportion to the heaviest body, if that is light."""
+    """The smallest answer of a quantity; of what grows with mass less in proportion, where the heaviest body is light."""
     return quantity.least * min(1.0, max(body.mass for body in mechanism.bodies)) if quantity.heavy else quantity.least
 
 
 def has_met(trace: Trace, time: float, *, just_after: bool = False) -> bool:
-    """Whether, where bodies can collide, some have before a time, or `just_after` it; else no collision has a bearing."""
+    """Whether, where bodies can collide, some have before a time, or `just_after` it; else collisions do not bear."""
     if not trace.mechanism.meetings:
         return True
     end = time * (1.0 + (AT_ONCE if just_after else -AT_ONCE))

@@ -8,25 +8,36 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
 KIND, PRISM = "RollingEntity", "TumblingPrism"
-CENTRED = ("Sphere", "HollowSphere", "SphericalShell", "Roller", "Pipe", "ThickPipe", "Disc", "Hoop")
+CENTRED = ("Sphere", "SphericalShell", "Roller", "Pipe", "Disc", "Hoop")
+ANY = (*CENTRED, "HollowSphere", "ThickPipe")  # how thick a wall is counts where it is set spinning
 HOLED = ("BoredCylinder", "SphereWithHole")
 ROLLS = {"body": CENTRED, "grip": ("NoSlipping",), "way": ("up the slope", "down the slope"), "start": ("Rolling",)}
-LEVEL = {"body": CENTRED, "grip": ("Rough",), "angle": 0.0, "start?": 1.0, "way": ("to the right",)}
-ROCKS = {"body": HOLED, "hole?": 1.0, "grip": ("NoSlipping",), "bearing": Range(20.0, 160.0)}
+LEVEL = {"body": ANY, "HollowSphere.thickness": Range(0.02, 0.04),  "grip": ("Rough",), "angle": 0.0, "start?": 1.0, "way": ("to the right",)}
+ROCKS = {  # with a hole so large, and on so gentle a slope, that it counts
+    "body": HOLED,
+    "hole?": 1.0,
+    "towards?": 1.0,
+    "grip": ("NoSlipping",),
+    "bearing": Range(20.0, 160.0),
+    "radius": Range(0.15, 0.2),
+    "BoredCylinder.hole": Range(0.05, 0.08),
+    "SphereWithHole.hole": Range(0.06, 0.09),
+    "offset": Range(0.05, 0.1),
+}
+LIVELY = {**ROLLS, "grip": ("Rough",), "start?": 1.0, "start": ("Sliding", "Spinning", "Spinning")}
 IDEAS = {
     "easy": (
         Idea(KIND, {**ROLLS, "start?": 0.0}),
         Idea(KIND, {**ROLLS, "start?": 1.0}),
     ),
     "medium": (  # it slips until it rolls, slips all the way on too steep a slope, or has its weight on one side
-        Idea(KIND, {**LEVEL, "start": ("Sliding", "Spinning")}, 2.0),
+        Idea(KIND, {**LEVEL, "start": ("Sliding", "Spinning", "Spinning")}, 2.0),
         Idea(KIND, {**ROLLS, "grip": ("Rough",), "start?": 0.3}),
         Idea(KIND, {**ROCKS, "angle": 0.0, "towards": ("right",)}, 2.0),
     ),
     "hard": (
-        Idea(KIND, {**ROCKS, "towards": ("uphill", "downhill")}, 2.0),
-        Idea(KIND, {**ROCKS, "grip": ("Rough",), "towards": ("uphill", "downhill")}, 2.0),
-        Idea(KIND, {**ROLLS, "grip": ("Rough",), "start?": 1.0, "start": ("Sliding", "Spinning")}),
+        Idea(KIND, {**ROCKS, "angle": Range(2.0, 12.0), "towards": ("uphill", "downhill")}, 2.0),
+        Idea(KIND, LIVELY, 2.0),
         Idea(
             PRISM,
             {"rate?": 1.0, "rate": Range(4.5, 6.0), "angle": Range(6.0, 12.0), "shape": ("octagonal", "decagonal")},

@@ -2,6 +2,9 @@
 
 import numpy as np
 
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import at, least, only_falls, pick
 from sim2reason.questions.kinds import ValueKind, drawn, kind
@@ -20,9 +23,12 @@ class StartKind(ValueKind):
     timeless = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A quantity that can differ from zero before anything has moved."""
+        """A quantity that differs from zero before anything has moved.
+
+        None where the text gives what can not bear on it yet: fuel, or a speed that changes no equation.
+        """
         moment, mechanism, here = drawn(self.moments(), study, words, rng), study.mechanism, at(study.trace, 0.0)
-        if moment is None or only_falls(mechanism):
+        if moment is None or only_falls(mechanism) or mechanism.burns or _speeds_idle(mechanism):
             return None
 
         def is_something(target: Target) -> bool:
@@ -30,3 +36,8 @@ class StartKind(ValueKind):
 
         target = pick([t for t in targets if QUANTITIES[t.quantity].immediate], rng, is_something)
         return Query(self.name, target, moment) if target is not None else None
+
+
+def _speeds_idle(mechanism: Mechanism) -> bool:
+    moving = any(coordinate.speed for coordinate in mechanism.coordinates)
+    return moving and not changing(mechanism, start(mechanism))
