@@ -7,7 +7,8 @@ from functools import cached_property
 from math import inf, isfinite
 from typing import ClassVar
 
-from sim2reason.questions import KINDS, MODES, Kind, Question, Study, Words
+from sim2reason.quantities import QUANTITIES
+from sim2reason.questions import KINDS, MODES, Kind, Question, Study, Target, Words
 from sim2reason.questions.study import BEYOND
 from sim2reason.recipes import Difficulty
 from sim2reason.registry import Registry
@@ -47,7 +48,7 @@ class Candidate:
 
     def response(self, other: Study | None) -> float | None:
         """The answer to the same question about a changed scene; None if it has none there."""
-        if other is None:
+        if other is None or not _has(other, self.question.query.target):
             return None
         time = self.kind.time(self.question.query, other)
         if time is None or time > other.trace.stable_until:
@@ -62,6 +63,11 @@ class Candidate:
     def change_to(self, answer: float | None) -> float:
         """The relative change of the answer to another one; infinite to none."""
         return inf if answer is None else abs(answer / self.question.answer - 1.0)
+
+
+def _has(study: Study, target: Target | None) -> bool:
+    """Whether a changed scene still has what is asked about; what is held has no normal force of its own, say."""
+    return target is None or target.subject in QUANTITIES[target.quantity].subjects(study.mechanism)
 
 
 @dataclass(frozen=True, slots=True)

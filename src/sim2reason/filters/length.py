@@ -1,6 +1,6 @@
 """Drops a problem that is longer than a reader would take."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
 
@@ -18,12 +18,16 @@ class Length(Filter):
         words = len(candidate.prompt.split())
         if words > LONGEST:
             return f"{words} words"
-        strings = max((len(s.split()) for s in candidate.sentences if "string" in s), default=0)
-        return f"{strings} words about one string" if strings > LONGEST_STRING else ""
+        return "" if followed(candidate.sentences) else f"more than {LONGEST_STRING} words about one string"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """The count."""
         yield f"{len(candidate.prompt.split())} words of at most {LONGEST}"
+
+
+def followed(sentences: Iterable[str]) -> bool:
+    """Whether no sentence about a string is so long that no finger can follow it."""
+    return all(len(sentence.split()) <= LONGEST_STRING for sentence in sentences if "string" in sentence)
 
 
 FILTERS.add("length", Length())

@@ -57,7 +57,7 @@ def bears_from(trace: Trace) -> float:
 
 
 def least(mechanism: Mechanism, quantity: Quantity) -> float:
-    """The smallest answer of a quantity; of what grows with mass less in proportion, where the heaviest body is light."""
+    """The smallest answer of a quantity; less in proportion, of what grows with mass, where all bodies are light."""
     return quantity.least * min(1.0, max(body.mass for body in mechanism.bodies)) if quantity.heavy else quantity.least
 
 

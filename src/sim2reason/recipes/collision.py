@@ -7,13 +7,12 @@ from math import cos, hypot, pi, sin, sqrt
 import numpy as np
 
 from sim2reason.bodies.puck import Puck, Table
-from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import Choices, as_said, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.two_d_collision_plane import PairRestitution, TwoDCollisionPlane
-from sim2reason.errors import SceneError
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
@@ -35,6 +34,8 @@ class CollisionTier:
 
 
 STRAIGHT = 0.5  # of the scenes are on a straight track
+ELASTIC = 0.4  # of those have elastic collisions
+PARTIAL = Range(0.2, 0.8)  # coefficients of restitution that nobody takes for one or for zero
 PLAIN: Choices = {"tilt?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
 TIERS = {
     "easy": CollisionTier(
@@ -78,9 +79,9 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Pucks, each aimed so that it meets the slowest one before it, or balls, carts and walls on a straight track."""
     tier = TIERS[difficulty]
     if rng.random() < STRAIGHT:
-        scene = one_of((Idea(ComplexCollisionPlane.__name__, tier.track),), rng, "track")
-        _check_meets(scene.entities[0].entity)
-        return scene
+        restitution = 1.0 if rng.random() < ELASTIC else PARTIAL
+        choices = {**tier.track, "ComplexCollisionPlane.restitution": restitution, "restitution": PARTIAL}
+        return one_of((Idea(ComplexCollisionPlane.__name__, choices, suits=_meets),), rng, "track")
     radius = _drawn(TwoDCollisionPlane, "radius", rng)
     count = int(rng.integers(tier.pucks.low, tier.pucks.high + 1))
     places = _places(count, CLEAR * radius, rng)
@@ -103,14 +104,12 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     return Scene(entities=(Named(name="table", entity=entity),))
 
 
-def _check_meets(track: Entity) -> None:
-    """Refuse a draw in which all run away from each other; SceneError."""
-    assert isinstance(track, ComplexCollisionPlane)
+def _meets(track: ComplexCollisionPlane) -> bool:
+    """Whether not all run away from each other."""
     speeds = [glider.v for glider in track.gliders]
     ends = [0.0] if track.left is not None else []
     speeds = [*ends, *speeds, *([0.0] if track.right is not None else [])]
-    if not any(one > other for one, other in pairwise(speeds)):
-        raise SceneError("track", "nothing on it meets", "draw again")
+    return any(one > other for one, other in pairwise(speeds))
 
 
 def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None = None) -> float:
@@ -159,7 +158,7 @@ def _aim(
 def _restitution(tier: CollisionTier, rng: np.random.Generator) -> float:
     kind = tier.restitution[int(rng.integers(len(tier.restitution)))]
     if kind == "partial":
-        return _drawn(PairRestitution, "restitution", rng)
+        return _drawn(PairRestitution, "restitution", rng, PARTIAL)
     return 1.0 if kind == "elastic" else 0.0
 
 
@@ -170,5 +169,5 @@ def _pairs(count: int, usual: float, tier: CollisionTier, rng: np.random.Generat
     first = int(rng.integers(count - 1))
     own = usual
     while own == usual:
-        own = _drawn(PairRestitution, "restitution", rng)
+        own = _drawn(PairRestitution, "restitution", rng, PARTIAL)
     return (PairRestitution(first=first, second=first + 1, restitution=own),)

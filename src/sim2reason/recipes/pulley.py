@@ -15,12 +15,12 @@ HANGING = dict.fromkeys(SYSTEMS, ("Hanging",))
 STANDING = dict.fromkeys(SYSTEMS, ("Hanging", "OnPlane"))  # strings to wedges take more words than a reader holds
 TOLD = ({"MassWithFixedPulley": 3.0, "MassWithReverseMovablePulley": 1.0},)  # the others take too many words
 TIERS = {
-    "easy": Tier(Count(2, 2), TOLD, {**NUMBERS["easy"], **HANGING}, spread=6.0, massive=0.4, words=WORDS["easy"] + TWO),
+    "easy": Tier(Count(2, 2), TOLD, {**NUMBERS["easy"], **HANGING}, spread=4.0, massive=0.4, words=WORDS["easy"] + TWO),
     "medium": Tier(
         Count(2, 3),
         POOL,
         {**NUMBERS["medium"], **HANGING, SYSTEMS[0]: ("Hanging", "OnPlane")},
-        spread=8.0,
+        spread=4.0,
         massive=0.4,
         words=WORDS["medium"],
     ),

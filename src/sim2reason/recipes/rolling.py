@@ -12,7 +12,14 @@ CENTRED = ("Sphere", "SphericalShell", "Roller", "Pipe", "Disc", "Hoop")
 ANY = (*CENTRED, "HollowSphere", "ThickPipe")  # how thick a wall is counts where it is set spinning
 HOLED = ("BoredCylinder", "SphereWithHole")
 ROLLS = {"body": CENTRED, "grip": ("NoSlipping",), "way": ("up the slope", "down the slope"), "start": ("Rolling",)}
-LEVEL = {"body": ANY, "HollowSphere.thickness": Range(0.02, 0.04),  "grip": ("Rough",), "angle": 0.0, "start?": 1.0, "way": ("to the right",)}
+LEVEL = {
+    "body": ANY,
+    "HollowSphere.thickness": Range(0.02, 0.04),
+    "grip": ("Rough",),
+    "angle": 0.0,
+    "start?": 1.0,
+    "way": ("to the right",),
+}
 ROCKS = {  # with a hole so large, and on so gentle a slope, that it counts
     "body": HOLED,
     "hole?": 1.0,

@@ -17,10 +17,14 @@ def idle(value: V, response: Callable[[V], Sequence[float]], least: float = LEAS
     """The addresses of the numbers that move none of the responses of an entity by `least`, relative."""
     before = response(value)
     for number in parameters(value):
-        if number.value and not number.hidden and not any(
-            abs(new - old) > least * abs(old)
-            for other in _moved(value, number)
-            for old, new in zip(before, response(other), strict=True)
+        if (
+            number.value
+            and not number.hidden
+            and not any(
+                abs(new - old) > least * abs(old)
+                for other in _moved(value, number)
+                for old, new in zip(before, response(other), strict=True)
+            )
         ):
             yield number.path
 

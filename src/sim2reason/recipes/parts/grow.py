@@ -25,6 +25,9 @@ LONGEST_SENTENCE = 40  # words
 ONWARD = 0.75  # the chance that a string goes on to another entity where it could end
 UNDER = 0.3  # the chance that a string passes an entity on its way
 LOADED = 0.75  # the chance that something optional hangs where it can
+COMPARABLE = 2.5  # the largest ratio where pulleys have mass
+DISC = 0.75  # of the lightest block: the least mass of a pulley that has any
+CARRIERS = ("Wedge.mass", "Prism.mass", "Box.mass")  # not far lighter than what they carry
 PULLEYS = ("FixedPulley.mass", "MovablePulley.mass")
 STRINGS = {"tendon": 1.0}
 CLOSERS = {"ConstantForcePuller": 0.4, "FixedSupport": 0.6}
@@ -44,7 +47,7 @@ class Tier:
     alone: Mapping[str, Choice] = field(default_factory=dict[str, Choice])  # besides, where there is one entity
     connections: Mapping[str, float] = field(default_factory=lambda: STRINGS)  # what joins them, and how often
     closers: Mapping[str, float] = field(default_factory=lambda: CLOSERS)  # what closes an open end
-    spread: float = 10.0  # the largest ratio of the masses of two blocks
+    spread: float = 5.0  # the largest ratio of the masses of two blocks
     rough: float = 0.0
     massive: float = 0.3
     more: float = 0.4
@@ -79,13 +82,17 @@ class Grower:
         assert isinstance(pulleys, Range)
         size = exp(self.rng.uniform(log(blocks.low), log(blocks.high)))
         lightest = float(f"{max(blocks.low, size / self.tier.spread):.2g}")
+        heaviest = float(f"{min(blocks.high, lightest * self.tier.spread):.2g}")
         weight = GRAVITY * lightest
-        massive = float(lightest > pulleys.low and self._chance(self.tier.massive))
+        massive = self._chance(self.tier.massive)
+        if massive:  # so that they count
+            heaviest = min(heaviest, float(f"{lightest * COMPARABLE:.2g}"))
         return {
-            "mass": Range(lightest, float(f"{min(blocks.high, lightest * self.tier.spread):.2g}")),
+            "mass": Range(lightest, heaviest),
+            **dict.fromkeys(CARRIERS, Range(float(f"{(lightest * heaviest) ** 0.5:.2g}"), heaviest)),
             "force": Range(float(f"{0.5 * weight:.2g}"), float(f"{self.tier.spread * weight:.2g}")),
-            **dict.fromkeys(PULLEYS, Range(pulleys.low, max(pulleys.low, min(pulleys.high, lightest)))),
-            **{f"{name}?": massive for name in PULLEYS},
+            **dict.fromkeys(PULLEYS, Range(float(f"{max(pulleys.low, DISC * lightest):.2g}"), lightest)),
+            **{f"{name}?": float(massive and lightest > pulleys.low) for name in PULLEYS},
         }
 
     def scene(self) -> Scene:

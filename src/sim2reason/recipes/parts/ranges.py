@@ -10,29 +10,29 @@ WORDS: Mapping[Difficulty, int] = {"easy": 75, "medium": 135, "hard": 205}
 """The longest text of a scene, without its question."""
 PRISM = 25
 """Words more for scenes that else have no room for a prism."""
-TWO = 15
+TWO = 20
 """Words more for easy scenes that are always of two entities."""
 
 NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "easy": {
         "mass": Range(0.5, 3.0),
-        "pulley mass": Range(0.1, 0.5),
+        "pulley mass": Range(0.1, 3.0),
         "angle": Range(10.0, 45.0),
         "blocks": Count(1, 1),
         "left_blocks": Count(1, 1),
         "right_blocks": Count(1, 1),
     },
     "medium": {
-        "mass": Range(0.5, 8.0),
-        "pulley mass": Range(0.2, 1.0),
+        "mass": Range(1.0, 8.0),
+        "pulley mass": Range(0.2, 8.0),
         "angle": Range(10.0, 60.0),
         "blocks": Count(1, 2),
         "left_blocks": Count(1, 1),
         "right_blocks": Count(1, 2),
     },
     "hard": {
-        "mass": Range(0.1, 20.0),
-        "pulley mass": Range(0.5, 2.0),
+        "mass": Range(2.0, 20.0),
+        "pulley mass": Range(0.5, 20.0),
         "angle": Range(10.0, 70.0),
         "blocks": Count(1, 3),
         "left_blocks": Count(1, 2),
