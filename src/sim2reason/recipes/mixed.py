@@ -6,7 +6,7 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import Tier, grow
-from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
+from sim2reason.recipes.parts.ranges import NUMBERS, SIZES, WORDS
 
 SPRINGS = {"AnchoredSpring": 1.5, "SpringMassIncline": 1.5}
 MACHINES = {"MassWithFixedPulley": 1.0, "TwoSideMassPlane": 0.7}
@@ -19,11 +19,13 @@ SIMPLE = {
     "start?": 0.0,
     "pieces": Count(1, 1),
     "angle": Range(10.0, 60.0),
+    **SIZES,
+    "distance": Range(0.15, 0.6),
 }
 TIERS = {
     "easy": Tier(
         Count(2, 2),
-        ({**SPRINGS, "RollingEntity": 2.0}, MACHINES),
+        ({**SPRINGS, "RollingEntity": 1.0}, MACHINES),
         {**NUMBERS["easy"], **SIMPLE},
         closers=LOADS,
         spread=4.0,

@@ -8,10 +8,11 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
 KIND = "Projectile"
-THROWN = {"height": Range(1.0, 5.0), "speed": Range(1.0, 10.0)}
-BOUNCING = {**THROWN, "restitution?": 1.0}
+THROWN = {"height": Range(1.0, 5.0), "speed": Range(3.0, 12.0), "angle": Range(15.0, 75.0)}
+BOUNCING = {**THROWN, "restitution?": 1.0, "restitution": Range(0.3, 0.85)}
+FLYING = {**THROWN, "restitution?": 0.0}
 IDEAS = {
-    "easy": (Idea(KIND, {**THROWN, "side": ("above",)}, 2.0), Idea(KIND, {**THROWN, "angle": 0.0})),
+    "easy": (Idea(KIND, {**FLYING, "side": ("above",)}, 2.0), Idea(KIND, {**FLYING, "angle": 0.0})),
     "medium": (  # one flight after another
         Idea(KIND, BOUNCING, 3.0),
         Idea(KIND, {**BOUNCING, "angle": 0.0}),

@@ -26,22 +26,9 @@ from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.errors import SceneError
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.bearing import idle
+from sim2reason.recipes.parts.ranges import SIZES
 
-NEAR = {  # large beside the distances from the axle, so that moments of inertia about centres of mass count
-    "distance": Range(0.15, 0.8),
-    "side?": 0.4,
-    "side": ("beyond the axle",),
-    "UniformRod.length": Range(0.6, 1.6),
-    "Bar.length": Range(0.6, 1.4),
-    "Bar.width": Range(0.3, 0.6),
-    "radius": Range(0.15, 0.4),
-    "height": Range(0.4, 1.0),
-    "hole": Range(0.1, 0.2),
-    "offset": Range(0.1, 0.2),
-    "RoundPiece.body": ("Sphere", "SphericalShell"),  # the thickness of a wall would hardly count
-    "CappedPiece.body": ("Hemisphere", "SphericalCap"),
-    "HoledPiece.body": ("SphereWithHole",),
-}
+NEAR = {**SIZES, "distance": Range(0.15, 0.8), "side?": 0.4, "side": ("beyond the axle",)}
 FAR = {"distance": Range(0.3, 1.2), "side?": 0.4, "side": ("beyond the axle",)}
 PUSH = Range(2.5, 6.0)  # rad/s
 SOLID = {AxialPiece: 0.4, RoundPiece: 0.2, CappedPiece: 0.1, TiltedPiece: 0.1, HoledPiece: 0.1, BarPiece: 0.1}

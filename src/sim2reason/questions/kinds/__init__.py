@@ -227,7 +227,9 @@ def _bears(study: Study, moment: Moment) -> bool:
 
 
 def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
-    """Whether a quantity at a moment is something, and not what it was just after the start: a moment may not decorate.
+    """Whether a quantity at a moment is something, neither stated nor what it was just after the start.
+
+    Else the moment would decorate the question.
 
     At an event whose words name no side of it, it must not jump either.
     """
@@ -241,7 +243,8 @@ def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
         value = target.value(here)
         if not abs(value) > least(study.mechanism, QUANTITIES[target.quantity]):  # NaN is no more
             return False
-        if abs(value - target.value(start)) <= SAME * abs(value):
+        known = [target.value(start), *(number for number, unit in moment.stated if unit == target.unit)]
+        if any(abs(value - said) <= SAME * abs(value) for said in (*known, *(-number for number in known[1:]))):
             return False
         return all(abs(value - target.value(side)) <= JUMP * abs(value) for side in sides)
 

@@ -39,3 +39,17 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
         "right_blocks": Count(1, 2),
     },
 }
+
+SIZES: Mapping[str, Choice] = {
+    "UniformRod.length": Range(0.6, 1.6),
+    "Bar.length": Range(0.6, 1.4),
+    "Bar.width": Range(0.3, 0.6),
+    "radius": Range(0.15, 0.4),
+    "height": Range(0.4, 1.0),
+    "hole": Range(0.1, 0.2),
+    "offset": Range(0.1, 0.2),
+    "RoundPiece.body": ("Sphere", "SphericalShell"),  # the thickness of a wall would hardly count
+    "CappedPiece.body": ("Hemisphere", "SphericalCap"),
+    "HoledPiece.body": ("SphereWithHole",),
+}
+"""Pieces of what swings, so large that their moments of inertia about their own centres count."""
