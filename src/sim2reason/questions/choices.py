@@ -11,6 +11,7 @@ from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.questions.targets import Target
 from sim2reason.simulation.trace import Trace
 
+CROSSINGS = "enter", "exit"
 AT_ONCE = 1e-9  # of a time
 CLEAR = 1e-3  # of the duration: how far a time stays away from events
 
@@ -43,17 +44,19 @@ def at(trace: Trace, time: float) -> State:
 def bears_from(trace: Trace) -> float:
     """From when on all that a text gives can have a bearing, s; infinite if it never has.
 
-    Where bodies can collide, that is when all have that ever do; where fuel burns, the end of it.
+    Where bodies can collide, that is when all have that ever do; where fuel burns, the end of it; where a field has
+    borders, the first crossing of one.
     """
-    burned = max((burn.until for burn in trace.mechanism.burns), default=0.0)
-    if not trace.mechanism.meetings:
-        return burned
-    first: dict[str, float] = {}
-    for event in trace.events:
-        if event.kind == "collision":
-            for name in event.subjects:
-                first.setdefault(name, event.time)
-    return max([burned, *first.values()]) if first else inf
+    mechanism, waits = trace.mechanism, [burn.until for burn in trace.mechanism.burns]
+    if mechanism.meetings:
+        first: dict[str, float] = {}
+        for event in trace.events:
+            if event.kind == "collision":
+                first = dict.fromkeys(event.subjects, event.time) | first
+        waits += first.values() or [inf]
+    if any(force.region is not None for force in mechanism.forces):
+        waits.append(next((event.time for event in trace.events if event.kind in CROSSINGS), inf))
+    return max(waits, default=0.0)
 
 
 def least(mechanism: Mechanism, quantity: Quantity) -> float:

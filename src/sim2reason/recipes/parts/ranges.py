@@ -25,6 +25,7 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "medium": {
         "mass": Range(1.0, 8.0),
         "pulley mass": Range(0.2, 8.0),
+        "friction": Range(0.1, 0.5),
         "angle": Range(10.0, 60.0),
         "blocks": Count(1, 2),
         "left_blocks": Count(1, 1),
@@ -33,6 +34,7 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
     "hard": {
         "mass": Range(2.0, 20.0),
         "pulley mass": Range(0.5, 20.0),
+        "friction": Range(0.1, 0.4),
         "angle": Range(10.0, 70.0),
         "blocks": Count(1, 3),
         "left_blocks": Count(1, 2),
