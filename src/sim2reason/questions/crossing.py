@@ -12,6 +12,7 @@ Excess = Callable[[State], Array]
 
 SMALL = 1e-9  # of the function's largest value: less is nothing
 JUMP = 1e-12  # of the duration: a function that changes sign within less jumps, at an event
+CLOSE = 0.1  # of what a step errs by: no need to know the time much better
 ROUNDS = 16  # of closing in; three or four reach the resolution of doubles
 FINE = 33  # instants where the function may touch zero between two samples
 _NEAR = 10.0 ** -np.arange(1.0, 9.0)
@@ -79,7 +80,7 @@ def _closed_in(trace: Trace, excess: Excess, low: tuple[float, float], high: tup
     (a, fa), (b, fb) = low, high
     for _ in range(ROUNDS):
         width = b - a
-        if width <= 4e-16 * b:
+        if width <= max(4e-16, CLOSE * trace.tolerance) * b:
             break
         guess = a - width * fa / (fb - fa)
         around = np.concatenate([guess - width * _NEAR, [guess], guess + width * _NEAR, a + width * _EIGHTHS])

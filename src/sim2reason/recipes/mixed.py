@@ -43,7 +43,7 @@ TIERS = {
         words=WORDS["hard"],
     ),
     "hard": Tier(
-        Count(2, 3),
+        Count(2, 2),
         (
             {"SliderMass": 2.0, "RollingEntity": 1.0, "MassPrismPlane": 1.0, **SPRINGS},
             {"RigidPendulum": 2.0, **MACHINES},
@@ -53,12 +53,12 @@ TIERS = {
         closers={**LOADS, "FixedSupport": 1.0},
         rough=0.3,
         more=0.4,
-        words=WORDS["hard"] + 40,
+        words=WORDS["hard"],
     ),
 }
 
 
 @recipe("mixed")
 def draw_mixed(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Two or three entities of different families, joined by strings, hinges and springs."""
+    """Two entities of different families, joined by strings, hinges and springs."""
     return grow(TIERS[difficulty], rng)

@@ -42,6 +42,7 @@ class Trace:
     # the same motion at any other times, up to `stable_until`; before t = 0 is not defined
     knots: "Callable[[], Array]" = field(repr=False, compare=False, default=lambda: np.zeros(0))
     # instants, s, between which the motion is one smooth piece: ends of the engine's own steps; none if it has none
+    tolerance: float = 0.0  # what a step may err by, relative, if the caller was content with that
 
     @property
     def mechanism(self) -> Mechanism:

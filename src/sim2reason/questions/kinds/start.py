@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import at, least, only_falls, pick
 from sim2reason.questions.kinds import ValueKind, drawn, kind
@@ -39,5 +39,14 @@ class StartKind(ValueKind):
 
 
 def _speeds_idle(mechanism: Mechanism) -> bool:
-    moving = any(coordinate.speed for coordinate in mechanism.coordinates)
-    return moving and not changing(mechanism, start(mechanism))
+    """Whether something moves at the start, while forces hang on places alone, or on nothing."""
+    if not any(coordinate.speed for coordinate in mechanism.coordinates):
+        return False
+    return _free(mechanism) or not changing(mechanism, start(mechanism))
+
+
+def _free(mechanism: Mechanism) -> bool:
+    """Whether nothing leads or rubs, and nothing but springs and attractions acts beside weight."""
+    led = mechanism.constraints or mechanism.contacts or mechanism.forces or mechanism.feet
+    elastic = (line.law for line in mechanism.lines if isinstance(line.law, Elastic))
+    return not led and all(c.kind == "slide" for c in mechanism.coordinates) and not any(law.damping for law in elastic)

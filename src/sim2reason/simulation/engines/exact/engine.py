@@ -30,7 +30,9 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
         SimulationError: no consistent forces, a singular motion, more than 500 events or operations than `budget` has.
     """
     found = motion(mechanism, float(times[-1]), tolerance)
-    return Trace("exact", found.state(times), found.events, found.end, found.cut, found.state, lambda: found.knots)
+    coarse = tolerance if tolerance > FINEST else 0.0
+    state = found.state(times)
+    return Trace("exact", state, found.events, found.end, found.cut, found.state, lambda: found.knots, coarse)
 
 
 def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> Motion:
