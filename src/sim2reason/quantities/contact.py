@@ -33,7 +33,7 @@ class FrictionForce(Quantity):
     magnitude = "the magnitude of the friction force exerted on {body} by {surface}"
     needs = ("mass",)
     immediate = True
-    weight = 1.5
+    weight = 8.0  # where a face is rough, it should be asked about as often as a velocity
     floor, heavy = 0.1, True
     order = 1
 

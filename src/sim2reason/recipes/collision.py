@@ -33,7 +33,7 @@ class CollisionTier:
     pairs: float = 0.0  # the chance that one pair has a restitution of its own
 
 
-STRAIGHT = 0.5  # of the scenes are on a straight track
+STRAIGHT = 0.4  # of the scenes are on a straight track
 ELASTIC = 0.4  # of those have elastic collisions
 PARTIAL = Range(0.2, 0.8)  # coefficients of restitution that nobody takes for one or for zero
 PLAIN: Choices = {"tilt?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
@@ -58,12 +58,12 @@ TIERS = {
         Count(3, 4),
         Range(0.5, 15.0),
         Range(1.0, 5.0),
-        ("elastic", "partial", "partial", "dead"),
+        ("elastic", "partial", "partial", "partial", "dead"),
         {
             "tilt": Range(5.0, 30.0),
-            "gliders": Count(3, 4),
-            "left?": 0.4,
-            "right?": 0.4,
+            "gliders": Count(3, 3),
+            "left?": 0.3,
+            "right?": 0.2,
             "joined": Count(0, 1),
             "buffers": Count(0, 1),
             "pairs": Count(0, 1),
