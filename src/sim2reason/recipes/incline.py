@@ -18,11 +18,11 @@ TIERS = {
     "easy": Tier(
         Count(1, 1),
         SIMPLE,
-        {**NUMBERS["easy"], **ON_FACES},
+        {**NUMBERS["easy"], **ON_FACES, "blocks": Count(1, 2)},
         ALONE,
         spread=4.0,
         rough=0.5,
-        more=0.3,
+        more=0.6,
         words=WORDS["easy"],
     ),
     "medium": Tier(

@@ -28,7 +28,7 @@ class OrbitTier:
 
 TIERS = {
     "easy": (OrbitTier(Count(1, 1), Range(0.0, 0.3)),),
-    "medium": (OrbitTier(Count(1, 1), Range(0.2, 0.6)), OrbitTier(Count(2, 2), Range(0.0, 0.3))),
+    "medium": (*2 * (OrbitTier(Count(1, 1), Range(0.2, 0.6)),), OrbitTier(Count(2, 2), Range(0.0, 0.3))),
     "hard": (  # they disturb each other
         OrbitTier(Count(2, 2), Range(0.1, 0.3), Range(0.2, 0.4), Range(1.2, 1.5)),
         OrbitTier(Count(2, 2), Range(0.1, 0.3), Range(0.2, 0.4), Range(1.2, 1.5)),

@@ -9,7 +9,7 @@ from sim2reason.recipes.parts.grow import Tier, grow
 from sim2reason.recipes.parts.ranges import NUMBERS, TWO, WORDS
 
 MOVABLE = "MassWithMovablePulley"
-POOL = ({"MassWithFixedPulley": 2.0, MOVABLE: 1.5, "MassWithReverseMovablePulley": 1.5},)
+POOL = ({"MassWithFixedPulley": 2.0}, {MOVABLE: 1.5, "MassWithReverseMovablePulley": 1.5})  # else it were a chain
 SYSTEMS = ("MassWithFixedPulley.system", f"{MOVABLE}.left", f"{MOVABLE}.right")
 HANGING = dict.fromkeys(SYSTEMS, ("Hanging",))
 STANDING = dict.fromkeys(SYSTEMS, ("Hanging", "OnPlane"))  # strings to wedges take more words than a reader holds
@@ -24,11 +24,11 @@ TIERS = {
         massive=0.4,
         words=WORDS["medium"],
     ),
-    "hard": Tier(Count(3, 4), POOL, {**NUMBERS["hard"], **STANDING}, rough=0.4, massive=0.5, words=WORDS["hard"]),
+    "hard": Tier(Count(2, 3), POOL, {**NUMBERS["hard"], **STANDING}, rough=0.4, massive=0.4, words=WORDS["hard"]),
 }
 
 
 @recipe("pulley")
 def draw_pulley(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """One to four pulley entities, every open end closed."""
+    """Two or three pulley entities, every open end closed."""
     return grow(TIERS[difficulty], rng)

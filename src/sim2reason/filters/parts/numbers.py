@@ -12,6 +12,7 @@ from sim2reason.simulation.trace import Trace
 
 SHIFT = 1e-3  # relative
 TURN = 10.0  # deg: how far an angle is moved either way, where other numbers are halved and doubled
+SLOWER = 2.2  # times: a motion with a number halved or doubled may take so much longer
 ENOUGH = 3.0  # times the tolerance: a number with such an elasticity moves the answer beyond it when it is doubled
 VECTORS = "position", "velocity"  # measures whose numbers, where one thing has two, are components of one vector
 
@@ -89,13 +90,21 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
 
 
 def matters(candidate: Candidate, found: Elasticity) -> bool:
-    """Whether the answer moves beyond the tolerance when a number is halved or doubled (an angle turned either way)."""
+    """Whether the answer moves beyond the tolerance when a number is halved or doubled (an angle turned either way).
+
+    Where the motion then is slower, it is followed for longer; where it was not followed for long enough to tell, that
+    tells nothing.
+    """
     if found.reordered or found.size >= ENOUGH * candidate.tolerance:
         return True
-    study, given = candidate.study, found.given
+    study, given, time = candidate.study, found.given, candidate.time or 0.0
+    until = None if candidate.time is None else SLOWER * time
     for factor, turn in ((2.0, TURN), (0.5, -TURN)):
-        other = _with(study, given.at(study.scene, (factor, factor), turn), candidate.until)
-        if other is not None and candidate.change(other) > candidate.tolerance:
+        other = _with(study, given.at(study.scene, (factor, factor), turn), until)
+        answer = candidate.response(other)
+        if answer is None and (other is None or other.trace.stable_until < SLOWER * time):
+            continue
+        if candidate.change_to(answer) > candidate.tolerance:
             return True
     return False
 

@@ -13,6 +13,8 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target, Targets
 from sim2reason.questions.words import Words
 
+FEW = 2  # forces beside weight
+
 
 @kind
 class StartKind(ValueKind):
@@ -25,10 +27,11 @@ class StartKind(ValueKind):
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A quantity that differs from zero before anything has moved.
 
-        None where the text gives what can not bear on it yet: fuel, or a speed that changes no equation.
+        None where the text gives what can not bear on it yet, fuel or a speed that changes no equation, and where it
+        is Newton's second law in one line.
         """
         moment, mechanism, here = drawn(self.moments(), study, words, rng), study.mechanism, at(study.trace, 0.0)
-        if moment is None or only_falls(mechanism) or mechanism.burns or _speeds_idle(mechanism):
+        if moment is None or mechanism.burns or _one_line(mechanism) or _speeds_idle(mechanism):
             return None
 
         def is_something(target: Target) -> bool:
@@ -36,6 +39,14 @@ class StartKind(ValueKind):
 
         target = pick([t for t in targets if QUANTITIES[t.quantity].immediate], rng, is_something)
         return Query(self.name, target, moment) if target is not None else None
+
+
+def _one_line(mechanism: Mechanism) -> bool:
+    """Whether nothing but weight acts, or no more than two forces act on a lone point."""
+    massive = [body for body in mechanism.bodies if body.mass and not (body.parent is None and not body.coordinates)]
+    alone = len(massive) == 1 and not any(massive[0].inertia) and not mechanism.contacts
+    acting = (*mechanism.lines, *mechanism.forces, *mechanism.attractions)
+    return only_falls(mechanism) or (alone and len(acting) <= FEW)
 
 
 def _speeds_idle(mechanism: Mechanism) -> bool:

@@ -12,7 +12,7 @@ from sim2reason.questions.spoken import spoken
 from sim2reason.simulation.trace import Trace
 
 NEAREST, FARTHEST = 0.2, 0.9  # of how far the body gets
-SHORTEST, LONGEST, TIED = 0.01, 9e4, 3.0  # m; strings are not longer than the last
+SHORTEST, LONGEST, TIED = 0.01, 9e4, 2.0  # m; strings are not longer than the last
 
 
 @dataclass(frozen=True, slots=True)
