@@ -1,12 +1,14 @@
 """Blocks on planes, wedges and prisms, smooth or rough."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.scene import Scene
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.grow import Tier, grow
-from sim2reason.recipes.parts.ranges import NUMBERS, WORDS
+from sim2reason.recipes.parts.ranges import NUMBERS, TWO, WORDS
 
 ON_FACES = {"system": ("OnPlane", "OnWedge", "OnWedge")}
 SIMPLE = ({"TwoSideMassPlane": 1.0},)
@@ -18,12 +20,12 @@ TIERS = {
     "easy": Tier(
         Count(1, 1),
         SIMPLE,
-        {**NUMBERS["easy"], **ON_FACES, "blocks": Count(1, 2)},
+        {**NUMBERS["easy"], **ON_FACES},
         ALONE,
         spread=4.0,
         rough=0.5,
-        more=0.6,
-        words=WORDS["easy"],
+        more=0.3,
+        words=WORDS["easy"] + TWO,
     ),
     "medium": Tier(
         Count(1, 2),
@@ -37,9 +39,18 @@ TIERS = {
     ),
     "hard": Tier(Count(2, 3), WIDE, {**NUMBERS["hard"], **ON_FACES, **TALL}, rough=0.7, more=0.4, words=WORDS["hard"]),
 }
+PULLED = 0.4  # of the easy scenes are of two blocks that a hand pulls: without it they would slide as one
+PAIR = replace(
+    TIERS["easy"],
+    choices={**NUMBERS["easy"], "system": ("OnPlane",), "blocks": Count(2, 2)},
+    alone={"speed?": 0.0},
+    closers={"ConstantForcePuller": 1.0},
+    more=0.6,
+)
 
 
 @recipe("incline")
 def draw_incline(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """One to three entities with faces, joined by strings."""
-    return grow(TIERS[difficulty], rng)
+    pulled = difficulty == "easy" and rng.random() < PULLED
+    return grow(PAIR if pulled else TIERS[difficulty], rng)
