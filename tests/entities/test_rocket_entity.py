@@ -25,7 +25,7 @@ def test_in_deep_space() -> None:
     """v = u ln(m₀/m), s = ut − (um/µ) ln(m₀/m) (K. Tsiolkovsky, 1903), then at the speed u ln(m₀/m₁)."""
     entity = launched(DeepSpace(), 5.0, 2.0)
     assert entity.burning_time == 120.0
-    assert alone(entity).horizon == 240.0
+    assert alone(entity).horizon == 360.0
     trace = followed(entity, 240.0, 241)
     t = np.minimum(trace.state.times, 120.0)
     m = FULL - 5.0 * t

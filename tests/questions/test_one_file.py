@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plain_scenes import atwood, ramp, swing, table
+from plain_scenes import atwood, ramp, swing, three
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
@@ -218,13 +218,13 @@ WANTED: list[tuple[str, str, str, Wanted, tuple[Scene, ...]]] = [
     ("at a moment", "moment", "event", lambda q: type(q.moment).__name__ == "SpedUp", BLOCKS),
     ("until a moment", "moment", "time_to_event", lambda q: type(q.moment).__name__ == "SpedUp", BLOCKS),
     ("a kind", "kind", "", lambda q: q.kind == "greatest", BLOCKS),
-    ("a subject", "subject", "", lambda q: q.target == Target("gap", PUCKS), (table(),)),
+    ("a subject", "subject", "", lambda q: q.target == Target("gap", PUCKS), (three(),)),
     (
         "a sense",
         "subject",
         "",
         lambda q: q.target not in (None, Target("gap", PUCKS)) and q.subject == PUCKS,
-        (table(),),
+        (three(),),
     ),
 ]
 CASES = [

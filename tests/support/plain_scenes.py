@@ -69,6 +69,14 @@ def table(restitution: float = 0.5, speed: float = 2.0, tilt: float = 0.0) -> Sc
     return Scene(entities=(Named(name="table", entity=entity),))
 
 
+def three() -> Scene:
+    """A puck that meets another off centre, which then meets a third: what the first two do hangs on all masses."""
+    places = ((1.0, 0.0, 0.0, 2.0), (2.0, 1.0, 0.05, 0.0), (1.5, 1.8, 0.3, -0.2))
+    pucks = tuple(Puck(mass=m, x=x, y=y, vx=vx, vy=0.0) for m, x, y, vx in places)
+    entity = TwoDCollisionPlane(table=Table(), radius=0.1, pucks=pucks, restitution=0.6)
+    return Scene(entities=(Named(name="table", entity=entity),))
+
+
 def squeezed(heavy: float = 4.0, restitution: float = 1.0) -> Scene:
     """A light cart of 1 kg at rest between a heavy one, which comes from the left at 1 m/s, and a wall."""
     carts = (Glider(mass=heavy, x=0.0, v=1.0), Glider(mass=1.0, x=1.0, v=0.0))

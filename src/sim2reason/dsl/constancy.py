@@ -24,7 +24,7 @@ def changing(mechanism: Mechanism, frames: Frames) -> str:
         return "a face that turns"
     bodies = (_turning_body(mechanism, frames, body) for body in mechanism.bodies)
     turning = next((name for name in bodies if name), "")
-    return turning or next((name for line in mechanism.lines if (name := _bending(line, frames))), "")
+    return turning or next((name for line in mechanism.lines if (name := bending(line, frames))), "")
 
 
 def _turning_body(mechanism: Mechanism, frames: Frames, body: RigidBody) -> str:
@@ -58,7 +58,7 @@ def _parallel(one: Vector, other: Vector) -> bool:
     return hypot(*cross(one, other)) <= ALIGNED
 
 
-def _bending(line: Line, frames: Frames) -> str:
+def bending(line: Line, frames: Frames) -> str:
     """A line that turns as its sites move."""
     try:
         pieces = frames.pieces(line)

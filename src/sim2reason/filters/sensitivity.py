@@ -16,7 +16,7 @@ class Sensitivity(Filter):
     """Too few numbers move the answer, or too many do not.
 
     What belongs to a part without bearing is told apart: the item marks it as a distraction. So is the mass of what is
-    asked about, which may well cancel, and what the kind of question is indifferent to.
+    asked about and the radius of what rolls, which may well cancel, and what the kind of question is indifferent to.
     """
 
     order = 6
@@ -26,8 +26,8 @@ class Sensitivity(Filter):
         scene, query = candidate.study.scene, candidate.question.query
         given = [given for given in givens(scene, candidate.question.unknown) if given.owner != "world"]
         aside = [effect.subject for effect in effects(candidate, part=True) if effect.close]
-        own = f"{_lone(candidate.study.mechanism, query.subject)}.mass"
-        excused = [g for g in given if own in g.paths or any(_belongs(g, name) for name in aside)]
+        own = _cancelling(candidate.study.mechanism, query.subject)
+        excused = [g for g in given if own & {*g.paths} or any(_belongs(g, name) for name in aside)]
         counted = candidate.kind.measured(query).whole  # which changes with some of the numbers only
         moving, idle = list[Given](), list[Given]()
         for found in elasticities(candidate):
@@ -54,6 +54,13 @@ def _is_indifferent(candidate: Candidate, given: Given) -> bool:
     """Whether such answers by nature do not depend on it, as a period on how far a spring is pulled."""
     other = shifted(candidate.study, given, candidate.until)
     return other is not None and candidate.kind.indifferent(candidate.question.query, candidate.study, other)
+
+
+def _cancelling(mechanism: Mechanism, subject: str) -> set[str]:
+    """The addresses of what may well cancel: the mass of what is asked about, and the radius of what rolls."""
+    body = _lone(mechanism, subject)
+    rolls = body in mechanism.contacts and len(mechanism.contacts[body].slip) > 1
+    return {f"{body}.mass", *([f"{body}.radius"] if rolls else [])}
 
 
 def _lone(mechanism: Mechanism, subject: str) -> str:

@@ -3,6 +3,8 @@
 from collections.abc import Iterable
 
 from sim2reason.dsl.ablation import left_out
+from sim2reason.dsl.constancy import bending
+from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
@@ -20,13 +22,16 @@ class BodyLeftOut(ChangedMechanism):
     misleads = False
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All of several with mass but those that a spring pulls at: without mass they would tremble with it."""
+        """All of several with mass but those that would tremble without it: on springs, or across strings."""
         del query
         mechanism = study.mechanism
         elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
         sprung = {mechanism.site[site].body for line in elastic for site in line.through}
         sprung |= {body for line in elastic for body in line.circle or ()}
-        return [name for name in others(mechanism) if name not in sprung]
+        frames = start(mechanism)
+        turning = [line for line in mechanism.lines if bending(line, frames)]
+        held = {mechanism.site[site].body for line in turning for site in (line.through[0], line.through[-1])}
+        return [name for name in others(mechanism) if name not in sprung | held]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """All but without it."""

@@ -18,9 +18,10 @@ class FromRest(ChangedMechanism):
     reason = "the velocity at the start is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where anything moves at the start."""
+        """The whole, where anything moves at the start; but nobody has planets fall into their star."""
         del query
-        return [""] if any(coordinate.speed for coordinate in study.mechanism.coordinates) else []
+        moving = any(coordinate.speed for coordinate in study.mechanism.coordinates)
+        return [""] if moving and not study.mechanism.attractions else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """With all at rest."""
