@@ -29,11 +29,7 @@ class OrbitTier:
 TIERS = {
     "easy": (OrbitTier(Count(1, 1), Range(0.0, 0.3)),),
     "medium": (*2 * (OrbitTier(Count(1, 1), Range(0.2, 0.6)),), OrbitTier(Count(2, 2), Range(0.0, 0.3))),
-    "hard": (  # they disturb each other
-        OrbitTier(Count(2, 2), Range(0.1, 0.3), Range(0.2, 0.4), Range(1.2, 1.5)),
-        OrbitTier(Count(2, 2), Range(0.1, 0.3), Range(0.2, 0.4), Range(1.2, 1.5)),
-        OrbitTier(Count(3, 3), Range(0.1, 0.3), Range(0.15, 0.3), Range(1.2, 1.5)),
-    ),
+    "hard": (OrbitTier(Count(2, 2), Range(0.1, 0.3), Range(0.25, 0.4), Range(1.3, 1.6)),),  # they disturb each other
 }
 
 
