@@ -31,10 +31,10 @@ class CollisionTier:
     track: Choices  # how the collisions on a straight track are drawn
     tilt: float = 0.0  # the chance of a tilted table
     pairs: float = 0.0  # the chance that one pair has a restitution of its own
+    straight: float = 0.4  # of its scenes are on a straight track
 
 
-STRAIGHT = 0.4  # of the scenes are on a straight track
-ELASTIC = 0.4  # of those have elastic collisions
+ELASTIC = 0.4  # of the scenes on a straight track have elastic collisions
 PARTIAL = Range(0.2, 0.8)  # coefficients of restitution that nobody takes for one or for zero
 PLAIN: Choices = {"tilt?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
 TIERS = {
@@ -44,6 +44,7 @@ TIERS = {
         Range(0.5, 1.5),
         ("elastic", "partial"),
         {**PLAIN, "gliders": Count(2, 2), "left?": 0.3, "right?": 0.0},
+        straight=0.25,  # where velocities do not hang on places, little can be asked
     ),
     "medium": CollisionTier(
         Count(2, 3),
@@ -78,7 +79,7 @@ TIERS = {
 def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Pucks, each aimed so that it meets the slowest one before it, or balls, carts and walls on a straight track."""
     tier = TIERS[difficulty]
-    if rng.random() < STRAIGHT:
+    if rng.random() < tier.straight:
         restitution = 1.0 if rng.random() < ELASTIC else PARTIAL
         choices = {**tier.track, "ComplexCollisionPlane.restitution": restitution, "restitution": PARTIAL}
         return one_of((Idea(ComplexCollisionPlane.__name__, choices, suits=_meets),), rng, "track")

@@ -14,9 +14,9 @@ IDEAS = {
         Idea(KIND, {"springs": Count(1, 1), "damping?": 0.0, "launch?": 0.3}),
         Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}),
     ),
-    "medium": (Idea(KIND, {**EVEN, "springs": Count(2, 3), "damping?": 0.0, "launch?": 0.7}),),
+    "medium": (Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}),),
     "hard": (  # friction of the springs themselves
-        Idea(KIND, {**EVEN, "springs": Count(3, 4), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6}),
+        Idea(KIND, {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6}),
     ),
 }
 

@@ -22,7 +22,7 @@ class BodyLeftOut(ChangedMechanism):
     misleads = False
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All of several with mass but those that would tremble without it: on springs, or across strings."""
+        """All of several with mass but what would tremble without it: on springs, across strings, as a pivot."""
         del query
         mechanism = study.mechanism
         elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
@@ -31,7 +31,8 @@ class BodyLeftOut(ChangedMechanism):
         frames = start(mechanism)
         turning = [line for line in mechanism.lines if bending(line, frames)]
         held = {mechanism.site[site].body for line in turning for site in (line.through[0], line.through[-1])}
-        return [name for name in others(mechanism) if name not in sprung | held]
+        pivots = {body.parent for body in mechanism.bodies if any(c.kind == "hinge" for c in body.coordinates)}
+        return [name for name in others(mechanism) if name not in sprung | held | pivots]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """All but without it."""
