@@ -10,6 +10,7 @@ import sim2reason
 from drawn_entities import certified, drawn_entity, travels
 from lone_entities import alone, followed
 from quadrature import CLOUDS
+from sim2reason.bodies.ball import FixedBall
 from sim2reason.bodies.bar import Bar
 from sim2reason.bodies.bowl import Bowl
 from sim2reason.bodies.cylinder import Cylinder
@@ -27,6 +28,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import (
     AnyPiece,
     AxialPiece,
+    BallPiece,
     BarPiece,
     CappedPiece,
     HoledPiece,
@@ -67,6 +69,17 @@ def test_the_period_of_a_rod_hung_by_its_end(angle: float) -> None:
     trace = followed(hung(length, angle=angle), 1.2 * period)
     turns = [event.time for event in trace.events if event.kind == "turn"]
     assert turns == pytest.approx([period / 2.0, period], rel=CLOSE)
+
+
+def test_small_balls_on_both_sides() -> None:
+    """The angular acceleration at release is g sin θ (m₁d₁ − m₂d₂)/(m₁d₁² + m₂d₂²), back to the vertical."""
+    pieces = (
+        BallPiece(body=FixedBall(mass=3.0), distance=0.8),
+        BallPiece(body=FixedBall(mass=2.0), distance=0.5, side="beyond the axle"),
+    )
+    trace = followed(RotationEntity(pieces=pieces, angle=40.0), 1.0, 3)
+    expected = G * sin(radians(40.0)) * (3.0 * 0.8 - 2.0 * 0.5) / (3.0 * 0.8**2 + 2.0 * 0.5**2)
+    assert abs(trace.state.a[0, 0]) == pytest.approx(expected, rel=CLOSE)
 
 
 def test_a_rod_that_goes_over_the_top() -> None:

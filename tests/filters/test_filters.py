@@ -8,9 +8,18 @@ import pytest
 from motions import spring_block
 from plain_scenes import G, atwood, half_atwood, massive, ramp, table
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.cart import Cart
+from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.spring import Coil
+from sim2reason.bodies.track import RoughTrack
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.rolling import NoSlipping, Rolling
+from sim2reason.entities.parts.springs import Strained
+from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.parts.effects import effects
@@ -171,6 +180,42 @@ def test_numbers_that_do_not_matter() -> None:
     assert not reason("sensitivity", steep)  # its mass cancels, which is a point to see
     normal = candidate(ramp(friction=0.3, speed=2.0), AtTime(0.2), Target("friction force", "ramp.blocks.0"))
     assert reason("sensitivity", replace(normal, difficulty="easy")) == "idle numbers: ramp.speed"
+
+
+def test_what_a_slower_motion_leaves_unchanged_is_idle() -> None:
+    """A cart on a relaxed spring's other side turns back after 2d, whatever its stiffness; that only takes longer."""
+    chain = SpringMassChain(
+        track=RoughTrack(),
+        carts=(Cart(mass=2.0),),
+        ends="left",
+        springs=(Coil(stiffness=90.0),),
+        strain=Strained(way="compressed", by=0.08),
+    )
+    scene = Scene(entities=(Named(name="chain", entity=chain),))
+    found = candidate(scene, Stopped("chain.carts.0"), Target("displacement", "chain.carts.0"))
+    assert "springs.0.stiffness" in reason("sensitivity", replace(found, difficulty="easy"))
+
+
+def test_the_radius_of_what_rolls_may_cancel() -> None:
+    """The speed of a sphere that rolls down hangs on neither its mass nor its radius."""
+    ball = RollingEntity(
+        body=Sphere(mass=2.0, radius=0.1),
+        plane=Incline(angle=20.0),
+        grip=NoSlipping(),
+        start=Rolling(way="down the slope", speed=1.5),
+    )
+    scene = Scene(entities=(Named(name="ball", entity=ball),))
+    found = candidate(scene, AtTime(0.8), Target("velocity", "ball.body"))
+    assert not reason("sensitivity", replace(found, difficulty="easy"))
+
+
+def test_what_is_held_has_no_force_of_its_own() -> None:
+    """The plane's force on a block is asked; where the block is held there is none, and that is no answer."""
+    found = candidate(ramp(friction=0.3, speed=2.0), AtTime(0.2), Target("normal force", "ramp.blocks.0"))
+    study = found.study
+    assert found.response(study) == found.question.answer
+    free = replace(study.mechanism, faces=())
+    assert found.response(study.changed("no plane", lambda: free, 1.0)) is None
 
 
 def test_too_few_numbers_that_matter_make_no_problem() -> None:
