@@ -22,7 +22,7 @@ SAMPLES = 41
 SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
 WORDINGS = 6  # tries
 QUESTIONS = 4  # tries that differ
-DRAWS = 8  # of questions, at most
+DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
 
 
 @dataclass(frozen=True)
@@ -128,12 +128,15 @@ class QuestionSearch:
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str]
     ) -> Iterator[Question]:
         """Some questions that differ; fewer if the motion offers no more."""
-        asked = set[tuple[Query, str]]()
+        asked, missed = set[tuple[Query, str]](), 0
         for _ in range(DRAWS):
             question = mode.ask(self.study, self.words, kind, rng)
             if question is None:
                 refused["nothing to ask"] += 1
-                return
+                missed += 1
+                if missed == MISSES:
+                    return
+                continue
             if (question.query, question.unknown) not in asked:
                 asked.add((question.query, question.unknown))
                 yield question
