@@ -36,7 +36,7 @@ NUMBERS: Mapping[Difficulty, Mapping[str, Choice]] = {
         "pulley mass": Range(0.5, 20.0),
         "friction": Range(0.1, 0.4),
         "angle": Range(10.0, 70.0),
-        "blocks": Count(1, 3),
+        "blocks": Count(1, 2),
         "left_blocks": Count(1, 2),
         "right_blocks": Count(1, 2),
     },
