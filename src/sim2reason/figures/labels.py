@@ -73,14 +73,14 @@ def _crowded(label: Label, others: Sequence[Box]) -> float:
 
 
 def _alone(label: Label, index: int, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
-    """What a place costs whatever the other labels do."""
+    """What a place costs whatever the other labels do; the first may well be within a block, which is its own."""
     mine = _wider(label.box)
     left, low, right, high = mine
     corners = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
     return (
         LATER * index
         + ON_LINE * _under(mine, strokes)
-        + sum(IN_BLOCK for block in blocks if depth(corners, block) > 0.0)
+        + sum(IN_BLOCK for block in blocks if depth(corners, block) > 0.0 and (index or not inside(label.at, block)))
     )
 
 
