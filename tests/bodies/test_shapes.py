@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from quadrature import CLOUDS, moments
+from sim2reason.bodies.ball import FixedBall
 from sim2reason.bodies.bar import Bar
 from sim2reason.bodies.bowl import SphericalCap
 from sim2reason.bodies.cylinder import Cylinder
@@ -27,7 +28,8 @@ DRAWS = 6
 
 
 def test_each_shape_is_summed_over_points_here() -> None:
-    assert {cls for cls in SHAPES if cls.__module__.startswith("sim2reason.")} == set(CLOUDS)
+    sized = {cls for cls in SHAPES if cls.__module__.startswith("sim2reason.") and cls is not FixedBall}
+    assert sized == set(CLOUDS)
 
 
 @pytest.mark.parametrize("cls", list(CLOUDS), ids=lambda cls: cls.__name__)

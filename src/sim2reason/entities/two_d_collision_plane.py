@@ -1,9 +1,11 @@
 """Pucks that slide and bounce on a smooth table, level or tilted."""
 
+from collections.abc import Mapping
 from itertools import combinations
 from math import cos, hypot, radians, sin
-from typing import Annotated, Self
+from typing import Annotated, Any, Self
 
+import numpy as np
 from annotated_types import Ge, Le, Len
 from pydantic import model_validator
 
@@ -25,10 +27,14 @@ from sim2reason.authoring import (
     entity,
 )
 from sim2reason.bodies.puck import Puck, Table
+from sim2reason.dsl.model import as_said, rebuilt
 
 Pucks = Annotated[tuple[Puck, ...], Len(2, 6), Count(2, 4)]
 Radius = Annotated[float, LEAST, Le(10), Measure("radius", "m", "R", decimals=2), Range(0.1, 0.3)]
 Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
+
+
+SLOWEST = 0.5  # m/s, of a puck that moves towards another
 
 
 class PairRestitution(Part):
@@ -115,6 +121,21 @@ class TwoDCollisionPlane(Entity):
             if hypot(a.x - b.x, a.y - b.y) <= 2.0 * self.radius:
                 raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by more than two radii")
         return self
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """The second puck moves straight towards the first, as that sees it, so that at least these two meet."""
+        del rng
+        first, second, *rest = drawn["pucks"] if len(drawn["pucks"]) > 1 else (*drawn["pucks"], None)
+        if second is None:
+            return {}
+        way = first.x - second.x, first.y - second.y
+        share = max(SLOWEST, hypot(second.vx, second.vy)) / max(hypot(*way), SLOWEST)
+        velocity = (
+            as_said(Puck, "vx", own + share * part) for own, part in zip((first.vx, first.vy), way, strict=True)
+        )
+        aimed = rebuilt(second, **dict(zip(("vx", "vy"), velocity, strict=True)))
+        return {"pucks": (first, aimed, *rest)}
 
     def build(self, room: Frame) -> None:
         """Point-like bodies with two slides in the table, y up its slope; every pair may bounce."""

@@ -120,7 +120,7 @@ class _Rows:
         bends = self._bends.get(body.name, np.zeros(3))
         for axis in range(3):
             bent = map(_rounded, (point.velocity[axis], point.bias[axis], round(bends[axis], 7)))
-            self._add(("body", called, axis, body.mass, *bent), spread[axis])
+            self._add(("body", called, axis, body.mass, *bent, *_ends(body)), spread[axis])
         turns = self._turns(body)
         if turns:
             frame, inertia = self._frames[body.name], _matrix(body.inertia)
@@ -248,3 +248,8 @@ def _near(products: Array, labels: list[object]) -> tuple[object, ...]:
 
 def _rounded(value: float) -> float:
     return round(float(value), 9) + 0.0
+
+
+def _ends(body: RigidBody) -> list[float]:
+    """Where its travel ends, as at the ground, counted from the start."""
+    return sorted(_rounded(end) for c in body.coordinates for end in (c.lower, c.upper) if math.isfinite(end))

@@ -53,7 +53,7 @@ def bears_from(trace: Trace) -> float:
         for event in trace.events:
             if event.kind == "collision":
                 first = dict.fromkeys(event.subjects, event.time) | first
-        waits += first.values() or [inf]
+        waits += first.values()
     if any(force.region is not None for force in mechanism.forces):
         waits.append(next((event.time for event in trace.events if event.kind in CROSSINGS), inf))
     return max(waits, default=0.0)

@@ -9,7 +9,7 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.targets import Noun, Target
 from sim2reason.questions.words import Words
 
-QUOTA = {"what": 0.35, "find": 0.3, "how": 0.6, "determine": 0.12, "calculate": 0.08}
+QUOTA = {"what": 0.35, "find": 0.3, "how": 0.3, "determine": 0.12, "calculate": 0.08}
 """How often a verb asks, where it can; *how* can ask for little, and makes up for it there."""
 
 _VERB = re.compile("|".join(QUOTA))

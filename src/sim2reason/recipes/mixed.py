@@ -45,7 +45,7 @@ TIERS = {
     "hard": Tier(
         Count(2, 2),
         (
-            {"SliderMass": 2.0, "RollingEntity": 1.0, "MassPrismPlane": 1.0, **SPRINGS},
+            {"SliderMass": 2.0, "RollingEntity": 1.0, **SPRINGS},
             {"RigidPendulum": 2.0, **MACHINES},
         ),
         {**NUMBERS["hard"], **SIMPLE},

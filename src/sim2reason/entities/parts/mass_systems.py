@@ -45,6 +45,7 @@ class Hanging(MassSystem):
             "blocks",
             "{blocks} are joined by {blocks:/a light string, with {blocks.last} below {blocks.first}/light strings, one below the other in this order}.",
             "{blocks} hang one below the other, {blocks:/{blocks.first} on top, joined by a light string/in this order from the top down, joined by light strings}.",
+            "{blocks} hang in a column, {blocks:/{blocks.last} below {blocks.first} on a light string/each below the one before on a light string}.",
             "{blocks:/a light string joins/light strings join} {blocks}, {blocks:/{blocks.last} hanging below {blocks.first}/which hang one below the other in this order}.",
         ),
     )
@@ -118,8 +119,8 @@ class OnWedge(MassSystem):
     tail = StringEnd(
         sites=("hook", "corner"),
         tied="{blocks.last}",
-        leaves="runs up the face, over a light pulley at its top and on horizontally",
-        arrives="runs horizontally to a light pulley at the top of {wedge} and from there down the face to {blocks.last}",
+        leaves="runs up the face, over a light pulley at its top and on horizontally, away from the face",
+        arrives="runs horizontally to a light pulley at the top of {wedge} and beyond it down the face to {blocks.last}",
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:

@@ -1,6 +1,7 @@
 """Questions."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -42,9 +43,11 @@ class QuestionsCheck(Check):
             return
         asked.add(name)
         noun = targets[query.target] if query.target is not None else None
+        hidden = tuple(unknown for unknown in words.unknowns if unknown.path == query.hides)
+        told = replace(words, unknowns=hidden)  # a text leaves no more unknown than is asked for
         for shape in kind.shapes(query, words, noun):
             text = sentence(shape)
-            if parse_question(text, study, words) != query:
+            if parse_question(text, study, told) != query:
                 expected = "a question in words leads back to what it asks"
                 remedy = "call bodies by names that can be told apart"
                 yield found.finding(self.name, expected, f"{text!r} does not lead back to {query}", remedy)
