@@ -121,6 +121,7 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
         "the pulley is frictionless",
         "there is no friction at the pulley",
         "friction at the pulley is negligible",
+        "the pulley turns freely",
     ),
     (True, False): (
         "the pulleys are frictionless",
@@ -140,7 +141,7 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
     ),
 }
 ROOM = {  # by whether there are several pulleys, and whether there are edges
-    (False, False): ("no body reaches it", "every string is long enough"),
+    (False, False): ("no body reaches it", "every string is long enough", "there is string enough"),
     (True, False): ("no body reaches a pulley", "every string is long enough", "no pulley is reached"),
     (False, True): ("no body reaches it or an edge", "there is room enough", "no body gets to an edge or to it"),
     (True, True): (

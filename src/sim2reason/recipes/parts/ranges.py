@@ -6,7 +6,7 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import Choice
 from sim2reason.recipes import Difficulty
 
-WORDS: Mapping[Difficulty, int] = {"easy": 71, "medium": 135, "hard": 205}
+WORDS: Mapping[Difficulty, int] = {"easy": 69, "medium": 135, "hard": 205}
 """The longest text of a scene, without its question."""
 PRISM = 25
 """Words more for scenes that else have no room for a prism."""
