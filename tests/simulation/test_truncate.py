@@ -148,13 +148,13 @@ def hidden() -> list[tuple[Trace, Event]]:
 
 
 def test_hidden_transitions_are_found() -> None:
-    """Most by 5σ (but few of a rubbed spring's turns, where little changes), all by the third difference."""
+    """Most by 5σ (the rule alone: 43 of 52 in a prototype), all by the third difference."""
     caught = [
         {alarm.rule for alarm in alarms(trace) if abs(alarm.time - event.time) < 0.1} for trace, event in hidden()
     ]
     assert len(caught) >= 15
     assert all("third difference" in rules for rules in caught)
-    assert sum("deviation" in rules for rules in caught) >= 0.75 * len(caught)
+    assert sum("deviation" in rules for rules in caught) >= 0.8 * len(caught)
 
 
 def test_a_trace_from_a_file_is_judged_by_its_samples_alone() -> None:

@@ -216,7 +216,6 @@ MOTIONS: Mapping[str, Callable[[], Motion]] = {
         light_rod,
         rolling_ball,
         spring_block,
-        rubbed_spring,
         orbit,
         rocket,
         thrown_ball,
@@ -234,5 +233,5 @@ MOTIONS: Mapping[str, Callable[[], Motion]] = {
 @cache
 def told_motions() -> tuple[tuple[Study, Words], ...]:
     """All of them, and some that begin or end otherwise, each simulated once."""
-    others = (thrown_ball(None), orbit(-0.5), spring_block(-0.2))
+    others = (thrown_ball(None), orbit(-0.5), spring_block(-0.2), rubbed_spring())
     return (*(made().told() for made in MOTIONS.values()), *(motion.told() for motion in others))

@@ -112,11 +112,11 @@ class ComplexCollisionPlane(Entity):
         for index, held in enumerate(self.buffers):
             if held.buffer.length >= self.gliders[held.second].x - self.gliders[held.first].x:
                 raise ValueError(f"buffers.{index}: it is longer than the gap at the start; shorten it")
-        if len(taken) == len(self.gliders) - 1 and self.pairs and self.left is None and self.right is None:
-            raise ValueError("pairs: each pair has a restitution of its own, so that the other one never counts")
         for index, pair in enumerate(self.pairs):
             if pair.restitution in (0.0, self.restitution):
                 raise ValueError(f"pairs.{index}: give it a restitution above 0 and other than that of all the others")
+        if len(taken) == len(self.gliders) - 1 and self.pairs and self.left is None and self.right is None:
+            raise ValueError("pairs: each pair has a restitution of its own, so that the other one never counts")
         return self
 
     @classmethod

@@ -5,14 +5,15 @@ from collections.abc import Mapping, Sequence
 from math import degrees
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sim2reason.dsl.state import Array
 from sim2reason.solutions.book import DEGREES, WELL, Relation, Solution
 from sim2reason.solutions.digits import DIGITS, shortened
 from sim2reason.solutions.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.worked import gradient
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
+ASIDE, ROUNDS = 0.03, 6  # relative: how far what is free is followed; steps back onto the laws
 AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
@@ -71,6 +72,7 @@ def undetermined(solution: Solution) -> list[str]:
         there = _elsewhere(solution)
         others = [_row(r, there, place) for r in relations]
         idle = [n for n in laws if all(_spanned([e[k] for k in laws if k != n], goal) for e in (rows, others))]
+        idle = [n for n in idle if _spared([relations[k] for k in laws if k != n], values, place, goal)]
         found += [f"superfluous: {relations[number].latex()}" for number in idle]
     derived = (number for number, relation in enumerate(relations) if relation.role != "law")
     strays = [relations[number].latex() for number in derived if not _spanned(told, rows[number])]
@@ -95,14 +97,36 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
     return values
 
 
-def _row(relation: Relation, values: dict[str, float], place: dict[str, int]) -> NDArray[np.float64]:
+def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str, int], goal: Array) -> bool:
+    """Whether laws determine the goal also away from where one that they lack holds.
+
+    Where that one says when something is greatest, the goal does not change at first as it is given up: so follow what
+    the laws leave free for a short way, back onto them by Newton's method, and look again there.
+    """
+    matrix = np.array([_row(law, values, place) for law in laws])
+    if not len(matrix):
+        return True
+    sizes = np.array([max(abs(values[name]), FAINT) for name in place])
+    _, spread, ways = np.linalg.svd(matrix * sizes)
+    free = ways[int((spread > FAINT * spread.max(initial=0.0)).sum()) :]
+    way = free.sum(axis=0)
+    away = values | {name: values[name] + ASIDE * sizes[k] * float(way[k]) for name, k in place.items()}
+    for _ in range(ROUNDS):
+        jacobian = np.array([_row(law, away, place, scaled=False) for law in laws]) * sizes
+        off = np.array([complex(law.left.value(away) - law.right.value(away)).real for law in laws], dtype=np.float64)
+        step: Array = np.asarray(np.linalg.lstsq(jacobian, off, rcond=1e-12)[0], dtype=np.float64) * sizes
+        away |= {name: away[name] - float(step[k]) for name, k in place.items()}
+    return _spanned([_row(law, away, place) for law in laws], goal)
+
+
+def _row(relation: Relation, values: dict[str, float], place: dict[str, int], *, scaled: bool = True) -> Array:
     left, right = gradient(relation.left, values, place), gradient(relation.right, values, place)
     row = np.array(left) - np.array(right)
     scale = np.abs(row).max(initial=0.0)
-    return row / scale if scale else row
+    return row / scale if scaled and scale else row
 
 
-def _spanned(rows: Sequence[NDArray[np.float64]], goal: NDArray[np.float64]) -> bool:
+def _spanned(rows: Sequence[Array], goal: Array) -> bool:
     """Whether a row is a combination of others."""
     size = float(np.abs(goal).max(initial=0.0))
     if not rows or not size:

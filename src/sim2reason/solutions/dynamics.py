@@ -5,11 +5,9 @@ from functools import cached_property
 
 from sim2reason.dsl.triples import product
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions import telling
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.newton import Newton, Row, symbol
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.selection import needed
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import ACCELERATIONS, NEWTONS, STILL, Measure, Shared, equal
 
@@ -90,7 +88,7 @@ class Dynamics:
         acting = self.segment.found.mode.acting
         return [place for place in range(len(self.newton.lines)) if acting[place]]
 
-    def _laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
+    def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
         """All laws of this segment, and their unknowns."""
         newton, size = self.newton, len(self.mechanism.coordinates)
         sticking = [face for face, side in newton.rough.items() if side == 0]
@@ -113,22 +111,6 @@ class Dynamics:
         unknowns += [f"T{place}" for place in self._taut] + [f"N{face}" for face in sorted(pressing)]
         return rows, unknowns + [f"f{face}" for face in sticking]
 
-    def reach(self, goals: Sequence[str]) -> None:
-        """Write the way to some unknowns, such as ``q3`` or ``T1``; their `names` are known then."""
-        goals = [goal for goal in dict.fromkeys(goals) if not (goal[0] == "q" and int(goal[1:]) in self.frozen)]
-        self.names |= {f"q{k}": NIL for k in self.frozen}
-        if not goals:
-            return
-        rows, unknowns = self._laws(goals)
-        givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
-        chosen = needed(rows, unknowns, {**givens, **self.values}, [goal for goal in goals if goal in unknowns])
-        self._share(chosen, goals, rows)
-        self._name(chosen, goals)
-        telling.Telling(self, chosen, goals).write()
-        for name, held in self.names.items():
-            for monomial, part in held.terms.items():
-                self.book.observed.setdefault(monomial[0][0].latex(), self.values[name] / part)
-
     @cached_property
     def values(self) -> dict[str, float]:
         """What the engine has for the unknowns."""
@@ -147,7 +129,7 @@ class Dynamics:
 
     # ---- names
 
-    def _share(self, rows: Sequence[Row], goals: Sequence[str], laws: Sequence[Row]) -> None:
+    def share(self, rows: Sequence[Row], goals: Sequence[str], laws: Sequence[Row]) -> None:
         """Coordinates that strings bind to each other at equal rates go by one name."""
         members: dict[int, dict[int, int]] = {}
         used = {name for row in rows for name in row.zero.names() if name[0] == "q" and name[1:].isdigit()}
@@ -196,7 +178,7 @@ class Dynamics:
                 return 1 if found > 0.0 else -1
         return 1
 
-    def _name(self, rows: Sequence[Row], goals: Sequence[str]) -> None:
+    def name(self, rows: Sequence[Row], goals: Sequence[str]) -> None:
         """Tensions that do not cancel at once are numbered; other forces are named after their bodies."""
         self.groups = self._grouped([row for row in rows if row.kind == "newton"], goals)
         used = {name for group in self.groups for name in self.added(group).zero.names()} | set(goals)

@@ -1,7 +1,8 @@
 """Impacts between flights: when each comes, and the velocities that it leaves; written on demand."""
 
+from abc import ABC, abstractmethod
+
 from sim2reason.dsl.mechanism import Meeting
-from sim2reason.solutions import oblique
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.flights import ALIGNED, FreeFlights, Impact
 from sim2reason.solutions.functions import Power, Root
@@ -13,8 +14,16 @@ from sim2reason.solutions.stage import SECONDS, SPEED
 ORDINALS = ("", "", " for the second time", " for the third time")
 
 
-class Flights(FreeFlights):
-    """All flights of a motion, and the impacts between them."""
+class Impacts(FreeFlights, ABC):
+    """The impacts between all flights of a motion; those of discs in a plane are `Flights`' own."""
+
+    @abstractmethod
+    def discs_meet(self, impact: Impact) -> Symbol:
+        """When two discs touch."""
+
+    @abstractmethod
+    def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
+        """The rates of two discs just after their impact."""
 
     def when(self, impact: Impact) -> Symbol:
         """When an impact comes."""
@@ -32,7 +41,7 @@ class Flights(FreeFlights):
         """Both followed to the later beginning of their flights, then the gap closed."""
         meeting = self.mechanism.meetings[impact.meeting]
         if meeting.normal is None:
-            return oblique.meets(self, impact)
+            return self.discs_meet(impact)
         ways = self.ways(meeting)
         legs, latest = self.latest(impact)
         since = self.when(latest) if latest is not None else None
@@ -103,7 +112,7 @@ class Flights(FreeFlights):
         if impact.number not in self.struck:
             meeting = self.mechanism.meetings[impact.meeting]
             if meeting.normal is None:
-                found = oblique.parts(self, impact)
+                found = self.discs_part(impact)
             else:
                 found = self._rebound(impact) if len(meeting.names) == 1 else self._collision(impact, meeting)
             for body in impact.bodies:

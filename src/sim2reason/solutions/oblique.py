@@ -1,24 +1,33 @@
 """Collisions of discs in a plane: when they touch, and the impulse along the line of their centres."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.flights import Impact
 from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.impacts import Impacts
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 
-if TYPE_CHECKING:
-    from sim2reason.solutions.flights import Impact
-    from sim2reason.solutions.impacts import Flights
-
 IMPULSE = r"\ \text{N s}"
 
 
-def meets(flights: "Flights", impact: "Impact") -> Symbol:
+class Flights(Impacts):
+    """All flights of a motion, and the impacts between them."""
+
+    def discs_meet(self, impact: Impact) -> Symbol:
+        """When their centres are as far apart as the radii say."""
+        return _meet(self, impact)
+
+    def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
+        """What momentum and restitution along the line of centres leave."""
+        return _part(self, impact)
+
+
+def _meet(flights: Impacts, impact: Impact) -> Symbol:
     """When the centres are as far apart as the radii say: a quadratic equation."""
     X, u, since, _ = _relative(flights, impact)
     book, distance = flights.book, _distance(flights, impact)
@@ -58,15 +67,13 @@ def _sum(parts: Iterable[Expression]) -> Expression:
     return found
 
 
-def _distance(flights: "Flights", impact: "Impact") -> Expression:
+def _distance(flights: Impacts, impact: Impact) -> Expression:
     lexicon, n = flights.setting.lexicon, impact.meeting
     both = Both(lexicon.mechanism.meetings[n].distance, lexicon.twin.meetings[n].distance)
     return lexicon.read(both).expression()
 
 
-def _relative(
-    flights: "Flights", impact: "Impact"
-) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:
+def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:
     """From the first to the second: where, and how fast, when the later of the two flights begins."""
     legs, latest = flights.latest(impact)
     since = flights.when(latest) if latest is not None else None
@@ -102,7 +109,7 @@ def _relative(
     return X, u, since, labels
 
 
-def parts(flights: "Flights", impact: "Impact") -> dict[int, Polynomial]:
+def _part(flights: Impacts, impact: Impact) -> dict[int, Polynomial]:
     """The velocities just after: each changes along the line of centres alone."""
     book, time = flights.book, flights.when(impact)
     X, u, since, labels = flights.relative[impact.number]

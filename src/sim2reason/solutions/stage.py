@@ -5,12 +5,12 @@ from dataclasses import dataclass, field
 
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError, subscript
-from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import Shared
+from sim2reason.solutions.written_dynamics import WrittenDynamics
 
 SECONDS, METRES, SPEED = r"\ \text{s}", r"\ \text{m}", r"\ \text{m/s}"
 HALF = Number(0.5)
@@ -42,7 +42,7 @@ class Stage:
 
     def __post_init__(self) -> None:
         """Nothing is written yet."""
-        self.dynamics = Dynamics(self.setting, self.book, self.segment)
+        self.dynamics = WrittenDynamics(self.setting, self.book, self.segment)
         self.speeds = self._by_themselves(self.speeds)
         self.places = self._by_themselves(self.places)
         self._time: Symbol | None = self.end.time

@@ -16,7 +16,9 @@ from sim2reason.questions.shapes.parts.units import QUESTION, is_table, one_of, 
 
 LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
 FEWEST, MOST = 2, 12
+COMPONENTS = 6  # of vectors, at most: a list of more is a table badly set
 _FORMULA = re.compile(r"ω = |\(\$[^$]+\$\) [xyzt]\b")  # in the letters of the text, which do not go with symbols
+_COMPONENT = re.compile(r"[xyz](?:_.+)?|.+_(?:[xyz]|\{[xyz],.+\})")
 _NUMBER = r"\$([^$]{1,40})\$ = ([^$]{1,30}?)"
 _LIST = re.compile(rf"(?:{'|'.join(LEADS)})((?:{_NUMBER}(?:, | and |\.$))+)")
 _ITEM = re.compile(rf"{_NUMBER}(?:, (?=\$)| and (?=\$)|\.$)")
@@ -34,6 +36,8 @@ class NumbersListed(PromptShape):
         marked = description.voiced(_symbols_for(description.voice))
         told = _numbers(description, marked)
         if told is None or any(map(is_table, marked.sentences)) or not FEWEST <= len(told) <= MOST:
+            return None
+        if sum(_COMPONENT.fullmatch(symbol) is not None for symbol in told) > COMPONENTS:
             return None
         story = _named(marked)
         if _FORMULA.search(story):

@@ -17,8 +17,8 @@ from sim2reason.questions.shapes.parts.units import (
 )
 
 FRONTS = (
-    "In the situation described below, ",
-    "For the motion described below, ",
+    "In the set-up below, ",
+    "For the motion below, ",
     "In the situation below, ",
     "In the following situation, ",
     "In what follows, ",
@@ -28,7 +28,7 @@ FRONTS = (
 
 @shape
 class QuestionFirst(PromptShape):
-    """Like this: “In the situation described below, what is the tension 0.50 s after release? Block A lies …”."""
+    """Like this: “In the set-up below, what is the tension 0.50 s after release? Block A lies …”."""
 
     name = "question_first"
     share = 1.2

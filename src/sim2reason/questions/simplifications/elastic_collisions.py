@@ -1,30 +1,13 @@
 """Collisions are taken as elastic."""
 
-from collections.abc import Iterable
-from dataclasses import replace
-
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, simplification
-from sim2reason.questions.study import Study
-
-RESTITUTION = 1.0
+from sim2reason.questions.simplifications import simplification
+from sim2reason.questions.simplifications.parts.restitution import OneRestitution
 
 
 @simplification
-class ElasticCollisions(ChangedMechanism):
+class ElasticCollisions(OneRestitution):
     """Collisions are taken as elastic."""
 
     name = "elastic collisions"
     reason = "every collision is taken as elastic"
-
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where any is not."""
-        del query
-        return [""] if any(meeting.restitution != RESTITUTION for meeting in study.mechanism.meetings) else []
-
-    def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With the coefficient of restitution one everywhere."""
-        del subject
-        meetings = tuple(replace(meeting, restitution=RESTITUTION, sticks=False) for meeting in mechanism.meetings)
-        return replace(mechanism, meetings=meetings)
+    restitution = 1.0

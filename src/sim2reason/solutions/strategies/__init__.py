@@ -3,8 +3,10 @@
 from abc import ABC, abstractmethod
 from typing import ClassVar
 
+from sim2reason.questions import Moment
 from sim2reason.registry import Registry
 from sim2reason.solutions.book import Book
+from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.setting import Setting
 
 
@@ -37,3 +39,13 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
     """Enter a strategy under its name."""
     STRATEGIES.add(cls.name, cls())
     return cls
+
+
+def no_goal(setting: Setting, moments: tuple[type[Moment], ...]) -> str:
+    """What of a query no way leads to: its moment, if it is none of `moments`, or its quantity; else empty."""
+    if not isinstance(setting.query.moment, moments):
+        return f"no way to the moment {type(setting.query.moment).__name__}"
+    target = setting.query.target
+    if target is None or target.quantity in GOALS:
+        return ""
+    return f"no way to the quantity {target.quantity}"

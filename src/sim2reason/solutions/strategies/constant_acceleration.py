@@ -14,14 +14,12 @@ from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import NEWTONS
 from sim2reason.solutions.stage import METRES, SECONDS, End, Stage
-from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.way import STILL, Way
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping)
@@ -38,21 +36,15 @@ class ConstantAcceleration(Strategy):
         """Why it does not apply."""
         if any(segment.flow for segment in setting.motion.segments):
             return "accelerations change as it moves"
-        if not isinstance(setting.query.moment, MOMENTS):
-            return f"no way to the moment {type(setting.query.moment).__name__}"
-        target = setting.query.target
-        if target is not None and target.quantity not in GOALS:
-            return f"no way to the quantity {target.quantity}"
+        if unknown := no_goal(setting, MOMENTS):
+            return unknown
         if any(event.kind == "collision" and event.time < setting.time for event in setting.motion.events):
             return "there are collisions"
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
         """Newton's laws, then the kinematics."""
-        try:
-            return _Staged(setting, book).write()
-        except UnreadError as error:
-            raise UnsolvedError(str(error)) from error
+        return _Staged(setting, book).write()
 
 
 class _Staged(Way):

@@ -6,10 +6,8 @@ import numpy as np
 
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
@@ -17,6 +15,7 @@ from sim2reason.solutions.shared import Measure
 from sim2reason.solutions.stage import METRES
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way
+from sim2reason.solutions.written_dynamics import WrittenDynamics
 
 
 @strategy
@@ -39,10 +38,7 @@ class Constraint(Strategy):
 
     def write(self, setting: Setting, book: Book) -> str:
         """Displacements in proportion, then the goal."""
-        try:
-            return _Proportions(setting, book).write()
-        except UnreadError as error:
-            raise UnsolvedError(str(error)) from error
+        return _Proportions(setting, book).write()
 
 
 class _Proportions(Way):
@@ -56,7 +52,7 @@ class _Proportions(Way):
         return self.goal.write(self.target, self).name
 
     @cached_property
-    def dynamics(self) -> Dynamics:
+    def dynamics(self) -> WrittenDynamics:
         """Newton's laws, of which only those without forces are used, with displacements for accelerations."""
         moment = self.query.moment
         assert isinstance(moment, Moved)
@@ -65,7 +61,7 @@ class _Proportions(Way):
         self.book.say_given(name.name, moment.value, METRES)
         there = self.setting.motion.state(np.array([self.setting.time])).q[0]
         measure = Measure("s", METRES, "displacement", tuple(there), (k, name))
-        return Dynamics(self.setting, self.book, self.setting.motion.segments[0], measure)
+        return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0], measure)
 
     @property
     def newton(self) -> Newton:

@@ -19,14 +19,13 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.flights import Impact, Leg
 from sim2reason.solutions.functions import Power, Root
-from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.impacts import Flights
-from sim2reason.solutions.lexicon import Both, UnreadError
+from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.oblique import Flights
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
-from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.worked import NumericRoot
 
@@ -44,19 +43,13 @@ class Impulse(Strategy):
         """Why it does not apply."""
         if any(segment.flow for segment in setting.motion.segments):
             return "accelerations change as it moves"
-        if not isinstance(setting.query.moment, MOMENTS):
-            return f"no way to the moment {type(setting.query.moment).__name__}"
-        target = setting.query.target
-        if target is not None and target.quantity not in GOALS:
-            return f"no way to the quantity {target.quantity}"
+        if unknown := no_goal(setting, MOMENTS):
+            return unknown
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
         """From the goal backwards."""
-        try:
-            return _Struck(setting, book).write()
-        except UnreadError as error:
-            raise UnsolvedError(str(error)) from error
+        return _Struck(setting, book).write()
 
 
 class _Struck(Way):

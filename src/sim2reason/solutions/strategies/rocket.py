@@ -12,14 +12,13 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call
-from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
-from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.worked import NumericRoot
 
@@ -40,11 +39,8 @@ class RocketFlight(Strategy):
         moving = [body for body in m.bodies if body.coordinates]
         if len(m.burns) != 1 or len(moving) != 1 or len(m.coordinates) != 1:
             return "there is no lone rocket"
-        if not isinstance(setting.query.moment, MOMENTS):
-            return f"no way to the moment {type(setting.query.moment).__name__}"
-        target = setting.query.target
-        if target is not None and target.quantity not in GOALS:
-            return f"no way to the quantity {target.quantity}"
+        if unknown := no_goal(setting, MOMENTS):
+            return unknown
         if m.attractions and not isinstance(setting.query.moment, AtStart | BurnedOut):
             return "the pull of the planet changes as it rises"
         if setting.motion.segments[0].a[0] <= 0.0:

@@ -1,24 +1,42 @@
 """The sentences about the laws that lead to an acceleration or a force, and the equations that they say."""
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
 
 from sim2reason.solutions.book import UnsolvedError, Writing
+from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.elimination import Elimination, Equation, solved
 from sim2reason.solutions.expressions import Expression, Symbol, multiplied
 from sim2reason.solutions.newton import Row
 from sim2reason.solutions.polynomials import NIL, Polynomial, divided, total
+from sim2reason.solutions.selection import needed
 from sim2reason.solutions.setting import capital
-
-if TYPE_CHECKING:
-    from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.shared import Shared
 
 
-class Telling:
+class WrittenDynamics(Dynamics):
+    """The laws of an instant, from which whatever is asked for is worked out in writing."""
+
+    def reach(self, goals: Sequence[str]) -> None:
+        """Write the way to some unknowns, such as ``q3`` or ``T1``; their `names` are known then."""
+        goals = [goal for goal in dict.fromkeys(goals) if not (goal[0] == "q" and int(goal[1:]) in self.frozen)]
+        self.names |= {f"q{k}": NIL for k in self.frozen}
+        if not goals:
+            return
+        rows, unknowns = self.laws(goals)
+        givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
+        chosen = needed(rows, unknowns, {**givens, **self.values}, [goal for goal in goals if goal in unknowns])
+        self.share(chosen, goals, rows)
+        self.name(chosen, goals)
+        DynamicsWriter(self, chosen, goals).write()
+        for name, held in self.names.items():
+            for monomial, part in held.terms.items():
+                self.book.observed.setdefault(monomial[0][0].latex(), self.values[name] / part)
+
+
+class DynamicsWriter:
     """The sentences about chosen laws, and the equations that they say."""
 
-    def __init__(self, dynamics: "Dynamics", rows: Sequence[Row], goals: Sequence[str]) -> None:
+    def __init__(self, dynamics: Dynamics, rows: Sequence[Row], goals: Sequence[str]) -> None:
         """`rows` are the laws that were chosen, `goals` what they lead to."""
         self.d, self.rows = dynamics, rows
         self.names = dynamics.names
