@@ -69,8 +69,8 @@ class Launched(BeadStart):
 
     nouns = ("start",)
     lone = (
-        "leaves the origin of the x-y plane at {speed} {heading}",
-        "is at the origin of the x-y plane, moving at {speed} {heading}",
+        "leaves the origin of the x-y plane at speed {speed} {heading}",
+        "is at the origin of the x-y plane, moving at speed {speed} {heading}",
     )
     words = {
         "heading": Word(

@@ -18,7 +18,7 @@ class Incline(Body):
 
     nouns = ("plane",)
     letters = ""
-    lone = ("a fixed {tilt}", "an immovable {tilt}")
+    lone = ("a fixed {tilt}", "a stationary {tilt}")
     words = {
         **{name: Plane.words[name] for name in ("tilt", "uphill", "downhill", "above", "below")},
         "path": Word("angle", {0.0: "along it in a straight line"}, "straight up or down the slope"),

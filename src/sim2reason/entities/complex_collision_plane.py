@@ -79,9 +79,9 @@ class ComplexCollisionPlane(Entity):
         ),
         each(
             "gliders",
-            "{gliders.*} is at x = {gliders.*.x} at t = 0 and has the velocity {gliders.*.v}.",
-            "at t = 0 {gliders.*} passes the point x = {gliders.*.x} with the velocity {gliders.*.v}.",
-            "{gliders.*} starts from x = {gliders.*.x} at t = 0 with the velocity {gliders.*.v}.",
+            "{gliders.*} is at x = {gliders.*.x} at t = 0, with velocity {gliders.*.v}.",
+            "at t = 0 {gliders.*} is at x = {gliders.*.x} with velocity {gliders.*.v}.",
+            "{gliders.*} starts from x = {gliders.*.x} at t = 0 with velocity {gliders.*.v}.",
             table=(
                 "the table gives each {noun}'s {columns} at t = 0.",
                 "the table shows the {columns} of each {noun} at t = 0.",

@@ -11,7 +11,7 @@ class ConstantForcePuller(Entity):
 
     force: Force
 
-    end = StringEnd(sites=("hand",), arrives="ends in a hand that pulls with a steady {force}", required=True)
+    end = StringEnd(sites=("hand",), arrives="ends in a hand that pulls with a steady force of {force}", required=True)
 
     def build(self, room: Frame) -> None:
         """A fixed point at which the string is drawn in."""

@@ -54,9 +54,9 @@ class Projectile(Entity):
     }
     says = (
         either(
-            "from a point {height} above level ground {ball} is thrown at {speed} {way}; x points forward, y straight up.",
+            "from a point {height} above level ground {ball} is thrown at speed {speed} {way}; x points forward, y straight up.",
             "{ball} is thrown with a speed of {speed} {way} from a point {height} above level ground; x points forward, y straight up.",
-            "at a height of {height} above level ground {ball} is launched {way} at {speed}; x points forward and y straight up.",
+            "at a height of {height} above level ground {ball} is launched {way} at speed {speed}; x points forward and y straight up.",
         ),
         either(
             "each time it lands, it keeps its horizontal velocity and rebounds with {bounce}.",

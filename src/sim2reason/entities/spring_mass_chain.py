@@ -77,8 +77,8 @@ class SpringMassChain(Entity):
         DASHPOTS,
         AT_FIRST,
         starting(
-            "{blow.cart>carts} is struck and starts off {toward} at {blow.speed}{carts:/, the other being at rest/, the others being at rest}.",
-            "at t = 0 a blow sends {blow.cart>carts} off {toward} at {blow.speed}{carts:/, while the other is at rest/, while the others are at rest}.",
+            "{blow.cart>carts} is struck and starts off {toward} at speed {blow.speed}{carts:/, the other being at rest/, the others being at rest}.",
+            "at t = 0 a blow sends {blow.cart>carts} off {toward} at speed {blow.speed}{carts:/, while the other is at rest/, while the others are at rest}.",
             "at t = 0 {blow.cart>carts} moves {toward} with a speed of {blow.speed}{carts:/ and the other is at rest/ and all others are at rest}.",
         ),
     )

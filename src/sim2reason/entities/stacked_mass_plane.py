@@ -58,7 +58,7 @@ class StackedMassPlane(Entity):
         either("{friction1}.", "{friction2}.", "{friction3}."),
         either("{top_friction1}.", "{top_friction2}.", "{top_friction3}."),
         starting(
-            "at t = 0 {upper} is moving {plane.uphill} at {speed}, and all else is at rest.",
+            "at t = 0 {upper} is moving {plane.uphill} at speed {speed}, and all else is at rest.",
             "{upper} is launched {plane.uphill} at t = 0 with a speed of {speed}, all else being at rest.",
             "at t = 0 {upper} has a velocity of {speed}, directed {plane.uphill}, and all else is at rest.",
         ),

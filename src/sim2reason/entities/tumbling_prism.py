@@ -34,7 +34,7 @@ class TumblingPrism(Entity):
         ),
         either(
             "at t = 0 it is tipping over its {plane.edge} at {rate}.",
-            "it is sent off with an angular velocity of {rate} about its {plane.edge}, over which it tips.",
+            "it starts with an angular velocity of {rate} about its {plane.edge}, over which it tips.",
             "a sudden push makes it tip over its {plane.edge}, at first at {rate}.",
         ),
     )

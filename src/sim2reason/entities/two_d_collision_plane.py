@@ -83,9 +83,9 @@ class TwoDCollisionPlane(Entity):
         ),
         each(
             "pucks",
-            "{pucks.*} is at ({pucks.*.x}, {pucks.*.y}) at t = 0 and moves with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
-            "at t = 0 {pucks.*} passes the point ({pucks.*.x}, {pucks.*.y}) with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
-            "{pucks.*} starts from ({pucks.*.x}, {pucks.*.y}) at t = 0 with the velocity ({pucks.*.vx}, {pucks.*.vy}).",
+            "{pucks.*} is at ({pucks.*.x}, {pucks.*.y}) at t = 0, with velocity ({pucks.*.vx}, {pucks.*.vy}).",
+            "at t = 0 {pucks.*} is at ({pucks.*.x}, {pucks.*.y}) with velocity ({pucks.*.vx}, {pucks.*.vy}).",
+            "{pucks.*} starts from ({pucks.*.x}, {pucks.*.y}) at t = 0 with velocity ({pucks.*.vx}, {pucks.*.vy}).",
             table=(
                 "each {noun}'s {columns} at t = 0 are listed below.",
                 "the {columns} of each {noun} at t = 0 are the following.",

@@ -23,7 +23,7 @@ class TwoSideMassPlane(Entity):
         ),
         FRICTION_ON_PLANE,
         either(
-            "at t = 0 {blocks:it moves/they move} {plane.uphill} at {speed}.",
+            "at t = 0 {blocks:it moves/they move} {plane.uphill} at speed {speed}.",
             "{blocks:its/their} velocity at t = 0 is {speed}, directed {plane.uphill}.",
             "{blocks:it is/they are} launched {plane.uphill} at t = 0 with a speed of {speed}.",
         ),

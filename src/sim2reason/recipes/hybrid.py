@@ -19,6 +19,7 @@ TIERS = {
         ({"MassWithFixedPulley": 1.0}, RAMP),
         {**NUMBERS["easy"], "MassWithFixedPulley.system": ("Hanging",)},
         spread=4.0,
+        rough=0.3,
         massive=0.0,
         more=0.0,
         words=WORDS["easy"] + TWO,

@@ -12,7 +12,7 @@ RELEASED = {"bob.mass": Range(0.1, 10.0), "angle": Range(10.0, 90.0)}
 SENT = {**RELEASED, "angle": Range(5.0, 60.0), "speed?": 1.0}
 IDEAS = {
     "easy": (Idea(KIND, RELEASED),),
-    "medium": (  # sent off from its lowest point or from the side, still less than half a turn to either side
+    "medium": (  # set moving from its lowest point or from the side, still less than half a turn to either side
         Idea(KIND, {**SENT, "angle": 0.0, "speed": Range(0.5, 2.8)}),
         Idea(KIND, {**SENT, "speed": Range(0.5, 2.5)}),
     ),
@@ -25,5 +25,5 @@ IDEAS = {
 
 @recipe("pendulum", share=2)
 def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A bob on a string or a light rod: released, sent off, or so fast that it leaves its circle."""
+    """A bob on a string or a light rod: released, set moving, or so fast that it leaves its circle."""
     return one_of(IDEAS[difficulty], rng, "pendulum")

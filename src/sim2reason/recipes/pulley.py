@@ -9,13 +9,20 @@ from sim2reason.recipes.parts.grow import Tier, grow
 from sim2reason.recipes.parts.ranges import NUMBERS, TWO, WORDS
 
 MOVABLE = "MassWithMovablePulley"
+MOVABLE_WORDS = 12  # more, for what a movable pulley takes to tell
 POOL = ({"MassWithFixedPulley": 2.0}, {MOVABLE: 1.5, "MassWithReverseMovablePulley": 1.5})  # else it were a chain
 SYSTEMS = ("MassWithFixedPulley.system", f"{MOVABLE}.left", f"{MOVABLE}.right")
 HANGING = dict.fromkeys(SYSTEMS, ("Hanging",))
 STANDING = dict.fromkeys(SYSTEMS, ("Hanging", "OnPlane"))  # strings to wedges take more words than a reader holds
-TOLD = ({"MassWithFixedPulley": 3.0, "MassWithReverseMovablePulley": 1.0},)  # the others take too many words
 TIERS = {
-    "easy": Tier(Count(2, 2), TOLD, {**NUMBERS["easy"], **HANGING}, spread=4.0, massive=0.4, words=WORDS["easy"] + TWO),
+    "easy": Tier(
+        Count(2, 2),
+        ({"MassWithFixedPulley": 2.0}, {MOVABLE: 0.5, "MassWithReverseMovablePulley": 3.0}),
+        {**NUMBERS["easy"], **HANGING},
+        spread=4.0,
+        massive=0.4,
+        words=WORDS["easy"] + TWO + MOVABLE_WORDS,
+    ),
     "medium": Tier(
         Count(2, 3),
         POOL,

@@ -61,7 +61,7 @@ class WeldedArm(Entity):
         ),
         either("at first {start}.", "{start} at first.", "when the motion begins, {start}."),
         starting(
-            "{arm} is sent off {sent} at {rate}.",
+            "{arm} starts turning {sent} at {rate}.",
             "at t = 0 {arm} turns {sent} at {rate}.",
             "with an angular velocity of {rate} {arm} is set turning {sent}.",
         ),

@@ -98,7 +98,7 @@ class RoundPiece(WeldedPiece):
         either(
             "{body} is fixed to the arm with its centre on it, {distance} {side}.",
             "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side}.",
-            "welded to the arm is {body}, centred {distance} {side}.",
+            "the arm carries {body}, welded to it and centred {distance} {side}.",
         ),
     )
 
@@ -123,7 +123,7 @@ class AxialPiece(WeldedPiece):
         either(
             "{body} is fixed to the arm with its centre on it, {distance} {side}, and its {body.axis} {axis}.",
             "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side} and whose {body.axis} is {axis}.",
-            "welded to the arm is {body}, centred {distance} {side}, its {body.axis} {axis}.",
+            "the arm carries {body}, welded to it and centred {distance} {side}, its {body.axis} {axis}.",
         ),
     )
 
@@ -151,7 +151,7 @@ class TiltedPiece(WeldedPiece):
         either(
             "{body} is fixed to the arm with its centre on it, {distance} {side}, and its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
             "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side} and whose {body.axis} makes {tilt} with the arm, in the plane of arm and axle.",
-            "welded to the arm is {body}, centred {distance} {side}, its {body.axis} in the plane of arm and axle, at {tilt} to the arm.",
+            "the arm carries {body}, welded to it and centred {distance} {side}, its {body.axis} in the plane of arm and axle, at {tilt} to the arm.",
         ),
     )
 
@@ -176,7 +176,7 @@ class CappedPiece(WeldedPiece):
         either(
             "{body} is fixed to the arm; its {body.front} faces {faces} and has its centre on the arm, {distance} {side}.",
             "rigidly attached to the arm is {body}, whose {body.front} faces {faces} and has its centre on the arm {distance} {side}.",
-            "welded to the arm is {body}, its {body.front} centred {distance} {side} and facing {faces}.",
+            "the arm carries {body}, welded to it with its {body.front} centred {distance} {side} and facing {faces}.",
         ),
     )
 
@@ -201,7 +201,7 @@ class HoledPiece(WeldedPiece):
         either(
             "{body} is fixed to the arm, its own centre {distance} {side}; the {body.gap} lies on the line of the arm, {hole}.",
             "{body} is welded to the arm with its own centre {distance} {side} and its {body.gap} on the line of the arm, {hole}.",
-            "welded to the arm is {body}, centred {distance} {side}, with its {body.gap} on the line of the arm and {hole}.",
+            "the arm carries {body}, welded to it and centred {distance} {side}, with its {body.gap} on the line of the arm and {hole}.",
         ),
     )
 
@@ -227,7 +227,7 @@ class BarPiece(WeldedPiece):
         either(
             "{body} is fixed to the arm with its centre {distance} {side}, its {along} along the arm and its {across} parallel to the axle.",
             "welded to the arm, with its centre {distance} {side}, is {body}: its {along} is along the arm, its {across} parallel to the axle.",
-            "welded to the arm is {body}, centred {distance} {side}, its {along} along the arm, its {across} parallel to the axle.",
+            "the arm carries {body}, welded to it and centred {distance} {side}, its {along} along the arm, its {across} parallel to the axle.",
         ),
     )
 

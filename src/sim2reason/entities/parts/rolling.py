@@ -80,8 +80,8 @@ class Rolling(Start):
 
     says = (
         either(
-            "at t = 0 it is already rolling {way} at {speed}.",
-            "it is sent off rolling {way} at {speed}.",
+            "at t = 0 it is already rolling {way} at speed {speed}.",
+            "it is set rolling {way} at speed {speed}.",
             "its velocity at t = 0 is {speed}, directed {way}, and it is rolling.",
         ),
     )
@@ -98,8 +98,8 @@ class Sliding(Start):
 
     says = (
         either(
-            "at t = 0 it slides {way} at {speed} without turning.",
-            "it is sent off {way} at {speed}, at first without any rotation.",
+            "at t = 0 it slides {way} at speed {speed} without turning.",
+            "it is set sliding {way} at speed {speed}, at first without any rotation.",
             "its velocity at t = 0 is {speed}, directed {way}, and it is not turning then.",
         ),
     )

@@ -11,7 +11,7 @@ Deflection = Annotated[float, Ge(0), Le(180), Measure("deflection", "deg", r"\th
 TILTED = "an angle of {angle} with the downward vertical"
 AT_FIRST = either("at first {start}.", "at the start {start}.", "to begin with, {start}.")
 SENT_OFF = starting(
-    "{bob} is sent off {sent} at {speed}.",
+    "{bob} is set moving {sent} at speed {speed}.",
     "{bob} is given a speed of {speed} {sent}.",
     "{bob} is launched {sent} with a speed of {speed}.",
 )

@@ -25,10 +25,10 @@ class BurnedOut(Occurrence):
     verb = Verb("burns out", "burn out")
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: at burn-out."""
+        """As in: when the engine of the rocket burns out."""
         rocket = self.subject(words)
         return (
-            f"at the burn-out of {rocket}",
+            f"at the end of the burn of {rocket}",
             f"when the engine of {rocket} burns out",
             f"at the moment when the fuel of {rocket} is used up",
         )

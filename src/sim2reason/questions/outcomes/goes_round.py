@@ -23,7 +23,7 @@ class GoesRound(Swinging):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What swings under gravity on one axle, and is sent off; by falling alone nothing gets over the top."""
+        """What swings under gravity on one axle, and is set moving; by falling alone nothing gets over the top."""
         if not any(words.mechanism.gravity) or words.mechanism.feet or words.released:
             return {}
         turning = AngleTurned().subjects(words.mechanism)

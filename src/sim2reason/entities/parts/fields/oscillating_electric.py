@@ -27,7 +27,7 @@ class OscillatingElectric(ElectricField):
     says = (
         either(
             "a uniform electric field in the {way} direction oscillates as {strength} · cos(ωt), with ω = {frequency}.",
-            "in the {way} direction there is a uniform electric field of {strength} · cos(ωt), where ω = {frequency}.",
+            "in the {way} direction there is a uniform electric field of strength {strength} · cos(ωt), where ω = {frequency}.",
             "a uniform electric field oscillates with an angular frequency of {frequency}; it is greatest at t = 0, when it is {strength} in the {way} direction.",
         ),
     )

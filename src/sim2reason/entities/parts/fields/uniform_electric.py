@@ -13,9 +13,9 @@ class UniformElectric(ElectricField):
 
     says = (
         either(
-            "a uniform electric field of {strength} points in the {way} direction.",
-            "in the {way} direction points a uniform electric field of {strength}.",
-            "there is a uniform electric field of {strength} in the {way} direction.",
+            "a uniform electric field of strength {strength} points in the {way} direction.",
+            "in the {way} direction points a uniform electric field of strength {strength}.",
+            "there is a uniform electric field of strength {strength} in the {way} direction.",
         ),
     )
 

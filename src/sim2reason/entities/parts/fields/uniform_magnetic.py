@@ -15,9 +15,9 @@ class UniformMagnetic(MagneticField):
 
     says = (
         either(
-            "a uniform magnetic field of {strength} points in the {way} direction.",
-            "in the {way} direction points a uniform magnetic field of {strength}.",
-            "there is a uniform magnetic field of {strength} in the {way} direction.",
+            "a uniform magnetic field of strength {strength} points in the {way} direction.",
+            "in the {way} direction points a uniform magnetic field of strength {strength}.",
+            "there is a uniform magnetic field of strength {strength} in the {way} direction.",
         ),
     )
 
