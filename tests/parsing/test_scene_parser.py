@@ -223,7 +223,8 @@ STORY = (
     " then over a light fixed pulley Q and runs straight down to block B (3.0 kg)."
 )
 HANGS = (
-    "hangs on a light string that passes over a light fixed pulley and ends in a hand that pulls with a steady force of 9.0 N."
+    "hangs on a light string that passes over a light fixed pulley"
+    " and ends in a hand that pulls with a steady force of 9.0 N."
 )
 HOSTILE = {
     "nothing": "",
