@@ -6,13 +6,11 @@ from math import cos, pi, sin, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.datasets.random_scenes import generator
+from resting import RESTFUL, rests
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.displaced import displaced
 from sim2reason.dsl.fields import Magnetic, Profile, Resistance
 from sim2reason.dsl.mechanism import GRAVITY, ZERO, Mechanism, X, Y, Z
-from sim2reason.errors import SceneError
-from sim2reason.recipes import RECIPES
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.rest.equilibrium import equilibrium, neighbour
 from sim2reason.simulation.rest.oscillation import oscillations
@@ -201,23 +199,18 @@ def test_closed_forms(form: Callable[[int], Made], seed: int) -> None:
     assert modes.shapes.shape == (len(mechanism.coordinates), len(expected))
 
 
-@pytest.mark.parametrize("recipe", ["chain", "springs", "mixed", "rotation", "rolling"])
+@pytest.mark.parametrize("recipe", RESTFUL)
 def test_the_motion_itself_at_a_small_amplitude(recipe: str) -> None:
     """Begun in a mode, a little off: half a period later it is as far off on the other side, then here again."""
     seen = 0
-    for index in range(12):
-        try:
-            scene = RECIPES[recipe]("medium", generator(recipe, "medium", "numeric", 5, index, 0))
-        except SceneError:
-            continue
-        rest = equilibrium(scene.mechanism)
-        modes = oscillations(rest) if rest is not None else None
-        if rest is None or modes is None:
+    for rest in rests(recipe):
+        modes = oscillations(rest)
+        if modes is None:
             continue
         for number, frequency in enumerate(modes.frequencies.tolist()):
             shape = modes.shapes[:, number]
             begun = neighbour(rest, 2e-5 * shape / np.abs(shape).max())
-            there = displaced(scene.mechanism, begun.tolist(), [0.0] * len(begun))
+            there = displaced(rest.mechanism, begun.tolist(), [0.0] * len(begun))
             state = simulate(there, pi / frequency * np.arange(3.0)).state
             gone, size = state.q + begun - rest.coordinates, np.abs(begun - rest.coordinates).max()
             assert np.allclose(gone, [gone[0], -gone[0], gone[0]], rtol=0.0, atol=2e-3 * size)

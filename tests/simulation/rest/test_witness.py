@@ -5,9 +5,7 @@ from dataclasses import replace
 import pytest
 
 from motions import light_rod, spring_block, string_pendulum
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.errors import SceneError
-from sim2reason.recipes import RECIPES
+from resting import RESTFUL, rests
 from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
 from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
 from sim2reason.simulation.rest.witness import disagreement, unrest
@@ -36,18 +34,11 @@ def test_it_agrees_with_what_is_right_alone(made: type) -> None:
     assert unrest(replace(rest, state=replace(state, q=state.q + 0.01)))
 
 
-@pytest.mark.parametrize("recipe", ["chain", "mixed", "springs", "rotation", "rolling"])
+@pytest.mark.parametrize("recipe", RESTFUL)
 def test_both_engines_agree_on_random_scenes(recipe: str) -> None:
     """On rest with all its forces, and on every mode."""
     seen = 0
-    for index in range(12):
-        try:
-            scene = RECIPES[recipe]("medium", generator(recipe, "medium", "numeric", 5, index, 0))
-        except SceneError:
-            continue
-        rest = equilibrium(scene.mechanism)
-        if rest is None:
-            continue
+    for rest in rests(recipe):
         seen += 1
         assert unrest(rest) == ""
         modes = oscillations(rest)

@@ -1,0 +1,24 @@
+"""Random scenes that have a position of equilibrium."""
+
+from collections.abc import Iterator
+
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.errors import SceneError
+from sim2reason.recipes import RECIPES
+from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
+
+RESTFUL = ("chain", "mixed", "rolling", "rotation", "springs")
+"""The recipes that have such scenes."""
+SCENES = 12
+
+
+def rests(recipe: str) -> Iterator[Rest]:
+    """The equilibria of some medium scenes of a recipe."""
+    for index in range(SCENES):
+        try:
+            scene = RECIPES[recipe]("medium", generator(recipe, "medium", "numeric", 5, index, 0))
+        except SceneError:
+            continue
+        rest = equilibrium(scene.mechanism)
+        if rest is not None:
+            yield rest
