@@ -9,7 +9,9 @@ from sim2reason.questions.dependence import Dependence, towards_border
 STRIDES = (16, 4, 1)  # of the scan: first some points far apart, which most often tell
 NEAR = 0.02  # relative: what is closer to the root is not told from it
 DIP = 3  # guesses for the bottom of a dip
-SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into
+SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into,
+NEARLY = 10.0  # margins: unless it is as low as this already; then halving finds the tip of a kink
+KINK = 10  # halvings
 
 
 class Scan:
@@ -60,18 +62,15 @@ class Scan:
                 yield from self._bottom(beyond[index - 1], beyond[index], beyond[index + 1])
 
     def _bottom(self, low: float, middle: float, high: float) -> Iterator[float]:
-        for _ in range(DIP):
-            heights = [self._clear(at) for at in (low, middle, high)]
-            if any(height is None or not isfinite(height) for height in heights):
+        for guess in range(DIP + KINK):
+            a, b, c = (self._clear(at) for at in (low, middle, high))
+            if a is None or b is None or c is None or not (isfinite(a) and isfinite(c) and b < a and b <= c):
                 return
-            a, b, c = (height or 0.0 for height in heights)
-            if not (b < a and b <= c):
-                return
-            left, right = (middle - low) * (b - c), (middle - high) * (b - a)
-            bottom = middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)
-            bend = ((a - b) / (middle - low) + (c - b) / (high - middle)) / (high - low)
-            if b - bend * (bottom - middle) ** 2 > SHALLOW * b or bottom in self._known:
-                return
+            bottom, depth = _lowest((low, a), (middle, b), (high, c))
+            if guess >= DIP or depth > SHALLOW * b or bottom in self._known:
+                if b > NEARLY:
+                    return
+                bottom = 0.5 * (middle + max(low, high, key=lambda end: abs(end - middle)))
             yield bottom
             lower = self._clear(bottom)
             if lower is None:
@@ -80,3 +79,12 @@ class Scan:
                 low, middle, high = (low, bottom, middle) if bottom < middle else (middle, bottom, high)
             else:
                 low, high = (bottom, high) if bottom < middle else (low, bottom)
+
+
+def _lowest(*points: tuple[float, float]) -> tuple[float, float]:
+    """Where the parabola through three points (x, y), the middle one lowest, is lowest, and how low."""
+    (low, a), (middle, b), (high, c) = points
+    left, right = (middle - low) * (b - c), (middle - high) * (b - a)
+    bottom = middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)
+    bend = ((a - b) / (middle - low) + (c - b) / (high - middle)) / (high - low)
+    return bottom, b - bend * (bottom - middle) ** 2

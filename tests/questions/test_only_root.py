@@ -1,0 +1,65 @@
+"""Another value of an unknown that a result does not exclude is found, however narrow the place is."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from sim2reason.questions.only_root import Scan
+
+ROOT = 2.0
+VALUES = tuple(np.geomspace(0.2, 100.0, 64).tolist())
+MARGIN = 1e-3
+
+
+@dataclass
+class Known:
+    """A result as a known function of the unknown."""
+
+    result: Callable[[float], float]
+
+    def __call__(self, value: float) -> float | None:
+        return self.result(value)
+
+    def rate(self, value: float) -> float:
+        return (self.result(value * (1.0 + 1e-6)) - self.result(value)) / (1e-6 * value)
+
+
+def found(result: Callable[[float], float]) -> float | None:
+    return Scan(Known(result), ROOT, result(ROOT), MARGIN).another(VALUES)  # type: ignore[arg-type]
+
+
+def kinked(height: float, tip: float) -> Callable[[float], float]:
+    """It falls through 1 at the root; beyond it comes back in a kink, steep on its left, up to a height below 1."""
+
+    def result(value: float) -> float:
+        if value < 4.0:
+            return 1.0 - (value - ROOT) / 4.0
+        return height - (0.3 * (tip - value) if value < tip else 0.004 * (value - tip))
+
+    return result
+
+
+@pytest.mark.parametrize("tip", [5.3, 5.95, 6.7, 20.0])
+def test_the_tip_of_a_kink_is_looked_at(tip: float) -> None:
+    at = found(kinked(1.0 - 0.5 * MARGIN, tip))
+    assert at == pytest.approx(tip, rel=0.05)
+
+
+@pytest.mark.parametrize("tip", [5.3, 5.95, 6.7, 20.0])
+def test_a_tip_that_stays_clear_is_none(tip: float) -> None:
+    assert found(kinked(1.0 - 1.5 * MARGIN, tip)) is None
+
+
+@pytest.mark.parametrize("top", [5.3, 9.0, 20.0])
+@pytest.mark.parametrize(("height", "excluded"), [(1.0 - 0.5 * MARGIN, False), (1.0 - 1.5 * MARGIN, True)])
+def test_the_top_of_a_round_hill_is_looked_at(top: float, height: float, *, excluded: bool) -> None:
+    def result(value: float) -> float:
+        return 1.0 - (value - ROOT) / 4.0 if value < 4.0 else height - 0.05 * (value - top) ** 2
+
+    assert (found(result) is None) is excluded
+
+
+def test_a_function_that_only_rises_has_one_root() -> None:
+    assert found(lambda value: value**3) is None
