@@ -18,16 +18,20 @@ class Known:
     """A result as a known function of the unknown."""
 
     result: Callable[[float], float]
+    hits: tuple[float, ...] = ()  # numbers from which on one thing more happens
 
     def __call__(self, value: float) -> float | None:
         return self.result(value)
+
+    def course(self, value: float) -> tuple[int, ...]:
+        return tuple(number for number, hit in enumerate(self.hits) if value > hit)
 
     def rate(self, value: float) -> float:
         return (self.result(value * (1.0 + 1e-6)) - self.result(value)) / (1e-6 * value)
 
 
-def found(result: Callable[[float], float]) -> float | None:
-    return Scan(Known(result), ROOT, result(ROOT), MARGIN).another(VALUES)  # type: ignore[arg-type]
+def found(result: Callable[[float], float], *hits: float) -> float | None:
+    return Scan(Known(result, hits), ROOT, result(ROOT), MARGIN).another(VALUES)  # type: ignore[arg-type]
 
 
 def kinked(height: float, tip: float) -> Callable[[float], float]:
@@ -59,6 +63,18 @@ def test_the_top_of_a_round_hill_is_looked_at(top: float, height: float, *, excl
         return 1.0 - (value - ROOT) / 4.0 if value < 4.0 else height - 0.05 * (value - top) ** 2
 
     assert (found(result) is None) is excluded
+
+
+def test_between_numbers_for_which_different_things_happen_more_are_tried() -> None:
+    """Between two of the points something else happens, and the result is another for a moment."""
+    low, high = VALUES[40:42]
+    begin, end = low + 0.3 * (high - low), low + 0.6 * (high - low)
+
+    def result(value: float) -> float:
+        return 1.5 if begin < value < end else 1.0 - (value - ROOT) / 4.0
+
+    assert found(result, begin, end) is not None
+    assert found(result) is None
 
 
 def test_a_function_that_only_rises_has_one_root() -> None:

@@ -20,6 +20,9 @@ BORDER = 5  # bisections towards where there is no answer
 STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
 
+Course = tuple[tuple[str, tuple[str, ...]], ...]
+"""Events in turn, by kind and subjects."""
+
 
 class Dependence:
     """How a query's answer depends on the number at an address of the scene, all others being what they are."""
@@ -31,12 +34,18 @@ class Dependence:
         self._error = ENOUGH if rough else FINEST
         self._known: dict[float, float | None] = {}
         self._times: dict[float, float] = {}  # when what is asked about came
+        self._courses: dict[float, Course] = {}
 
     def __call__(self, value: float) -> float | None:
         """The answer; inf for a time to what comes later than the motion is followed, None if there is no answer."""
         if value not in self._known:
             self._known[value] = self._answer(value)
         return self._known[value]
+
+    def course(self, value: float) -> Course | None:
+        """What happens in turn until the answer is known, where there is one: what else happens may depend on it."""
+        self(value)
+        return self._courses.get(value)
 
     def _answer(self, value: float) -> float | None:
         try:
@@ -51,7 +60,9 @@ class Dependence:
                 return None
             found = kind.answer(self._query, other)
             if found is not None:
-                self._times[value] = kind.time(self._query, other) or 0.0
+                self._times[value] = time = kind.time(self._query, other) or 0.0
+                events = other.trace.events
+                self._courses[value] = tuple((event.kind, event.subjects) for event in events if event.time <= time)
                 return found if isfinite(found) else None
             if other.trace.cut or other.trace.stable_until < until:
                 return None

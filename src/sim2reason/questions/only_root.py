@@ -12,6 +12,7 @@ DIP = 3  # guesses for the bottom of a dip
 SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into,
 NEARLY = 10.0  # margins: unless it is as low as this already; then halving finds the tip of a kink
 KINK = 10  # halvings
+CLOSER = 3  # halvings between numbers for which different things happen
 
 
 class Scan:
@@ -35,6 +36,7 @@ class Scan:
         for stride in STRIDES:
             yield from (at for at in values[stride // 2 :: stride] if abs(at - self._root) > NEAR * abs(self._root))
         yield from self._borders()
+        yield from self._turning_points()
         yield from self._dips()
 
     def _could_be(self, at: float) -> bool:
@@ -53,6 +55,19 @@ class Scan:
         """Numbers ever closer to where there ceases to be an answer."""
         for one, other in pairwise(sorted({*self._known, self._root})):
             yield from towards_border(self._dependence, one, other)
+
+    def _turning_points(self) -> Iterator[float]:
+        """Numbers between neighbours for which different things happen: the answer may be anything in between."""
+        pairs = list(pairwise(sorted({*self._known, self._root})))
+        for _ in range(CLOSER):
+            apart = [pair for pair in pairs if self._differ(*pair)]
+            middles = [0.5 * (low + high) for low, high in apart]
+            yield from middles
+            pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
+
+    def _differ(self, one: float, other: float) -> bool:
+        courses = [self._dependence.course(at) for at in (one, other)]
+        return None not in courses and courses[0] != courses[1]
 
     def _dips(self) -> Iterator[float]:
         """Guesses for where the answer comes closest to what is given between three neighbours, the middle lowest."""
