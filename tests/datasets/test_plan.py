@@ -61,7 +61,7 @@ def test_counts_of_counts_add_in_alphabetical_order() -> None:
 def test_the_card_of_an_empty_dataset_has_no_tables_of_nothing() -> None:
     config = Config(items=0, recipes=("a",))
     manifest = Manifest(
-        config=config, config_hash="0", versions={}, rows=0, counts={}, rejected={}, shards=(), files={}
+        config=config, config_hash="0", versions={}, rows=0, counts={}, cells=(), rejected={}, shards=(), files={}
     )
     card = text(manifest, None)
     assert card.startswith("---\npretty_name")

@@ -29,7 +29,8 @@ The problem is made again from its coordinates, so that nothing in the file is t
 @click.option("--trace", type=console.RESULT, help="Write the motion, too: a .parquet file.")
 def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> int:
     """Tell all about one problem of the dataset in OUT: its scene, certificate, and every filter's verdict."""
-    from sim2reason.datasets.make import item_of, search
+    from sim2reason.datasets.item_search import ItemSearch
+    from sim2reason.datasets.make import item_of
     from sim2reason.datasets.plan import Request
     from sim2reason.datasets.store import read_items
 
@@ -37,8 +38,10 @@ def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> in
     if item is None:
         raise DatasetError(f"{out}: holds no problem {name!r}; see: sim2reason show {out}")
     made = item.provenance
-    request = Request(made.recipe, made.difficulty, made.mode, made.seed, made.index)
-    found, refused = search(request)
+    weights = tuple(sorted(made.weights.items()))
+    request = Request(made.recipe, made.difficulty, made.mode, made.seed, made.index, weights, made.units)
+    search = ItemSearch(request)
+    found, refused = search.found(), search.rejected
     if found is None or item_of(request, found) != item:
         remedy = "install the versions that it names, or make the dataset anew"
         raise DatasetError(f"{name}: this version of sim2reason makes another problem of these coordinates; {remedy}")

@@ -7,8 +7,9 @@ import click
 from sim2reason.cli import console
 from sim2reason.cli.registries import chosen
 from sim2reason.datasets.build import PATIENCE, build
+from sim2reason.datasets.cells import empty
 from sim2reason.datasets.manifest import Manifest
-from sim2reason.datasets.plan import LARGEST, MAKER, SHARD, Config
+from sim2reason.datasets.plan import LARGEST, MAKER, SHARD, SI, Config
 from sim2reason.recipes import DIFFICULTIES, all_recipes, known
 
 EXAMPLE = """\b
@@ -16,6 +17,8 @@ Example:
     sim2reason generate problems --items 1000 --recipe pulley,incline --seed 7
 
 An interrupted run goes on when the same command is given again, and ends in the same bytes.
+
+Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not be; 2: wrong input.
 """
 
 
@@ -27,6 +30,15 @@ An interrupted run goes on when the same command is given again, and ends in the
 @click.option("--modes", default="numeric", show_default=True, help="Question modes, separated by commas, or all.")
 @click.option(
     "--seed", type=click.IntRange(0, LARGEST), default=0, show_default=True, help="Another seed, other problems."
+)
+@click.option(
+    "--weights",
+    default="",
+    help="How often kinds of question are asked, as in period=2,reverse.count=0,springs.numeric.sum=0.5. [default: "
+    "as the kinds and recipes declare]",
+)
+@click.option(
+    "--units", default=SI, show_default=True, help="In which texts speak: SI, cgs, or mixed (cm, g and km/h, else SI)."
 )
 @click.option(
     "--workers", type=click.IntRange(1), help="Processes; they never change the result. [default: one per core]"
@@ -42,12 +54,14 @@ def command(
     difficulty: str,
     modes: str,
     seed: int,
+    weights: str,
+    units: str,
     workers: int | None,
     shard_size: int,
     to_json: bool,
     patience: float,
     maker: str,
-) -> None:
+) -> int:
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
     config = Config(
         items=items,
@@ -57,6 +71,8 @@ def command(
         seed=seed,
         shard=shard_size,
         maker=maker,
+        weights=_weights(weights),
+        units=_units(units),
     )
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("problems", items) as advance:
@@ -65,11 +81,34 @@ def command(
         console.as_json(manifest.model_dump(mode="json"))
     else:
         _tell(out, manifest)
+    lines = list(empty(manifest.cells))
+    for line in lines:
+        console.explain(f"an empty cell: {line}")
+    return 1 if lines else 0
 
 
 def _names(kind: str, option: str, maker: str) -> tuple[str, ...]:
     """The names that an option gives; a maker of one's own may know names that the registries don't."""
     return console.words(option) if maker != MAKER else chosen(kind, option)
+
+
+def _units(name: str) -> str:
+    """The name of a system of units; UnknownNameError if there is none."""
+    from sim2reason.questions.spoken_units import system_named
+
+    return system_named(name).name
+
+
+def _weights(option: str) -> dict[str, float]:
+    """The pairs of a name and a number that an option gives."""
+    found: dict[str, float] = {}
+    for pair in console.words(option) if option else ():
+        name, equals, number = pair.partition("=")
+        try:
+            found[name.strip()] = float(number)
+        except ValueError:
+            raise click.UsageError(f"--weights: {pair!r} is no pair; write NAME{equals or '='}NUMBER.") from None
+    return found
 
 
 def _difficulties(option: str) -> tuple[str, ...]:

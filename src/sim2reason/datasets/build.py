@@ -8,11 +8,12 @@ from pathlib import Path
 
 from sim2reason.datasets import card, store
 from sim2reason.datasets.atomic_files import checksum, locked, put_text
+from sim2reason.datasets.cells import Key, table
 from sim2reason.datasets.distinct import duplicates
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.journal import Journal
 from sim2reason.datasets.manifest import MANIFEST, Counts, Manifest, RefusedPosition, Shard, merged, save
-from sim2reason.datasets.plan import Config, file_name
+from sim2reason.datasets.plan import MAKER, Config, file_name
 from sim2reason.datasets.pool import run
 from sim2reason.datasets.work_queue import WorkQueue
 from sim2reason.datasets.worker import Attempt
@@ -34,8 +35,13 @@ def build(
 
     May be interrupted at any moment: the next call makes what is missing or damaged, and ends in the same
     bytes, whatever the number of `workers` (default: one per core that this process may use). `advance` is
-    called with the number of positions that are done. DatasetError if `out` holds anything else.
+    called with the number of positions that are done. DatasetError if `out` holds anything else, or a weight makes no
+    sense.
     """
+    if config.weights and config.maker == MAKER:
+        from sim2reason.datasets.weights import check  # noqa: PLC0415 - it loads what else only workers need
+
+        check(config.weights, config.modes, config.recipes)
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     with locked(out):
@@ -69,11 +75,14 @@ def _shard(out: Path, config: Config, positions: range, outcomes: Sequence[Attem
     items = [outcome.item for outcome in outcomes if outcome.item is not None]
     store.write(path, items)
     rejected: list[dict[str, Counts]] = []
+    wanted: list[tuple[Key, int]] = []
     quarantined: list[RefusedPosition] = []
     unfilled: list[RefusedPosition] = []
     for outcome in outcomes:
         request = config.request(outcome.position)
         rejected.append({request.recipe: outcome.rejected})
+        if outcome.wanted:
+            wanted.append(((request.mode, outcome.wanted, request.recipe), 1))
         if outcome.failure:
             quarantined.append(RefusedPosition.of(outcome.position, request, outcome.failure))
         elif outcome.item is None:
@@ -83,9 +92,14 @@ def _shard(out: Path, config: Config, positions: range, outcomes: Sequence[Attem
         rows=len(items),
         sha256=checksum(path),
         rejected=merged(rejected),
+        cells=table(wanted, map(_key, items)),
         quarantined=tuple(quarantined),
         unfilled=tuple(unfilled),
     )
+
+
+def _key(item: Item) -> Key:
+    return item.mode, item.kind, item.recipe
 
 
 def _why(rejected: Counts) -> str:
@@ -97,6 +111,7 @@ def _finish(out: Path, journal: Journal, shards: Sequence[Shard]) -> Manifest:
     config, seen, final = journal.plan.config, dict[bytes, str](), list[Shard]()
     counts: dict[str, Counter[str]] = {by: Counter() for by in ("recipe", "difficulty", "mode", "kind")}
     example: Item | None = None
+    keys: list[Key] = []
     for positions, shard in zip(config.shards(), shards, strict=True):
         items = store.read_shard(out / shard.name)
         double = duplicates(items, seen)
@@ -105,6 +120,8 @@ def _finish(out: Path, journal: Journal, shards: Sequence[Shard]) -> Manifest:
         example = example or next(iter(kept), None)
         for by, counter in counts.items():
             counter.update(str(getattr(item, by)) for item in kept)
+        keys += map(_key, kept)
+    asked = [((cell.mode, cell.kind, cell.recipe), cell.asked) for shard in final for cell in shard.cells]
     distinct = [{problem.recipe: {"distinct": 1}} for shard in final for problem in shard.duplicates]
     manifest = Manifest(
         config=config,
@@ -112,6 +129,7 @@ def _finish(out: Path, journal: Journal, shards: Sequence[Shard]) -> Manifest:
         versions=journal.plan.versions,
         rows=sum(shard.rows for shard in final),
         counts=merged([counts]),
+        cells=table(asked, keys),
         rejected=merged([*(shard.rejected for shard in final), *distinct]),
         shards=tuple(final),
         files={},

@@ -1,10 +1,11 @@
 """The dataset card: a README.md that people read and the Hugging Face hub understands."""
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import Manifest
+from sim2reason.datasets.plan import SI
 
 SIZES = (1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (1_000_000, "100K<n<1M")
 
@@ -30,6 +31,8 @@ def _body(manifest: Manifest) -> Iterator[str]:
     yield f"QueryRecord for: {config.items}; seed {config.seed}; configuration `{manifest.config_hash[:16]}`."
     for by, counts in manifest.counts.items():
         yield from _table(f"By {by}", (by, "problems"), [(key, str(n)) for key, n in counts.items()])
+    cells = [(c.mode, c.kind, c.recipe, str(c.asked), str(c.kept)) for c in manifest.cells]
+    yield from _table("Asked for by the weights, and kept", ("mode", "kind", "recipe", "asked for", "kept"), cells)
     rows = [(r, name, str(n)) for r, counts in manifest.rejected.items() for name, n in counts.items()]
     yield from _table("Refused draws", ("recipe", "filter", "draws"), rows)
     for kind, title in (("quarantined", "Quarantined"), ("unfilled", "Unfilled"), ("duplicates", "Duplicates")):
@@ -62,9 +65,9 @@ def _fields() -> Iterator[str]:
         ("distractors", "wrong answers, each with the slip that leads to it"),
         ("idle, idle_numbers", "parts of the scene without bearing on the answer, and addresses of such numbers"),
         ("asked", "subject, quantity, time in s or event"),
-        ("scene", "the scene as YAML, which `sim2reason simulate` reads"),
+        ("scene", "the scene as YAML, in SI units, which `sim2reason simulate` reads"),
         ("certificate", "JSON: how well the engines agree"),
-        ("provenance", "request, versions (JSON), hash of the maker's settings"),
+        ("provenance", "request, weights and versions (JSON), units of the text, hash of the maker's settings"),
     ]
     yield from _table("Fields", ("field", "meaning"), rows)
 
@@ -76,8 +79,14 @@ def _remake(manifest: Manifest) -> Iterator[str]:
         f"$ sim2reason generate OUT --items {config.items} --recipe {','.join(config.recipes)} "
         f"--difficulty {','.join(config.difficulties)} --modes {','.join(config.modes)} "
         f"--seed {config.seed} --shard-size {config.shard}"
+        f"{_weights(config.weights)}{f' --units {config.units}' * (config.units != SI)}"
     )
     yield from ("```", "", f"with `{json.dumps(manifest.versions)}`.")
+
+
+def _weights(weights: Mapping[str, float]) -> str:
+    """The option that gives them; none where there are none."""
+    return f" --weights {','.join(f'{name}={size!r}' for name, size in weights.items())}" if weights else ""
 
 
 def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:

@@ -2,7 +2,7 @@
 
 import json
 
-from pydantic import BaseModel, ConfigDict, FiniteFloat, JsonValue, field_validator
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, JsonValue, field_validator
 
 
 class Record(BaseModel):
@@ -58,6 +58,10 @@ class Provenance(Record):
     versions: dict[str, str]
     config: str
     """A hash of the maker's settings: how many draws it tries, how long it simulates."""
+    weights: dict[str, float] = Field(default_factory=dict[str, float])
+    """Of kinds of question, by name, where they are not those that the library declares."""
+    units: str = "SI"
+    """The system of units of the text and the answer; the scene is always in the SI."""
 
 
 class Item(Record):

@@ -2,60 +2,37 @@
 
 import hashlib
 import json
-from collections import Counter
 
 from pydantic import JsonValue
 
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
+from sim2reason.datasets.in_units import told_in
 from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
+from sim2reason.datasets.item_search import SETTINGS as BUDGET
+from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Made, Request, versions
-from sim2reason.datasets.question_search import (
-    QUESTIONS,
-    SAMPLES,
-    SHORTEST,
-    CertifiedQuestion,
-    QuestionSearch,
-)
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions import KINDS, MODES
-from sim2reason.recipes import RECIPES, known
+from sim2reason.datasets.question_search import SAMPLES, SHORTEST, CertifiedQuestion
+from sim2reason.questions import KINDS
+from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
 
-SCENES = 60  # scenes drawn for one item, at most
-SETTINGS = hashlib.sha256(json.dumps([SCENES, QUESTIONS, SAMPLES, SHORTEST]).encode()).hexdigest()[:16]
+SETTINGS = hashlib.sha256(json.dumps([*BUDGET, SAMPLES, SHORTEST]).encode()).hexdigest()[:16]
 
 
 def make(request: Request) -> Made:
     """Draw scenes and questions until one passes every filter; UnknownNameError for a name that is not known."""
-    found, rejected = search(request)
-    return Made(item_of(request, found) if found is not None else None, dict(rejected))
-
-
-def search(request: Request) -> tuple[CertifiedQuestion | None, Counter[str]]:
-    """The first question that passes every filter, with all that is known of it, and what was refused before."""
-    recipe, mode = RECIPES[request.recipe], MODES[request.mode]
-    difficulty = known(request.difficulty)
-    rejected: Counter[str] = Counter()
-    for attempt in range(SCENES):
-        rng = generator(request.recipe, request.difficulty, request.mode, request.seed, request.index, attempt)
-        try:
-            scene = recipe(difficulty, rng)
-            found = QuestionSearch(scene, int(rng.random() * 2**31), difficulty).ask(mode, rng, rejected)
-        except (SceneError, SimulationError, UnsupportedError) as error:
-            rejected[type(error).__name__.removesuffix("Error").lower()] += 1
-            continue
-        if found is not None:
-            return found, rejected
-    return None, rejected
+    search = ItemSearch(request)
+    found = search.found()
+    item = item_of(request, found) if found is not None else None
+    return Made(item, dict(search.rejected), search.wanted)
 
 
 def item_of(request: Request, found: CertifiedQuestion) -> Item:
     """The record of a question that passed."""
     scene = found.description.scene
     question = found.question
-    return Item(
+    item = Item(
         id=request.id,
         prompt=found.prompt,
         shape=found.shape,
@@ -81,8 +58,11 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             index=request.index,
             versions=versions(),
             config=SETTINGS,
+            weights=dict(request.weights),
+            units=request.units,
         ),
     )
+    return told_in(system_named(request.units), item)
 
 
 def _query_of(found: CertifiedQuestion) -> QueryRecord:

@@ -8,6 +8,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.datasets.cells import Cell
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.plan import Config, Request
 from sim2reason.errors import DatasetError
@@ -49,6 +50,8 @@ class Shard(Record):
     sha256: str
     rejected: dict[str, Counts]
     """By recipe, then by filter: the draws that were refused while these items were made."""
+    cells: tuple[Cell, ...] = ()
+    """By mode, kind and recipe: what these items were asked to be, and what they are, duplicates included."""
     quarantined: tuple[RefusedPosition, ...] = ()
     """Requests that crashed or hung their worker twice, or raised an error that they should not."""
     unfilled: tuple[RefusedPosition, ...] = ()
@@ -66,6 +69,8 @@ class Manifest(Record):
     rows: int
     counts: dict[str, Counts]
     """Items by recipe, difficulty, mode and kind."""
+    cells: tuple[Cell, ...]
+    """By mode, kind and recipe: what was asked for, and what was kept."""
     rejected: dict[str, Counts]
     """By recipe, then by filter."""
     shards: tuple[Shard, ...]

@@ -13,6 +13,7 @@ from itertools import product
 from typing import Annotated, cast
 
 from annotated_types import Ge, Le, MinLen
+from pydantic import Field
 
 from sim2reason.datasets.item import Item, Record
 from sim2reason.errors import DatasetError, DrawError
@@ -22,6 +23,8 @@ MAKER = "sim2reason.datasets.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
 LARGEST = 2**63 - 1
 """The largest seed and index: columns of a shard hold no more."""
+SI = "SI"
+"""The system of units of which a text speaks by default."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
 SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic"
 """The packages whose versions may change the bytes of a dataset."""
@@ -36,6 +39,9 @@ class Request:
     mode: str
     seed: int
     index: int
+    weights: tuple[tuple[str, float], ...] = ()
+    """Of kinds of question, by name, where they are not those that the library declares."""
+    units: str = SI
 
     def __post_init__(self) -> None:
         """DrawError for coordinates that no item has."""
@@ -46,7 +52,9 @@ class Request:
     @property
     def id(self) -> str:
         """A name that no other request has."""
-        return f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
+        name = f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
+        digest = hashlib.sha256(json.dumps(self.weights).encode()).hexdigest()[:8]
+        return f"{name}{f'-{self.units}' * (self.units != SI)}{f'-{digest}' * bool(self.weights)}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,11 +62,13 @@ class Made:
     """What a maker gives back.
 
     `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds.
-    `rejected` counts the draws that were refused on the way, by filter or reason.
+    `rejected` counts the draws that were refused on the way, by filter or reason. `wanted` is the kind of question that
+    was tried first, by the weights, among those that the scenes offer; empty for none.
     """
 
     item: Item | None
     rejected: dict[str, int] = field(default_factory=dict[str, int])
+    wanted: str = ""
 
 
 Maker = Callable[[Request], Made]
@@ -74,6 +84,9 @@ class Config(Record):
     seed: Annotated[int, Ge(0), Le(LARGEST)] = 0
     shard: Annotated[int, Ge(1)] = SHARD
     maker: str = MAKER
+    weights: dict[str, float] = Field(default_factory=dict[str, float])
+    """How often kinds of question are asked, by name: ``period``, ``reverse.period``, ``springs.reverse.period``."""
+    units: str = SI
 
     @cached_property
     def _cells(self) -> tuple[tuple[str, str, str], ...]:
@@ -84,7 +97,7 @@ class Config(Record):
         turn, place = divmod(position, len(self._cells))
         cell = self._cells[place]
         index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
-        return Request(*cell, self.seed, index)
+        return Request(*cell, self.seed, index, tuple(sorted(self.weights.items())), self.units)
 
     def shards(self) -> list[range]:
         """The ranges of positions that stand in one file each."""

@@ -59,6 +59,7 @@ class QuestionSearch:
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
         self._vouched: tuple[Study, Certificate] | None = None
+        self.kinds: set[str] = set()  # of questions that were found in it
 
     @cached_property
     def _wording(self) -> int:
@@ -94,17 +95,29 @@ class QuestionSearch:
             self._vouched = known
         return known
 
-    def ask(
-        self, mode: QuestionMode, rng: np.random.Generator, refused: Counter[str], kind: str = ""
-    ) -> CertifiedQuestion | None:
-        """A question that passes every filter, or None; what was refused is counted by filter in `refused`."""
+    @cached_property
+    def fault(self) -> str:
+        """Why no question about the scene can pass, as a manifest counts it; empty if one can."""
         if self.study.trace.stable_until < SHORTEST * self.study.scene.horizon:
-            refused[f"unstable: {self.study.trace.cut}"] += 1
+            return f"unstable: {self.study.trace.cut}"
+        return "" if followed(self.description.sentences) else "length"
+
+    def ask(
+        self,
+        mode: QuestionMode,
+        rng: np.random.Generator,
+        refused: Counter[str],
+        kind: str = "",
+        tries: int = QUESTIONS,
+    ) -> CertifiedQuestion | None:
+        """A question that passes every filter, or None; what was refused is counted by filter in `refused`.
+
+        Of one kind where one is named: then it is a matter of course that a scene may offer none.
+        """
+        if self.fault:
+            refused[self.fault] += 1
             return None
-        if not followed(self.description.sentences):
-            refused["length"] += 1
-            return None
-        for question in self._questions(mode, kind, rng, refused):
+        for question in self._questions(mode, kind, rng, refused, tries):
             description, study = self._described(question), mode.study(question, self.study)
             prompt = shaped(description, question, rng)
             candidate = Candidate(
@@ -125,20 +138,22 @@ class QuestionSearch:
         return None
 
     def _questions(
-        self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str]
+        self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
     ) -> Iterator[Question]:
         """Some questions that differ; fewer if the motion offers no more."""
         asked, missed = set[tuple[Query, str]](), 0
-        for _ in range(DRAWS):
+        for _ in range(DRAWS * tries // QUESTIONS):
             question = mode.ask(self.study, self.words, kind, rng)
             if question is None:
-                refused["nothing to ask"] += 1
                 missed += 1
+                if not kind:
+                    refused["nothing to ask"] += 1
                 if missed == MISSES:
                     return
                 continue
+            self.kinds.add(kind)
             if (question.query, question.unknown) not in asked:
                 asked.add((question.query, question.unknown))
                 yield question
-            if len(asked) >= QUESTIONS:
+            if len(asked) >= tries:
                 return

@@ -53,11 +53,14 @@ SCHEMA = pa.schema(
                 "index": WHOLE,
                 "versions": TEXT,
                 "config": TEXT,
+                "weights": TEXT,
+                "units": TEXT,
             }
         ),
     }
 )
-"""What has keys of its own, the certificate and the versions, is kept as JSON text."""
+"""What has keys of its own, the certificate, the versions and the weights, is kept as JSON text."""
+OPEN = "versions", "weights"
 
 
 def write(path: Path, items: Sequence[Item]) -> None:
@@ -87,13 +90,13 @@ def read_items(out: Path | str) -> Iterator[Item]:
 def _row(item: Item) -> dict[str, Any]:
     row = item.model_dump(mode="json")
     row["certificate"] = _json(row["certificate"])
-    row["provenance"]["versions"] = _json(row["provenance"]["versions"])
+    row["provenance"] |= {name: _json(row["provenance"][name]) for name in OPEN}
     return row
 
 
 def _item(row: dict[str, Any]) -> Item:
     row["certificate"] = json.loads(row["certificate"])
-    row["provenance"]["versions"] = json.loads(row["provenance"]["versions"])
+    row["provenance"] |= {name: json.loads(row["provenance"][name]) for name in OPEN}
     return Item.model_validate(row)
 
 

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from sim2reason.datasets import store
 from sim2reason.datasets.atomic_files import checksum
+from sim2reason.datasets.cells import empty
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, Manifest, Shard, load
@@ -23,7 +24,8 @@ class Findings(Record):
 def examine(out: Path | str) -> Findings:
     """Check a dataset against its manifest.
 
-    Finds a flipped byte in any file of the dataset, a missing and an extra shard, a wrong count of rows.
+    Finds a flipped byte in any file of the dataset, a missing and an extra shard, a wrong count of rows, and a mode,
+    kind and recipe that was asked for, but of which none was kept.
     DatasetError if `out` is no finished dataset at all.
     """
     out = Path(out)
@@ -37,7 +39,7 @@ def examine(out: Path | str) -> Findings:
         manifest = load(out)
     except DatasetError as error:
         return Findings(rows=0, shards=0, faults=(str(error),))
-    faults = *_manifest(out, manifest), *_files(out, manifest), *_strangers(out, manifest)
+    faults = *_manifest(out, manifest), *_files(out, manifest), *_strangers(out, manifest), *empty(manifest.cells)
     return Findings(rows=manifest.rows, shards=len(manifest.shards), faults=faults)
 
 

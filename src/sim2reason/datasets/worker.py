@@ -25,6 +25,7 @@ class Attempt:
     item: Item | None
     rejected: dict[str, int]
     failure: str = ""
+    wanted: str = ""
 
 
 Message = list[Attempt] | DatasetError | None
@@ -57,7 +58,7 @@ def outcome(make: Maker, position: int, request: Request) -> Attempt:
         return Attempt(position, None, {}, f"raised {type(error).__name__}: {text}")
     if made.item is not None and made.item.id != request.id:
         return Attempt(position, None, {}, f"made an item of another id: {made.item.id}")
-    return Attempt(position, made.item, dict(made.rejected))
+    return Attempt(position, made.item, dict(made.rejected), wanted=made.wanted)
 
 
 def _die_with_parent() -> None:

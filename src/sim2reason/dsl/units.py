@@ -122,6 +122,8 @@ _PLAIN: Final[tuple[_Entry, ...]] = (
     ("h", "hour hr", 3600.0, D(time=1)),
     ("d", "day", 86400.0, D(time=1)),
     ("yr", "year", 365.25 * 86400.0, D(time=1)),
+    ("dyn", "dyne", 1e-5, D(length=1, mass=1, time=-2)),
+    ("erg", "erg", 1e-7, D(length=2, mass=1, time=-2)),
     ("au", "AU", 1.495978707e11, D(length=1)),
     ("Msun", "solar_mass", 1.98841e30, D(mass=1)),
 )

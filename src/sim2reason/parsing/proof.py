@@ -1,5 +1,9 @@
-"""The proof of a reading: its scene, told again with the wordings that were state, has this very text."""
+"""The proof of a reading: its scene, told again with the wordings that were state, has this very text.
 
+Only zeros at the end of a decimal fraction are no matter: *1.20 m* is *1.2 m*.
+"""
+
+import re
 from collections.abc import Collection, Mapping
 
 import numpy as np
@@ -16,6 +20,8 @@ from sim2reason.prose.closings import closings
 from sim2reason.prose.naming import Names, letters
 from sim2reason.prose.voices import Voice, hiding, numeric, symbolic
 from sim2reason.prose.writer import Description, Writer
+
+_ZEROS = re.compile(r"(?<=\d)\.0+(?![\d])|(?<=\.)(\d*[1-9])0+(?!\d)")
 
 
 class ScriptedWriter(Writer):
@@ -81,7 +87,7 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping
         raise TextError("text", f"it gives ${min(spare)}$, of which it does not speak", "leave it out")
     again = pieces(told.text)
     for number, (mine, theirs) in enumerate(zip(again, text, strict=False), start=1):
-        if mine != theirs:
+        if mine != theirs and _ZEROS.sub(r"\1", mine) != _ZEROS.sub(r"\1", theirs):
             raise TextError(f"sentence {number}", f"{shown(theirs)} does not fit", f"say {shown(mine)}")
     if len(again) != len(text):
         count = f"it has {len(text)} sentences where the scene needs {len(again)}"

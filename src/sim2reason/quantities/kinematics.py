@@ -39,7 +39,7 @@ class Velocity(Quantity):
     how = "how fast is {body} moving{ground} {when}?"
     indirect = "how fast {body} is moving{ground}"
     center = given = True
-    weight = 3.0
+    weight = 2.0
     floor, least = 0.1, 1e-2
     panel, order = "velocity", 1
 

@@ -11,6 +11,7 @@ from sim2reason.parsing import ParsedScene, parse_scene
 from sim2reason.questions import MODES, Query, Reading, Study, Words
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
+from sim2reason.questions.spoken_units import in_si, unit_in_si
 from sim2reason.simulation.scenes import simulate
 
 _UNIT = r"(\S{1,12})"
@@ -29,6 +30,7 @@ class ParsedPrompt:
     asked: Reading
     unit: str
     shape: str
+    size: float = 1.0  # of its unit, in that of the SI
 
     @property
     def query(self) -> Query:
@@ -37,8 +39,9 @@ class ParsedPrompt:
 
     @property
     def answer(self) -> float | None:
-        """The answer that the text alone leads to."""
-        return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
+        """The answer that the text alone leads to, in its unit."""
+        found = MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
+        return found / self.size if found is not None else None
 
 
 def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPrompt:
@@ -51,11 +54,12 @@ def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPro
     if form is None:
         raise TextError("prompt", "its last sentence does not say how to answer", "end it with one of the known forms")
     refused: TextError | None = None
-    for shape, draft in _drafts(text[: form.start()]):
-        try:
-            return _understood(draft, form[1], shape, rng)
-        except TextError as error:
-            refused = error if refused is None or error.place == "prompt" else refused
+    for told in in_si(text[: form.start()]):
+        for shape, draft in _drafts(told):
+            try:
+                return _understood(draft, form[1], shape, rng)
+            except TextError as error:
+                refused = error if refused is None or error.place == "prompt" else refused
     raise refused or TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
 
 
@@ -74,7 +78,7 @@ def _understood(draft: Draft, unit: str, shape: str, rng: np.random.Generator | 
     found = next((each for each in asked if each is not None), None)
     if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
-    return ParsedPrompt(reading, study, found, unit, shape)
+    return ParsedPrompt(reading, study, found, unit, shape, unit_in_si(unit)[1])
 
 
 def _words(reading: ParsedScene) -> Words:

@@ -1,7 +1,7 @@
 """Recipes: which entities meet, and how hard; difficulty belongs here and not to entities."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from inspect import getdoc
 from typing import TYPE_CHECKING, Literal
 
@@ -22,10 +22,14 @@ Draw = Callable[[Difficulty, "np.random.Generator"], "Scene"]
 
 @dataclass(frozen=True)
 class Recipe:
-    """How scenes of one kind are drawn, and how often over all recipes: `share` times in every round."""
+    """How scenes of one kind are drawn, and how often over all recipes: `share` times in every round.
+
+    `weights` say by which factor some kinds of question are asked more or less often than elsewhere; 0: never.
+    """
 
     draw: Draw
     share: int = 1
+    weights: Mapping[str, float] = field(default_factory=dict[str, float])
 
     def __call__(self, difficulty: Difficulty, rng: "np.random.Generator") -> "Scene":
         """Draw one scene."""
@@ -40,11 +44,11 @@ class Recipe:
 RECIPES: Registry[Recipe] = Registry("recipes")
 
 
-def recipe(name: str, share: int = 1) -> Callable[[Draw], Draw]:
+def recipe(name: str, share: int = 1, weights: Mapping[str, float] | None = None) -> Callable[[Draw], Draw]:
     """Decorate the function that draws the scenes of a recipe."""
 
     def register(draw: Draw) -> Draw:
-        RECIPES.add(name, Recipe(draw, share))
+        RECIPES.add(name, Recipe(draw, share, weights or {}))
         return draw
 
     return register

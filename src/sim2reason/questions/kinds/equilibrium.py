@@ -28,7 +28,7 @@ class EquilibriumKind(Kind):
     """What is a length, an angle or a force where everything would stay at rest, whatever the motion before?"""
 
     name = "equilibrium"
-    share = 0.2
+    share = 0.3
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A magnitude at the only stable equilibrium, which is not where the motion starts, and not a body's weight."""

@@ -16,7 +16,7 @@ class EventKind(ValueKind):
     """What is the quantity when something happens: a collision, a body that stops, or that has moved so far?"""
 
     name = "event"
-    share = 0.35
+    share = 0.3
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A moment of this motion and a quantity that it bears on, but none that the question tells."""

@@ -41,7 +41,7 @@ class PeriodKind(Kind):
     """What is the period of a motion that repeats itself, or of small oscillations about the equilibrium?"""
 
     name = "period"
-    share = 0.3  # as often as a velocity, where it exists
+    share = 0.35  # as often as a velocity, where it exists
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """The motion itself, or small oscillations; where both have one period, there is nothing small about it."""

@@ -52,7 +52,7 @@ class ThresholdKind(Kind):
     """What is the least or the greatest value for which something happens, or does not?"""
 
     name = "threshold"
-    share = 0.1
+    share = 0.25
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """An outcome that changes just once within ten times the range of one of the numbers."""

@@ -17,7 +17,7 @@ class TimeToEventKind(Kind):
     """How long after the start does something happen for the first time?"""
 
     name = "time_to_event"
-    share = 0.22
+    share = 0.18
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something that happens in this motion."""

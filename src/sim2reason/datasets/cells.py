@@ -1,0 +1,65 @@
+"""The table mode × kind × recipe of a dataset: what was asked for by the weights, and what was kept."""
+
+from collections.abc import Iterable, Iterator
+from math import ceil, log
+
+from sim2reason.datasets.item import Record
+
+LEAST_KEPT = 0.25
+"""The share of the questions asked for in a cell that a sound library keeps as such, at least."""
+FALSE_ALARM = 1e-3
+"""The probability that a dataset from a sound library has an empty cell that counts as an error, at most."""
+
+
+class Cell(Record):
+    """One mode, kind and recipe.
+
+    `asked` counts the requests that the weights gave this kind, among those that their scenes offer; `kept` the items,
+    those included that took the place of a kind whose questions were all refused.
+    """
+
+    mode: str
+    kind: str
+    recipe: str
+    asked: int
+    kept: int
+
+
+Key = tuple[str, str, str]
+"""Mode, kind and recipe."""
+
+
+def table(asked: Iterable[tuple[Key, int]], kept: Iterable[Key]) -> tuple[Cell, ...]:
+    """All cells that were asked for or hold an item, in alphabetical order."""
+    counts: dict[Key, list[int]] = {}
+    for key, number in asked:
+        counts.setdefault(key, [0, 0])[0] += number
+    for key in kept:
+        counts.setdefault(key, [0, 0])[1] += 1
+    return tuple(
+        Cell(
+            mode=mode, kind=kind, recipe=recipe, asked=counts[mode, kind, recipe][0], kept=counts[mode, kind, recipe][1]
+        )
+        for mode, kind, recipe in sorted(counts)
+    )
+
+
+def enough(cells: int) -> int:
+    """How often a cell must be asked for, so that it is no accident if it stays empty.
+
+    If each request is kept with the probability p at least, n of them give nothing with at most (1 − p)^n, the binomial
+    distribution's P(0). Over all cells together that is to be at most `FALSE_ALARM`, by Bonferroni's inequality.
+    """
+    return ceil(log(FALSE_ALARM / max(cells, 1)) / log(1.0 - LEAST_KEPT))
+
+
+def empty(cells: Iterable[Cell]) -> Iterator[str]:
+    """A line for each cell that is empty, though it was asked for more often than accident can explain."""
+    found = tuple(cells)
+    for cell in found:
+        if cell.kept == 0 and cell.asked >= enough(len(found)):
+            name = f"{cell.recipe}.{cell.mode}.{cell.kind}"
+            yield (
+                f"{name}: asked for {cell.asked} times, and none was kept; see which filters refuse them, "
+                f"or order no more of them with the weight {name}=0"
+            )

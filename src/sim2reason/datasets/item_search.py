@@ -1,0 +1,106 @@
+"""Draw scenes and ask about them until one question passes every filter: the kinds of question by their weights."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+
+from sim2reason.datasets.plan import Request
+from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.datasets.weights import in_drawn_order
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.questions import MODES
+from sim2reason.recipes import RECIPES, Difficulty, known
+
+SCENES = 60  # drawn for one item, at most
+TOGETHER = 3  # of them are asked for the first kind before another one has its turn
+TRIES = 2  # questions of one kind about one scene
+OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS
+
+Drawn = tuple[QuestionSearch, np.random.Generator]
+
+
+class ItemSearch:
+    """The search for one item: an order of kinds is drawn by their weights, once.
+
+    Each scene is asked the first kind of that order that it offers. Only where this fails in a few scenes, those
+    scenes, which are simulated by then, are asked other kinds. So what is hard to pass is hardly kept less often.
+    """
+
+    def __init__(self, request: Request) -> None:
+        """UnknownNameError for a name that is not known."""
+        self._request, self._mode, self._recipe = request, MODES[request.mode], RECIPES[request.recipe]
+        self._difficulty: Difficulty = known(request.difficulty)
+        self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
+        self.rejected: Counter[str] = Counter()
+        self.wanted = ""  # the first kind of its order that a scene offers
+
+    def found(self) -> CertifiedQuestion | None:
+        """The first question that passes every filter; None if none does within the budget."""
+        for first in range(0, SCENES, TOGETHER):
+            found = self._among(range(first, first + TOGETHER))
+            if found is not None:
+                return found
+        return None
+
+    def _among(self, attempts: range) -> CertifiedQuestion | None:
+        """A question about one of some scenes."""
+        drawn: list[Drawn] = []
+        for search, rng in self._scenes(attempts):
+            drawn.append((search, rng))
+            found = self._first_kind(search, rng)
+            if found is not None:
+                return found
+        turns = 0
+        for kind in self._kinds:
+            for search, rng in drawn:
+                if kind in search.kinds:
+                    continue
+                found = self._asked(search, rng, kind)
+                turns += kind in search.kinds
+                if found is not None or turns == OTHERS:
+                    return found
+        return None
+
+    def _scenes(self, attempts: range) -> Iterator[Drawn]:
+        """Those scenes that can be asked about."""
+        for attempt in attempts:
+            rng = self._generator(attempt)
+            try:
+                scene = self._recipe(self._difficulty, rng)
+                search = QuestionSearch(scene, int(rng.random() * 2**31), self._difficulty)
+            except (SceneError, SimulationError, UnsupportedError) as error:
+                self.rejected[_counted(error)] += 1
+                continue
+            if search.fault:
+                self.rejected[search.fault] += 1
+            else:
+                yield search, rng
+
+    def _first_kind(self, search: QuestionSearch, rng: np.random.Generator) -> CertifiedQuestion | None:
+        """A question of the first kind that a scene offers."""
+        for kind in self._kinds:
+            found = self._asked(search, rng, kind)
+            if kind in search.kinds:
+                self.wanted = self.wanted or kind
+                return found
+        self.rejected["nothing to ask"] += 1
+        return None
+
+    def _asked(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:
+        try:
+            return search.ask(self._mode, rng, self.rejected, kind, TRIES)
+        except (SceneError, SimulationError, UnsupportedError) as error:
+            self.rejected[_counted(error)] += 1
+            return None
+
+    def _generator(self, name: object) -> np.random.Generator:
+        asked = self._request
+        return generator(asked.recipe, asked.difficulty, asked.mode, asked.seed, asked.index, name)
+
+
+def _counted(error: Exception) -> str:
+    """Under which name a manifest counts an error."""
+    return type(error).__name__.removesuffix("Error").lower()

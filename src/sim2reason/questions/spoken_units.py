@@ -1,0 +1,195 @@
+"""The units in which a text speaks: from the SI into another system, and back.
+
+Only the text changes. Factors are exact decimals, so that what is said stays what is simulated, to the last digit.
+"""
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from functools import cache
+
+from sim2reason.dsl.measures import show_unit
+from sim2reason.dsl.unit_text import factors
+from sim2reason.dsl.units import UnitError, parse_unit
+from sim2reason.errors import UnknownNameError
+
+MINUS = "\N{MINUS SIGN}"
+LARGE = 5  # the power of ten from which on a number is written with one: 2.6×10⁵
+DIGITS = 12  # of a number that was converted back
+_RAISED, _LOWERED = "⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789"
+_DECIMAL = rf"{MINUS}?\d+(?:\.\d+)?(?:×10[{_RAISED}]+)?"
+_SAID = re.compile(rf"(?<![\w.,])({_DECIMAL}) ([A-Za-zµΩ·/²³⁴()]*[A-Za-zµΩ²³⁴)])(?![\w·/])")
+_HEADING = re.compile(r" \(([^()\s]+)\)$")
+
+
+@dataclass(frozen=True, eq=False)
+class SpokenUnits:
+    """A system of units for texts, by what it says in place of units of the SI, each with what one of these is in it.
+
+    `whole` are units as they stand, such as m/s; `words` stand for m, kg, N and J wherever they occur in a unit.
+    """
+
+    name: str
+    words: Mapping[str, tuple[str, Decimal]] = field(default_factory=dict[str, tuple[str, Decimal]])
+    whole: Mapping[str, tuple[str, Decimal]] = field(default_factory=dict[str, tuple[str, Decimal]])
+
+    def spelled(self, unit: str) -> tuple[str, Decimal]:
+        """The canonical unit in which it says what has a canonical unit of the SI, and what one of these is in it.
+
+        Electrical units stay as they are, since of those each system has several, and so do those with prefixes.
+        """
+        found = parse_unit(unit)
+        if found.name in self.whole:
+            return self.whole[found.name]
+        words = factors(found.name)
+        if found.dimension.current or any(word not in self.words and _is_mechanical(word) for word, _ in words):
+            return unit, Decimal(1)
+        name, factor = found.name, Decimal(1)
+        for word, power in words:
+            if word in self.words:
+                other, size = self.words[word]
+                name, factor = re.sub(rf"\b{word}\b", other, name), factor * size**power
+        return (name, factor) if name != found.name else (unit, factor)
+
+
+def _is_mechanical(word: str) -> bool:
+    """Whether a unit measures lengths or masses, or is made of such."""
+    dimension = parse_unit(word).dimension
+    return bool(dimension.length or dimension.mass)
+
+
+SI = SpokenUnits("SI")
+CGS = SpokenUnits(
+    "cgs",
+    words={
+        "m": ("cm", Decimal(100)),
+        "kg": ("g", Decimal(1000)),
+        "N": ("dyn", Decimal(10) ** 5),
+        "J": ("erg", Decimal(10) ** 7),
+    },
+)
+MIXED = SpokenUnits(
+    "mixed", whole={"m": ("cm", Decimal(100)), "kg": ("g", Decimal(1000)), "m/s": ("km/h", Decimal("3.6"))}
+)
+SYSTEMS = {system.name: system for system in (SI, CGS, MIXED)}
+"""All systems in which a text can speak: the SI; centimetre, gram and second; cm, g and km/h among units of the SI."""
+
+
+def system_named(name: str) -> SpokenUnits:
+    """A system of units by its name; UnknownNameError with the names there are."""
+    if name not in SYSTEMS:
+        raise UnknownNameError(f"no such units: {name!r}; there are: {', '.join(SYSTEMS)}")
+    return SYSTEMS[name]
+
+
+def spoken_in(system: SpokenUnits, text: str) -> str:
+    """A text with all its numbers in a system of units, instead of the SI."""
+
+    def said(number: str, unit: str) -> tuple[str, str] | None:
+        other, factor = _spelled(system, unit)
+        return (_written(_number(number) * factor.normalize()), other) if other != unit else None
+
+    return text if system is SI else _converted(text, said)
+
+
+def in_si(text: str) -> tuple[str, ...]:
+    """What a text could be in the SI, whichever system it speaks in: first itself, last with its grams as they are.
+
+    For a text in the SI may say grams of what is light.
+    """
+
+    def said(number: str, unit: str) -> tuple[str, str] | None:
+        other, factor = _restored(unit)
+        return (_plain(_number(number) / factor), other) if other != unit else None
+
+    def but_grams(number: str, unit: str) -> tuple[str, str] | None:
+        return said(number, unit) if unit != "g" else None
+
+    return tuple(dict.fromkeys((text, _converted(text, said), _converted(text, but_grams))))
+
+
+def unit_in_si(unit: str) -> tuple[str, float]:
+    """The canonical unit of the SI for any unit of the systems, and how many of them it is."""
+    found = parse_unit(unit)
+    other, factor = _restored(found.display)
+    return (parse_unit(other).name, float(1 / factor)) if other != found.display else (unit, 1.0)
+
+
+@cache
+def _spelled(system: SpokenUnits, shown: str) -> tuple[str, Decimal]:
+    """As `SpokenUnits.spelled`, of units as they are printed; what is none stays as it is."""
+    try:
+        unit, factor = system.spelled(shown)
+    except UnitError:
+        return shown, Decimal(1)
+    return (show_unit(unit), factor) if factor != 1 else (shown, factor)
+
+
+@cache
+def _restored(shown: str) -> tuple[str, Decimal]:
+    """The printed unit of the SI for one of another system, and what one of it is in that."""
+    try:
+        name = parse_unit(shown).name
+    except UnitError:
+        return shown, Decimal(1)
+    for system in SYSTEMS.values():
+        for unit, (other, factor) in system.whole.items():
+            if name == other:
+                return show_unit(unit), factor
+    backwards = {other: (word, 1 / size) for word, (other, size) in CGS.words.items()}
+    unit, factor = SpokenUnits("back", backwards).spelled(name)
+    return (show_unit(unit), 1 / factor) if unit != name else (shown, factor)
+
+
+Said = Callable[[str, str], tuple[str, str] | None]
+"""What a text says in place of a number with a unit; None if it stays."""
+
+
+def _converted(text: str, said: Said) -> str:
+    lines = text.split("\n")
+    for index, line in enumerate(lines):
+        if not line.startswith("|"):
+            lines[index] = _SAID.sub(lambda found: " ".join(said(found[1], found[2]) or (found[1], found[2])), line)
+    for begin, line in enumerate(lines):
+        if line.startswith("|") and not (begin and lines[begin - 1].startswith("|")):
+            rows = next((k for k in range(begin, len(lines)) if not lines[k].startswith("|")), len(lines))
+            lines[begin:rows] = _table(lines[begin:rows], said)
+    return "\n".join(lines)
+
+
+def _table(rows: list[str], said: Said) -> list[str]:
+    """A Markdown table, whose headings have the units of the numbers below them."""
+    cells = [row.strip("| ").split(" | ") for row in rows]
+    for column, heading in enumerate(cells[0]):
+        unit = _HEADING.search(heading)
+        if unit is None or (other := said("1", unit[1])) is None:
+            continue
+        cells[0][column] = f"{heading[: unit.start()]} ({other[1]})"
+        for row in cells[2:]:
+            if re.fullmatch(_DECIMAL, row[column]):
+                row[column] = (said(row[column], unit[1]) or (row[column],))[0]
+    return [f"| {' | '.join(row)} |" for row in cells]
+
+
+def _number(text: str) -> Decimal:
+    mantissa, _, power = text.replace(MINUS, "-").partition("×10")
+    return Decimal(mantissa).scaleb(int(power.translate(str.maketrans(_RAISED, _LOWERED)) or 0))
+
+
+def _written(value: Decimal) -> str:
+    """With all its digits; a large one with a power of ten."""
+    if value and value.adjusted() >= LARGE:
+        power = str(value.adjusted()).translate(str.maketrans(_LOWERED, _RAISED))
+        text = f"{value.scaleb(-value.adjusted()):f}×10{power}"
+    else:
+        text = f"{value:f}"
+    return text.replace("-", MINUS)
+
+
+def _plain(value: Decimal) -> str:
+    """With two significant digits at least, and no zero at the end beyond them."""
+    value = +value.quantize(Decimal(1).scaleb(value.adjusted() - DIGITS + 1)).normalize() if value else value
+    if value and len(value.as_tuple().digits) < 2:
+        value = value.quantize(Decimal(1).scaleb(value.adjusted() - 1))
+    return f"{value:f}".replace("-", MINUS)
