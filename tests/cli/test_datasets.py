@@ -58,6 +58,9 @@ def test_another_configuration_is_exit_code_two(data: Path) -> None:
         ("--recipe", ",", "names nothing"),
         ("--workers", "0", "--workers"),
         ("--maker", "nowhere:make", "nowhere:make"),
+        ("--weights", "period", "write NAME=NUMBER"),
+        ("--weights", "period=often", "write NAME=NUMBER"),
+        ("--units", "furlongs", "there are: SI, cgs, mixed"),
     ],
 )
 def test_wrong_options_are_one_line_and_exit_code_two(tmp_path: Path, option: str, value: str, word: str) -> None:
@@ -113,3 +116,19 @@ def test_show_finds_one_by_its_id(data: Path) -> None:
 
 def test_show_more_than_there_are(data: Path) -> None:
     assert call("show", data, "-n", 100).stdout.count("Answer: ") == 29
+
+
+def test_weights_are_checked_before_anything_is_made(tmp_path: Path) -> None:
+    result = call("generate", tmp_path / "data", "--items", 1, "--recipe", "box", "--weights", "numeric.periods=2")
+    assert result.exit_code == 2
+    assert result.stderr.startswith("sim2reason: weights: numeric.periods: there is no kind 'periods'")
+    assert not (tmp_path / "data").exists()
+
+
+def test_weights_and_units_are_part_of_the_configuration(tmp_path: Path) -> None:
+    assert generate(tmp_path / "data", "--weights", "period=2,reverse.sum=0", "--units", "cgs").exit_code == 0
+    config = json.loads((tmp_path / "data/manifest.json").read_text())["config"]
+    assert config["weights"] == {"period": 2.0, "reverse.sum": 0.0}
+    card = (tmp_path / "data/README.md").read_text()
+    assert " --weights period=2.0,reverse.sum=0.0 --units cgs" in card
+    assert "another configuration" in generate(tmp_path / "data", "--units", "cgs").stderr

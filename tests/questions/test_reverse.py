@@ -201,7 +201,7 @@ def test_a_time_is_asked_for() -> None:
     """v = g t sin θ again: when it is 2.5 m/s."""
     search = QuestionSearch(ramp(angle=30.0), 3)
     rng = np.random.default_rng(0)
-    asked = (MODES["reverse"].ask(search.study, search.words, "state", rng) for _ in range(200))
+    asked = (MODES["reverse"].ask(search.study, search.words, "time_to_event", rng) for _ in range(200))
     found = next(q for q in asked if q is not None and not q.unknown and "speed" in q.text)
     assert found.given is not None
     assert found.answer == pytest.approx(found.given.value / (0.5 * G), rel=1e-9)

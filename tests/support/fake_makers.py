@@ -3,6 +3,7 @@
 import hashlib
 import os
 import time
+from dataclasses import replace
 
 from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
 from sim2reason.datasets.plan import Made, Request
@@ -40,6 +41,11 @@ def steady(request: Request) -> Made:
         ),
     )
     return Made(item, {"degenerate": number % 3, "shortcut": number % 2})
+
+
+def wanting(request: Request) -> Made:
+    """Steady, but what is wanted is always a period."""
+    return replace(steady(request), wanted="period")
 
 
 def slow(request: Request) -> Made:

@@ -1,7 +1,7 @@
 """Draw scenes and ask about them until one question passes every filter: the kinds of question by their weights."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -26,7 +26,8 @@ class ItemSearch:
     """The search for one item: an order of kinds is drawn by their weights, once.
 
     Each scene is asked the first kind of that order that it offers. Only where this fails in a few scenes, those
-    scenes, which are simulated by then, are asked other kinds. So what is hard to pass is hardly kept less often.
+    scenes, which are simulated by then, are asked other kinds, and the next few begin with the next kind. So what is
+    hard to pass is hardly kept less often.
     """
 
     def __init__(self, request: Request) -> None:
@@ -39,22 +40,23 @@ class ItemSearch:
 
     def found(self) -> CertifiedQuestion | None:
         """The first question that passes every filter; None if none does within the budget."""
-        for first in range(0, SCENES, TOGETHER):
-            found = self._among(range(first, first + TOGETHER))
+        for turn, first in enumerate(range(0, SCENES, TOGETHER)):
+            begin = turn % len(self._kinds)
+            found = self._among(range(first, first + TOGETHER), (*self._kinds[begin:], *self._kinds[:begin]))
             if found is not None:
                 return found
         return None
 
-    def _among(self, attempts: range) -> CertifiedQuestion | None:
+    def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
         """A question about one of some scenes."""
         drawn: list[Drawn] = []
         for search, rng in self._scenes(attempts):
             drawn.append((search, rng))
-            found = self._first_kind(search, rng)
+            found = self._first_kind(search, rng, kinds)
             if found is not None:
                 return found
         turns = 0
-        for kind in self._kinds:
+        for kind in kinds:
             for search, rng in drawn:
                 if kind in search.kinds:
                     continue
@@ -79,9 +81,11 @@ class ItemSearch:
             else:
                 yield search, rng
 
-    def _first_kind(self, search: QuestionSearch, rng: np.random.Generator) -> CertifiedQuestion | None:
+    def _first_kind(
+        self, search: QuestionSearch, rng: np.random.Generator, kinds: Sequence[str]
+    ) -> CertifiedQuestion | None:
         """A question of the first kind that a scene offers."""
-        for kind in self._kinds:
+        for kind in kinds:
             found = self._asked(search, rng, kind)
             if kind in search.kinds:
                 self.wanted = self.wanted or kind

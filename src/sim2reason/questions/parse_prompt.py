@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import TextError
 from sim2reason.parsing import ParsedScene, parse_scene
-from sim2reason.questions import MODES, Query, Reading, Study, Words
+from sim2reason.questions import KINDS, MODES, Query, Reading, Study, Words
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
-from sim2reason.questions.spoken_units import in_si, unit_in_si
+from sim2reason.questions.spoken_units import in_si
 from sim2reason.simulation.scenes import simulate
 
 _UNIT = r"(\S{1,12})"
@@ -30,7 +31,6 @@ class ParsedPrompt:
     asked: Reading
     unit: str
     shape: str
-    size: float = 1.0  # of its unit, in that of the SI
 
     @property
     def query(self) -> Query:
@@ -40,8 +40,18 @@ class ParsedPrompt:
     @property
     def answer(self) -> float | None:
         """The answer that the text alone leads to, in its unit."""
-        found = MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
-        return found / self.size if found is not None else None
+        words = _words(self.reading)
+        found = MODES[self.asked.mode].solution(self.asked, self.study, words)
+        return found * self._factor(words) if found is not None else None
+
+    def _factor(self, words: Words) -> float:
+        """What to multiply by what the scene and its motion count in, to have it in the unit that the text asks for."""
+        unknown = next(iter(words.unknowns), None)
+        if self.asked.given is not None and unknown is not None:
+            unit = unknown.unit
+        else:
+            unit = words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
+        return parse_unit(unit).factor_to(parse_unit(self.unit)) or 1.0
 
 
 def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPrompt:
@@ -78,7 +88,7 @@ def _understood(draft: Draft, unit: str, shape: str, rng: np.random.Generator | 
     found = next((each for each in asked if each is not None), None)
     if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
-    return ParsedPrompt(reading, study, found, unit, shape, unit_in_si(unit)[1])
+    return ParsedPrompt(reading, study, found, unit, shape)
 
 
 def _words(reading: ParsedScene) -> Words:

@@ -19,7 +19,8 @@ LARGE = 5  # the power of ten from which on a number is written with one: 2.6×1
 DIGITS = 12  # of a number that was converted back
 _RAISED, _LOWERED = "⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789"
 _DECIMAL = rf"{MINUS}?\d+(?:\.\d+)?(?:×10[{_RAISED}]+)?"
-_SAID = re.compile(rf"(?<![\w.,])({_DECIMAL}) ([A-Za-zµΩ·/²³⁴()]*[A-Za-zµΩ²³⁴)])(?![\w·/])")
+_PRODUCT = "[A-Za-zµΩ²³⁴·]+"
+_SAID = re.compile(rf"(?<![\w.,])({_DECIMAL}) ({_PRODUCT}(?:/{_PRODUCT}|/\({_PRODUCT}\))?)(?![\w·/])")
 _HEADING = re.compile(r" \(([^()\s]+)\)$")
 
 
@@ -107,13 +108,6 @@ def in_si(text: str) -> tuple[str, ...]:
         return said(number, unit) if unit != "g" else None
 
     return tuple(dict.fromkeys((text, _converted(text, said), _converted(text, but_grams))))
-
-
-def unit_in_si(unit: str) -> tuple[str, float]:
-    """The canonical unit of the SI for any unit of the systems, and how many of them it is."""
-    found = parse_unit(unit)
-    other, factor = _restored(found.display)
-    return (parse_unit(other).name, float(1 / factor)) if other != found.display else (unit, 1.0)
 
 
 @cache

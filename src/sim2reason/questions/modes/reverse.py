@@ -30,7 +30,7 @@ from sim2reason.questions.unknown import range_of, some
 
 FIXED = 1e-2  # relative: how well what is given must fix the answer
 DIGITS = (2, 3)  # of what is given: as few as do
-TIMES = 0.1  # of all questions: how often the unknown is a time
+TIMES = {"": 0.1, "time_to_event": 0.5}  # of questions of any kind, or of one: how often the unknown is a time
 
 
 @mode
@@ -41,7 +41,7 @@ class Reverse(QuestionMode):
 
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """A result of this motion, and a number that it fixes, or the time at which it is first so."""
-        if kind in ("", "state") and rng.random() < TIMES:
+        if kind in TIMES and rng.random() < TIMES[kind]:
             return _asking_when(study, words, rng)
         found = (self._asked(asked, study, words, rng) for asked in ([KINDS[kind]] if kind else by_share(rng)))
         return next((question for question in found if question is not None), None)

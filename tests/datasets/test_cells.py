@@ -1,0 +1,77 @@
+"""The table of what was asked for and kept, and when an empty cell of it is no accident."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sim2reason.cli import main
+from sim2reason.datasets.cells import FALSE_ALARM, LEAST_KEPT, Cell, empty, enough, table
+from sim2reason.datasets.manifest import Manifest, load
+from sim2reason.datasets.verify import examine
+
+Make = Callable[..., Manifest]
+
+
+def test_the_table_counts_what_was_asked_for_and_what_was_kept() -> None:
+    state, event = ("numeric", "state", "box"), ("numeric", "event", "box")
+    assert table([(state, 2), (event, 1), (state, 1)], [event, event]) == (
+        Cell(mode="numeric", kind="event", recipe="box", asked=1, kept=2),
+        Cell(mode="numeric", kind="state", recipe="box", asked=3, kept=0),
+    )
+
+
+@pytest.mark.parametrize("cells", [1, 30, 300])
+def test_enough_is_where_the_binomial_tail_of_all_cells_falls_below_the_false_alarm(cells: int) -> None:
+    """P(none of n) = (1 − p)^n, and the sum over all cells bounds the probability of any (Bonferroni)."""
+    number = enough(cells)
+    assert cells * (1.0 - LEAST_KEPT) ** number <= FALSE_ALARM < cells * (1.0 - LEAST_KEPT) ** (number - 1)
+
+
+def test_only_a_cell_that_was_asked_for_often_enough_is_an_error() -> None:
+    often, seldom = enough(3), enough(3) - 1
+    cells = [
+        Cell(mode="numeric", kind="sum", recipe="box", asked=often, kept=0),
+        Cell(mode="numeric", kind="state", recipe="box", asked=seldom, kept=0),
+        Cell(mode="numeric", kind="event", recipe="box", asked=often, kept=1),
+    ]
+    (line,) = empty(cells)
+    assert line.startswith(f"box.numeric.sum: asked for {often} times, and none was kept")
+    assert "the weight box.numeric.sum=0" in line
+
+
+def test_the_manifest_and_the_card_show_the_table(make: Make, tmp_path: Path) -> None:
+    manifest = make(maker="fake_makers:wanting", items=20)
+    assert manifest.cells == (
+        Cell(mode="numeric", kind="period", recipe="incline", asked=10, kept=0),
+        Cell(mode="numeric", kind="period", recipe="pulley", asked=10, kept=0),
+        Cell(mode="numeric", kind="state", recipe="incline", asked=0, kept=9),
+        Cell(mode="numeric", kind="state", recipe="pulley", asked=0, kept=10),
+    )
+    assert load(tmp_path / "data") == manifest
+    assert "| numeric | period | pulley | 10 | 0 |" in (tmp_path / "data/README.md").read_text()
+
+
+def test_shards_that_stand_keep_their_counts(make: Make, tmp_path: Path, contents: Callable[..., object]) -> None:
+    """A shard is lost and made again: the counts of the others come from the records of the shards."""
+    make(maker="fake_makers:wanting")
+    before = contents(tmp_path / "data")
+    (tmp_path / "data/items-00020-00039.parquet").unlink()
+    make(maker="fake_makers:wanting")
+    assert contents(tmp_path / "data") == before
+
+
+def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> None:
+    out, items = tmp_path / "data", 4 * enough(4)
+    usual = "--recipe", "incline,pulley", "--difficulty", "easy", "--workers", "1", "--maker", "fake_makers:wanting"
+    result = CliRunner().invoke(main, ["generate", str(out), "--items", str(items), *usual])
+    assert result.exit_code == 1
+    assert "an empty cell: incline.numeric.period: asked for" in result.stderr
+    assert load(out).rows == items - 1  # the data are kept
+    assert [fault.partition(":")[0] for fault in examine(out).faults] == [
+        "incline.numeric.period",
+        "pulley.numeric.period",
+    ]
+    few = CliRunner().invoke(main, ["generate", str(tmp_path / "few"), "--items", "20", *usual])
+    assert few.exit_code == 0

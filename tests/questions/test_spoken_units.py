@@ -1,0 +1,79 @@
+"""Texts in other units say the same numbers, exactly, and are read back."""
+
+from decimal import Decimal
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sim2reason.dsl.units import parse_unit
+from sim2reason.errors import UnknownNameError
+from sim2reason.questions.spoken_units import CGS, MIXED, SI, SYSTEMS, SpokenUnits, in_si, spoken_in, system_named
+
+TEXT = (
+    "Block A (2.6 kg) is 0.080 m above B and moves at −2.3 m/s; k = 120 N/m, b = 0.30 N·s/m, F = 5.2 N, g = 9.8 m/s². "
+    "After 1.2 s, at 30°, with 3.0 rad/s, I = 0.12 kg·m² and E = 4.1 J, it is 2.0 m away."
+)
+
+
+def test_centimetre_gram_second() -> None:
+    """1 N = 10⁵ dyn, 1 J = 10⁷ erg, 1 N/m = 10³ dyn/cm, 1 kg m² = 10⁷ g cm² (NIST SP 811, appendix B.8)."""
+    assert spoken_in(CGS, TEXT) == (
+        "Block A (2600 g) is 8.0 cm above B and moves at −230 cm/s; k = 1.20×10⁵ dyn/cm, b = 300 dyn·s/cm, "
+        "F = 5.2×10⁵ dyn, g = 980 cm/s². After 1.2 s, at 30°, with 3.0 rad/s, I = 1.2×10⁶ g·cm² and E = 4.1×10⁷ erg, "
+        "it is 200 cm away."
+    )
+
+
+def test_only_lengths_masses_and_speeds_are_mixed_in() -> None:
+    """2.3 m/s · 3600 s/h / (1000 m/km) = 8.28 km/h."""
+    said = spoken_in(MIXED, TEXT)
+    assert "A (2600 g) is 8.0 cm above B and moves at −8.28 km/h; k = 120 N/m" in said
+    assert "g = 9.8 m/s²" in said
+    assert "it is 200 cm away" in said
+
+
+def test_tables_have_their_units_in_the_headings() -> None:
+    table = "| ball | $m$ (kg) | $v$ (m/s) | $\\mu$ |\n| --- | --- | --- | --- |\n| A | 1.2 | −0.50 | 0.30 |\n\nMore."
+    assert spoken_in(CGS, table) == table.replace("kg", "g").replace("1.2", "1200").replace("−0.50", "−50").replace(
+        "m/s", "cm/s"
+    )
+    assert in_si(spoken_in(MIXED, table))[1] == table
+
+
+@pytest.mark.parametrize(
+    "text", ["a field of 1.5 N/C over 3 collisions", "a bead of 2.1 g", "0.0085 mN·s/m", "40 %", "3.5 T"]
+)
+def test_what_no_system_says_otherwise_stays(text: str) -> None:
+    assert spoken_in(CGS, text) == text
+    assert spoken_in(SI, TEXT) == TEXT
+    assert in_si(text)[0] == text
+
+
+@pytest.mark.parametrize("system", [CGS, MIXED])
+@pytest.mark.parametrize(
+    "unit", ["m", "kg", "m/s", "N", "J", "N/m", "N s", "kg m/s", "N*s/m", "kg m^2", "m/s^2", "W", "N m"]
+)
+def test_factors_are_those_of_the_table_of_units(system: SpokenUnits, unit: str) -> None:
+    """The grader, whose sizes of units stand in another table, is to find the same amount."""
+    other, factor = system.spelled(unit)
+    assert parse_unit(unit).factor_to(parse_unit(other)) == pytest.approx(float(factor), rel=1e-14)
+
+
+@given(
+    st.sampled_from([CGS, MIXED]), st.integers(10, 999), st.integers(-4, 2), st.sampled_from(["m", "kg", "m/s", "N"])
+)
+def test_a_number_comes_back_to_the_last_digit(system: SpokenUnits, digits: int, power: int, unit: str) -> None:
+    said = f"{Decimal(digits).scaleb(power):f} {unit}"
+    back = in_si(f"It is {spoken_in(system, said)}.")[-1].removeprefix("It is ").removesuffix(".")
+    number, _, of = back.partition(" ")
+    if of == unit:
+        assert Decimal(number) == Decimal(digits).scaleb(power)
+    else:  # grams, which may be meant
+        assert of == "g"
+
+
+def test_an_unknown_system_is_told_with_those_there_are() -> None:
+    assert [system_named(name) for name in SYSTEMS] == [SI, CGS, MIXED]
+    with pytest.raises(UnknownNameError, match="there are: SI, cgs, mixed"):
+        system_named("fps")
