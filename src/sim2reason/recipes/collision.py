@@ -75,7 +75,7 @@ TIERS = {
 }
 
 
-@recipe("collision")
+@recipe("collision", weights={"count": 0.3})  # three collisions, most often
 def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Pucks, each aimed so that it meets the slowest one before it, or balls, carts and walls on a straight track."""
     tier = TIERS[difficulty]
