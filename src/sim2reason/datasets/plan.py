@@ -53,8 +53,8 @@ class Request:
     def id(self) -> str:
         """A name that no other request has."""
         name = f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
-        digest = hashlib.sha256(json.dumps(self.weights).encode()).hexdigest()[:8]
-        return f"{name}{f'-{self.units}' * (self.units != SI)}{f'-{digest}' * bool(self.weights)}"
+        units = f"-{self.units}" if self.units != SI else ""
+        return f"{name}{units}-{_digest(self.weights)}" if self.weights else f"{name}{units}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,6 +112,11 @@ class Config(Record):
 def file_name(positions: range) -> str:
     """The name of the shard that holds `positions`."""
     return f"items-{positions.start:05}-{positions.stop - 1:05}.parquet"
+
+
+def _digest(weights: tuple[tuple[str, float], ...]) -> str:
+    """A short name for weights."""
+    return hashlib.sha256(json.dumps(weights).encode()).hexdigest()[:8]
 
 
 @cache
