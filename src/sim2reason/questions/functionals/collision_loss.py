@@ -20,7 +20,7 @@ class CollisionLoss(Functional):
     phrase = "the kinetic energy that {pair} lose together"
     how = "how much kinetic energy do {pair} lose together {when}?"
     indirect = "how much kinetic energy {pair} lose together"
-    weight = 3.0
+    weight = 5.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """As in: in their second collision."""

@@ -19,7 +19,7 @@ class DashpotHeat(Integral):
     phrase = "the energy that the dashpot beside {spring} dissipates"
     how = "how much energy does the dashpot beside {spring} dissipate {when}?"
     indirect = "how much energy the dashpot beside {spring} dissipates"
-    weight = 3.0
+    weight = 5.0
 
     def rate(self, state: State, name: str) -> Array:
         """The force c·dl/dt times the rate dl/dt, W, (n,)."""

@@ -30,7 +30,7 @@ class DistanceTravelled(Integral):
     phrase = "the total distance that {body} travels{ground}"
     how = "how far does {body} travel altogether{ground} {when}?"
     indirect = "how far {body} travels altogether{ground}"
-    weight = 3.0
+    weight = 2.0
 
     def rate(self, state: State, name: str) -> Array:
         """The speed, (n,)."""

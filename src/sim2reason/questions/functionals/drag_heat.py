@@ -23,7 +23,7 @@ class DragHeat(Integral):
     phrase = "the energy that {body} loses to the resistance of the medium"
     how = "how much energy does {body} lose to the resistance of the medium {when}?"
     indirect = "how much energy {body} loses to the resistance of the medium"
-    weight = 3.0
+    weight = 5.0
 
     def rate(self, state: State, name: str) -> Array:
         """−F·v, W, (n,)."""

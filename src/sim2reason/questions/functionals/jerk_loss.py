@@ -19,7 +19,7 @@ class JerkLoss(Functional):
     of, needs = Strings(), ("mass",)
     phrase = "the total kinetic energy lost"
     how = "how much kinetic energy is lost {when}?"
-    weight = 3.0
+    weight = 5.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """As in: when the string first becomes taut."""

@@ -22,7 +22,7 @@ class TotalCollisionLoss(Functional):
     of, needs = Whole(), ("mass",)
     phrase = "the total kinetic energy lost in collisions"
     how = "how much kinetic energy is lost in collisions altogether {when}?"
-    weight = 2.0
+    weight = 4.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Also of all that ever happen."""
