@@ -108,26 +108,26 @@ class Frames:
     ) -> None:
         """`q` and `v` hold a number for each coordinate, in the mechanism's order; `still` says that all are zero."""
         self._mechanism, self._q, self._v, self._maths = mechanism, q, v, maths
-        self._faces = {face.subject: (number, face) for number, face in enumerate(mechanism.faces)}
+        self._made = self._at_rest if still else self._of
         self._frames: dict[str | None, BodyFrame] = {None: ROOM}
         self._centers: dict[str, Point] = {}
         self._sites: dict[str, Point] = {}
         self._distances: dict[tuple[str, str], Distance] = {}
         self._pieces: dict[str, tuple[Distance, ...]] = {}
-        first, of = 0, self._at_rest if still else self._of
-        for body in mechanism.bodies:
-            self._frames[body.name] = of(body, first)
-            first += len(body.coordinates)
 
     def __getitem__(self, body: str | None) -> BodyFrame:
-        """The frame of a body; that of the room for None."""
-        return self._frames[body]
+        """The frame of a body; that of the room for None. It is worked out when it is asked for."""
+        found = self._frames.get(body)
+        if found is None:
+            assert body is not None
+            found = self._frames[body] = self._made(self._mechanism.body[body])
+        return found
 
     def center(self, body: str) -> Point:
         """The centre of mass of a body."""
         found = self._centers.get(body)
         if found is None:
-            found = self._centers[body] = self._frames[body].point(self._mechanism.body[body].center)
+            found = self._centers[body] = self[body].point(self._mechanism.body[body].center)
         return found
 
     def site(self, name: str) -> Point:
@@ -135,7 +135,7 @@ class Frames:
         found = self._sites.get(name)
         if found is None:
             site = self._mechanism.site[name]
-            found = self._sites[name] = self._frames[site.body].point(site.at)
+            found = self._sites[name] = self[site.body].point(site.at)
         return found
 
     def distance(self, first: str, last: str) -> Distance:
@@ -163,41 +163,41 @@ class Frames:
 
     def normal(self, subject: str) -> Triple:
         """The direction out of the face on which a body lies, in room axes."""
-        face = self._faces[subject][1]
+        face = self._mechanism.contacts[subject]
         carrier = subject if face.turning else self._mechanism.body[subject].parent
-        return self._frames[carrier].turned(face.normal)
+        return self[carrier].turned(face.normal)
 
-    def _at_rest(self, body: RigidBody, first: int) -> BodyFrame:
+    def _at_rest(self, body: RigidBody) -> BodyFrame:
         """The frame of a body where nothing has moved yet, so that it has the axes of the room."""
-        carrier = self._frames[body.parent]
+        carrier = self[body.parent]
         origin = carrier.origin if body.at is ZERO else plus(carrier.origin, body.at)
         steps, spin, lift = carrier.steps, carrier.spin, carrier.lift
-        for number, coordinate in enumerate(body.coordinates, start=first):
+        for coordinate in body.coordinates:
+            number = self._mechanism.number[coordinate.name]
             if coordinate.kind == "slide":
                 steps = (*steps, Step(number, coordinate.axis, None))
             else:
                 steps, spin = (*steps, Step(number, coordinate.axis, origin)), ZERO
-        found = self._faces.get(body.name)
-        if found is not None:
-            number, face = found
-            lift = {**lift, number: face.normal}
+        face = self._mechanism.contacts.get(body.name)
+        if face is not None:
+            lift = {**lift, self._mechanism.face_number[body.name]: face.normal}
         return BodyFrame(origin, None, ZERO, ZERO, spin, ZERO, steps, lift)
 
-    def _of(self, body: RigidBody, first: int) -> BodyFrame:
-        frame = self._frames[body.parent]
+    def _of(self, body: RigidBody) -> BodyFrame:
+        frame = self[body.parent]
         if body.at != ZERO:
             frame = _shifted(frame, frame.turned(body.at))
-        for number, coordinate in enumerate(body.coordinates, start=first):
+        for coordinate in body.coordinates:
+            number = self._mechanism.number[coordinate.name]
             if coordinate.kind == "slide":
                 frame = self._slid(frame, coordinate, number)
             else:
                 frame = self._hinged(frame, coordinate, number)
-        found = self._faces.get(body.name)
-        if found is None:
+        face = self._mechanism.contacts.get(body.name)
+        if face is None:
             return frame
-        number, face = found
-        carrier = frame if face.turning else self._frames[body.parent]
-        lift = {**frame.lift, number: carrier.turned(face.normal)}
+        carrier = frame if face.turning else self[body.parent]
+        lift = {**frame.lift, self._mechanism.face_number[body.name]: carrier.turned(face.normal)}
         return BodyFrame(
             frame.origin,
             frame.rotation,
@@ -211,8 +211,8 @@ class Frames:
 
     def _slid(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
         axis = frame.turned(coordinate.axis)
-        frame = _shifted(frame, times(self._q[number], axis))
-        velocity = plus(frame.velocity, times(self._v[number], axis))
+        frame = _shifted(frame, _along(axis, self._q[number]))
+        velocity = plus(frame.velocity, _along(axis, self._v[number]))
         bias = frame.bias
         if frame.spin is not None:
             bias = plus(bias, times(2.0 * self._v[number], cross(frame.spin, axis)))
@@ -229,6 +229,14 @@ class Frames:
         rotation = rotated(frame.rotation, coordinate.axis, self._q[number], self._maths)
         steps = (*frame.steps, Step(number, axis, frame.origin))
         return BodyFrame(frame.origin, rotation, frame.velocity, frame.bias, spin, spin_bias, steps, frame.lift)
+
+
+def _along(axis: Triple, size: Number) -> Triple:
+    """A number times an axis; what is zero along it stays a plain number, where others are arrays."""
+    x, y, z = axis
+    if type(x) is float and type(y) is float and type(z) is float:
+        return (size * x if x else 0.0, size * y if y else 0.0, size * z if z else 0.0)
+    return times(size, axis)
 
 
 def _shifted(frame: BodyFrame, arm: Triple) -> BodyFrame:

@@ -282,6 +282,11 @@ class Mechanism:
         return tuple((line, line.law) for line in self.lines if isinstance(line.law, Elastic) and line.law.side)
 
     @cached_property
+    def face_number(self) -> dict[str, int]:
+        """The place of each face among all, by the name of the body that lies on its parent."""
+        return {face.subject: number for number, face in enumerate(self.faces)}
+
+    @cached_property
     def contacts(self) -> dict[str, Face]:
         """Faces by the name of the body that lies on its parent."""
         return {face.subject: face for face in self.faces}

@@ -46,9 +46,21 @@ class Candidate:
         """How far motions of scenes like this one are followed, s."""
         return None if self.time is None else BEYOND * self.time
 
+    @cached_property
+    def _responses(self) -> dict[Study, float | None]:
+        """What was answered before: several filters, and the item, ask about the same changed scenes."""
+        return {}
+
     def response(self, other: Study | None) -> float | None:
         """The answer to the same question about a changed scene; None if it has none there."""
-        if other is None or not _has(other, self.question.query.target):
+        if other is None:
+            return None
+        if other not in self._responses:
+            self._responses[other] = self._answered(other)
+        return self._responses[other]
+
+    def _answered(self, other: Study) -> float | None:
+        if not _has(other, self.question.query.target):
             return None
         time = self.kind.time(self.question.query, other)
         if time is None or time > other.trace.stable_until:

@@ -20,6 +20,7 @@ Stages = tuple[Values, ...]
 """The rates of all stages, the last one that at the new point."""
 
 ORDER = 8
+COEFFICIENTS = 7  # of the polynomial over a step
 SAFETY, LEAST, MOST = 0.9, 0.2, 8.0  # of the factor by which a step changes
 
 

@@ -1,6 +1,7 @@
 """The motion of a mechanism whose equations change as it moves: integrated, with events located on the steps."""
 
 from collections.abc import Sequence
+from functools import cached_property
 from math import inf, isfinite
 
 import numpy as np
@@ -59,6 +60,24 @@ class FlowStep:
         return self.formulas.closing(self.time + x * self.length, self.at(x))
 
 
+class StepTable:
+    """All steps of a flow in arrays; the polynomials of those that were looked at."""
+
+    def __init__(self, steps: Sequence[FlowStep]) -> None:
+        """The flow is at its end."""
+        self.starts = np.array([step.time for step in steps])
+        self.lengths = np.array([step.length for step in steps])
+        self.values = np.array([step.values for step in steps])
+        self.polynomials = np.empty((dop853.COEFFICIENTS, *self.values.shape))
+        self._filled = set[int]()
+
+    def fill(self, steps: Sequence[FlowStep], number: int) -> None:
+        """Look at a step."""
+        if number not in self._filled:
+            self._filled.add(number)
+            self.polynomials[:, number] = np.array(steps[number].polynomial).T
+
+
 class Flow:
     """The integration of one mode, from where it begins to what ends it."""
 
@@ -74,6 +93,11 @@ class Flow:
         self.steps: list[FlowStep] = []
         self._watch = Watch(())
         self.turns: list[tuple[float, int]] = []  # when a coordinate's speed passes through zero, and which
+
+    @cached_property
+    def table(self) -> StepTable:
+        """Its steps, once it is at its end."""
+        return StepTable(self.steps)
 
     def advance(self, duration: float, longest: float) -> StopReason:
         """Go on for `duration`, s, or to the first event, or to where pivots must be chosen anew.
@@ -213,15 +237,13 @@ class Flow:
 
 def sampled(flow: Flow, times: Array) -> Array:
     """Coordinates and rates at times within a flow, (m, 2n)."""
-    starts = np.array([step.time for step in flow.steps])
-    at = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
-    used = np.unique(at)
-    place = np.searchsorted(used, at)
-    steps = [flow.steps[int(number)] for number in used]
-    since = (times - starts[at]) / np.array([step.length for step in steps])[place]
-    x = since[:, None]
+    table = flow.table
+    at = np.maximum(np.searchsorted(table.starts, times, side="right") - 1, 0)
+    for number in set(at.tolist()):
+        table.fill(flow.steps, number)
+    x = ((times - table.starts[at]) / table.lengths[at])[:, None]
     y = 1.0 - x
-    a, b, c, d, e, f, g = np.array([step.polynomial for step in steps]).transpose(2, 0, 1)[:, place]
+    a, b, c, d, e, f, g = table.polynomials[:, at]
     rise = x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
-    found: Array = np.array([step.values for step in steps])[place] + rise
+    found: Array = table.values[at] + rise
     return found

@@ -2,7 +2,10 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
+
+import numpy as np
 
 from sim2reason.simulation.engines.exact.bracing import greatest_least
 from sim2reason.simulation.engines.exact.dop853 import Rate
@@ -26,6 +29,11 @@ class Formulas:
     closing: Callable[..., tuple[float, ...]]  # Δr·Δv of these, then themselves
     cost: int  # operations of a step that is tried
     braced: tuple[Margin, ...] = ()
+
+    @cached_property
+    def sampled_forces(self) -> Callable[..., tuple[Any, ...]]:
+        """All forces for arrays of samples."""
+        return self.forces(np)
 
     def margins(self, time: float, values: Sequence[float]) -> tuple[float, ...]:
         """All margins, in the order of `watched`."""

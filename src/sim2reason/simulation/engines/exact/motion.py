@@ -67,6 +67,11 @@ class Motion:
         return len(mechanism.coordinates), len(mechanism.constraints), len(mechanism.faces)
 
     @cached_property
+    def _starts(self) -> Array:
+        """Of the segments, s."""
+        return np.array([segment.start for segment in self.segments])
+
+    @cached_property
     def _table(self) -> Array:
         """A row for each segment: q, v, a, forces of lines, normal forces, friction."""
         lines = self._widths[1]
@@ -84,7 +89,7 @@ class Motion:
 
     def state(self, times: Array) -> State:
         """The motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""
-        starts = np.array([segment.start for segment in self.segments])
+        starts = self._starts
         at = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
         n, lines, faces = self._widths
         table = self._table[at]
@@ -121,8 +126,10 @@ class Motion:
         within = np.minimum(times, flow.time)
         values = sampled(flow, within)
         with np.errstate(divide="ignore", invalid="ignore"):  # what has no value is not a number
-            found = flow.formulas.forces(np)(within, list(values.T))
-        columns = np.array([np.broadcast_to(column, within.shape) for column in found])
+            found = flow.formulas.sampled_forces(within, list(values.T))
+        columns = np.empty((len(found), len(within)))
+        for number, column in enumerate(found):
+            columns[number] = column
         q, v, a, forces = arrays
         q[here], v[here], a[here] = values[:, :n], values[:, n:], columns[:n].T
         rows = columns[n : n + len(segment.kinds)][:lines]
