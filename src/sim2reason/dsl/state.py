@@ -1,9 +1,10 @@
 """What a motion looks like to whoever reads it: arrays over time, the same from every engine."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,15 @@ from sim2reason.dsl.triples import Triple, minus, product
 Array = NDArray[np.float64]
 
 
+class Dynamics(NamedTuple):
+    """What forces do at n instants."""
+
+    a: Array
+    constraint_tension: Mapping[str, Array]
+    normal: Mapping[str, Array]
+    friction: Mapping[str, Array]
+
+
 @dataclass(frozen=True)
 class State:
     """The motion of a mechanism at n instants.
@@ -22,16 +32,57 @@ class State:
     `q`, `v`, `a` have the shape (n, number of coordinates), in the order of `mechanism.coordinates`.
     At an instant of an event the values are those just after it. A force that the mechanism does not
     determine (three supports, two unknown frictions) is NaN; everything else is finite.
+
+    All is read off a motion when it is asked for: many look at places alone, at whose instants forces cost the most.
     """
 
     mechanism: Mechanism
     times: Array  # s, (n,)
-    q: Array  # m or rad
-    v: Array
-    a: Array
-    constraint_tension: Mapping[str, Array]  # N, by line that gives an equation; of a rod negative where it pushes
-    normal: Mapping[str, Array]  # by the body that rests, N, ≥ 0 unless its face holds both ways
-    friction: Mapping[str, Array]  # by the body that rests, N, on that body, positive along its slip
+    kinematics: Callable[[], tuple[Array, Array]] = field(repr=False)  # gives q and v
+    dynamics: Callable[[], Dynamics] = field(repr=False)
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:
+        """What is known already."""
+        return cls(mechanism, times, lambda: kinematics, lambda: dynamics)
+
+    @cached_property
+    def _kinematics(self) -> tuple[Array, Array]:
+        return self.kinematics()
+
+    @cached_property
+    def _dynamics(self) -> Dynamics:
+        return self.dynamics()
+
+    @property
+    def q(self) -> Array:
+        """Coordinates, m or rad."""
+        return self._kinematics[0]
+
+    @property
+    def v(self) -> Array:
+        """Their rates."""
+        return self._kinematics[1]
+
+    @property
+    def a(self) -> Array:
+        """The rates of these."""
+        return self._dynamics.a
+
+    @property
+    def constraint_tension(self) -> Mapping[str, Array]:
+        """By line that gives an equation, N; of a rod negative where it pushes."""
+        return self._dynamics.constraint_tension
+
+    @property
+    def normal(self) -> Mapping[str, Array]:
+        """By the body that rests, N, ≥ 0 unless its face holds both ways."""
+        return self._dynamics.normal
+
+    @property
+    def friction(self) -> Mapping[str, Array]:
+        """By the body that rests, N, on that body, positive along its slip."""
+        return self._dynamics.friction
 
     @cached_property
     def frames(self) -> Frames:
@@ -73,8 +124,10 @@ class State:
 
     def vector(self, components: Triple) -> Array:
         """Three components as one array, (n, 3)."""
-        columns = [np.broadcast_to(np.asarray(part, dtype=np.float64), self.times.shape) for part in components]
-        return np.stack(columns, axis=1)
+        found = np.empty((len(self.times), 3))
+        for number, part in enumerate(components):
+            found[:, number] = part
+        return found
 
     def length(self, line: Line) -> tuple[Array, Array]:
         """The sum of the distances between the sites of a line, m, and its rate, m/s; both (n,).

@@ -33,6 +33,7 @@ class Study:
         self.scene, self.trace = scene, trace
         self._times: dict[Timed, float | None] = {}
         self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
+        self._readings: dict[str, Study | None] = {}
 
     @classmethod
     def of(cls, scene: Scene, times: Array) -> Self:
@@ -61,6 +62,12 @@ class Study:
     def changed(self, change: Hashable, make: Callable[[], Mechanism], until: float | None = None) -> "Study | None":
         """The scene with a changed mechanism, as `make` gives it, and its motion; `change` names it among all."""
         return self._followed(change, lambda: (self.scene, make()), until)
+
+    def read_as(self, reading: str, make: "Callable[[], Study | None]") -> "Study | None":
+        """What `make` gives, for a reading of this motion by that name."""
+        if reading not in self._readings:
+            self._readings[reading] = make()
+        return self._readings[reading]
 
     def _followed(
         self, key: object, make: Callable[[], tuple[Scene, Mechanism]], until: float | None

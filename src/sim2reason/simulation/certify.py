@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.quantities import Quantity
 from sim2reason.simulation.channels import Channel, channels
@@ -235,13 +235,14 @@ def _joined(a: State, b: State) -> State:
     def forces(x: Mapping[str, Array], y: Mapping[str, Array]) -> dict[str, Array]:
         return {name: np.concatenate([x[name], y[name]]) for name in x}
 
-    return State(
+    return State.of(
         a.mechanism,
         np.concatenate([a.times, b.times]),
-        np.concatenate([a.q, b.q]),
-        np.concatenate([a.v, b.v]),
-        np.concatenate([a.a, b.a]),
-        forces(a.constraint_tension, b.constraint_tension),
-        forces(a.normal, b.normal),
-        forces(a.friction, b.friction),
+        (np.concatenate([a.q, b.q]), np.concatenate([a.v, b.v])),
+        Dynamics(
+            np.concatenate([a.a, b.a]),
+            forces(a.constraint_tension, b.constraint_tension),
+            forces(a.normal, b.normal),
+            forces(a.friction, b.friction),
+        ),
     )

@@ -54,6 +54,19 @@ class ChangedMechanism(Simplification):
         return study.changed((self.name, subject), lambda: self.changed(study.mechanism, subject), until)
 
 
+class OtherReading(Simplification):
+    """A slip that reads the same motion differently, as a whole."""
+
+    @abstractmethod
+    def read(self, study: Study) -> Study | None:
+        """The motion as the slip has it, for as long as it is recorded; None if there is none."""
+
+    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+        """That motion."""
+        del subject, until
+        return study.read_as(self.name, lambda: self.read(study))
+
+
 S = TypeVar("S", bound=Simplification)
 SIMPLIFICATIONS: Registry[Simplification] = Registry("questions.simplifications")
 

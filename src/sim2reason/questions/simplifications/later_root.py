@@ -6,12 +6,12 @@ from math import inf, isfinite
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import Simplification, simplification
+from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.study import Study, Timed
 
 
 @simplification
-class LaterRoot(Simplification):
+class LaterRoot(OtherReading):
     """Where an equation for the time has two roots, the later one is taken."""
 
     name = "later root"
@@ -22,9 +22,8 @@ class LaterRoot(Simplification):
         del study
         return [""] if _is_passage(query.moment) else []
 
-    def simplified(self, study: Study, subject: str, until: float) -> Study:
+    def read(self, study: Study) -> Study:
         """The same motion, in which passages are what they are the second time."""
-        del subject, until
         return _Later(study.scene, study.trace)
 
 

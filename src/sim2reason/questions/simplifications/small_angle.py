@@ -1,16 +1,15 @@
 """A swing is taken to be as harmonic as a small one."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mobility import weighs
-from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import Simplification, simplification
+from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.study import Study
 from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
 from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
@@ -20,7 +19,7 @@ FITS = 1e-3  # of the largest displacement: what the modes leave of how a motion
 
 
 @simplification
-class SmallAngle(Simplification):
+class SmallAngle(OtherReading):
     """A swing is taken to be harmonic about its equilibrium, however wide it is."""
 
     name = "small angle"
@@ -32,9 +31,8 @@ class SmallAngle(Simplification):
         mechanism = study.mechanism
         return [""] if weighs(mechanism) and changing(mechanism, start(mechanism)) else []
 
-    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+    def read(self, study: Study) -> Study | None:
         """The motion in normal modes; None where there are none, or where it is harmonic anyway."""
-        del subject, until
         rest = equilibrium(study.mechanism)
         if rest is None or rest.linear:
             return None
@@ -56,16 +54,14 @@ def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
     def sample(times: Array) -> State:
         c, s = np.cos(np.outer(times, omega)), np.sin(np.outer(times, omega))
         unknown = np.full(len(times), np.nan)
-        return replace(
-            first,
-            times=times,
-            q=rest.coordinates + (c * a + s * (b / omega)) @ shapes.T,
-            v=(c * b - s * (a * omega)) @ shapes.T,
-            a=-((c * a + s * (b / omega)) * omega**2) @ shapes.T,
-            constraint_tension=dict.fromkeys(first.constraint_tension, unknown),
-            normal=dict.fromkeys(first.normal, unknown),
-            friction=dict.fromkeys(first.friction, unknown),
+        q, v = rest.coordinates + (c * a + s * (b / omega)) @ shapes.T, (c * b - s * (a * omega)) @ shapes.T
+        dynamics = Dynamics(
+            -((c * a + s * (b / omega)) * omega**2) @ shapes.T,
+            dict.fromkeys(first.constraint_tension, unknown),
+            dict.fromkeys(first.normal, unknown),
+            dict.fromkeys(first.friction, unknown),
         )
+        return State.of(first.mechanism, times, (q, v), dynamics)
 
     end = float(trace.state.times[-1])
     return Trace(trace.engine, sample(trace.state.times), (), end, "", sample, lambda: np.linspace(0.0, end, 33))

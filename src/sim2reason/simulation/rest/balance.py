@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from sim2reason.dsl.state import State
+from sim2reason.dsl.state import Dynamics, State
 from sim2reason.simulation.rest.loads import LITTLE, RestingLoads, Vector, shared
 
 
@@ -63,11 +63,7 @@ class Balance:
         known[self.active] = np.where(open_, math.nan, self.forces[self.active])
         friction = {grip.contact: -float(known[len(kinds) + i]) for i, grip in enumerate(self.loads.slips)}
         names = [face.subject for face in mechanism.faces]
-        return State(
-            mechanism,
-            np.zeros(1),
-            self.places[None, :],
-            still,
+        dynamics = Dynamics(
             still,
             {kind.name: known[i : i + 1] for i, kind in enumerate(kinds) if kind.name in mechanism.line},
             {
@@ -76,3 +72,4 @@ class Balance:
             },
             {name: np.array([friction.get(number, 0.0)]) for number, name in enumerate(names)},
         )
+        return State.of(mechanism, np.zeros(1), (self.places[None, :], still), dynamics)

@@ -1,13 +1,15 @@
 """A motion as the exact engine finds it: pieces between events, of constant acceleration or integrated."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from math import nan
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.flow import Flow, sampled
 from sim2reason.simulation.engines.exact.lengths import RowKind
@@ -89,51 +91,54 @@ class Motion:
 
     def state(self, times: Array) -> State:
         """The motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""
-        starts = self._starts
-        at = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
+        at = np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
+        kinematics = cache(lambda: self._kinematics(times, at))
+        return State(self.mechanism, times, kinematics, lambda: self._dynamics(times, at, *kinematics()))
+
+    def _flows(self, at: NDArray[np.intp]) -> Iterator[tuple[Segment, Flow, NDArray[np.bool_]]]:
+        """The integrated ones among the segments that instants belong to, with their flows, and which instants."""
+        for number, segment in enumerate(self.segments):
+            if segment.flow is not None and segment.flow.steps and (here := at == number).any():
+                yield segment, segment.flow, here
+
+    def _kinematics(self, times: Array, at: NDArray[np.intp]) -> tuple[Array, Array]:
+        """Coordinates and their rates."""
+        n, table, since = self._widths[0], self._table[at], (times - self._starts[at])[:, None]
+        q0, v0 = table[:, :n], table[:, n : 2 * n]
+        gained = since * table[:, 2 * n : 3 * n]
+        q, v = q0 + since * (v0 + 0.5 * gained), v0 + gained
+        for _, flow, here in self._flows(at):
+            values = sampled(flow, np.minimum(times[here], flow.time))
+            q[here], v[here] = values[:, :n], values[:, n:]
+        return q, v
+
+    def _dynamics(self, times: Array, at: NDArray[np.intp], q: Array, v: Array) -> Dynamics:
+        """Accelerations and forces."""
         n, lines, faces = self._widths
         table = self._table[at]
-        since = (times - starts[at])[:, None]
-        q0, v0, a = table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n]
-        gained = since * a
-        q, v = q0 + since * (v0 + 0.5 * gained), v0 + gained
-        forces = table[:, 3 * n :].T
-        for number, segment in enumerate(self.segments):
-            if segment.flow is not None and segment.flow.steps:
-                here = at == number
-                if here.any():
-                    self._fill(segment, times[here], here, (q, v, a, forces))
-        contacts = list(self.mechanism.contacts)
+        a, forces = table[:, 2 * n : 3 * n], table[:, 3 * n :].T
+        for segment, flow, here in self._flows(at):
+            found = _forces(flow, np.minimum(times[here], flow.time), (*q[here].T, *v[here].T))
+            a[here] = found[:n].T
+            rows = found[n : n + len(segment.kinds)][:lines]
+            borne = np.concatenate([rows, found[n + len(segment.kinds) :]])
+            borne[np.isnan([*segment.found.rows[:lines], *segment.found.normal, *segment.found.friction])] = nan
+            forces[:, here] = borne
         names = [line.name for line in self.mechanism.constraints]
-        tension = dict(zip(names, forces[:lines], strict=True))
-        return State(
-            mechanism=self.mechanism,
-            times=times,
-            q=q,
-            v=v,
-            a=a,
-            constraint_tension=tension,
-            normal=dict(zip(contacts, forces[lines : lines + faces], strict=True)),
-            friction=dict(zip(contacts, forces[lines + faces :], strict=True)),
+        contacts = list(self.mechanism.contacts)
+        return Dynamics(
+            a,
+            dict(zip(names, forces[:lines], strict=True)),
+            dict(zip(contacts, forces[lines : lines + faces], strict=True)),
+            dict(zip(contacts, forces[lines + faces :], strict=True)),
         )
 
-    def _fill(
-        self, segment: Segment, times: Array, here: np.ndarray, arrays: tuple[Array, Array, Array, Array]
-    ) -> None:
-        """What an integrated segment has at some times."""
-        flow, (n, lines, _) = segment.flow, self._widths
-        assert flow is not None
-        within = np.minimum(times, flow.time)
-        values = sampled(flow, within)
-        with np.errstate(divide="ignore", invalid="ignore"):  # what has no value is not a number
-            found = flow.formulas.sampled_forces(within, list(values.T))
-        columns = np.empty((len(found), len(within)))
-        for number, column in enumerate(found):
-            columns[number] = column
-        q, v, a, forces = arrays
-        q[here], v[here], a[here] = values[:, :n], values[:, n:], columns[:n].T
-        rows = columns[n : n + len(segment.kinds)][:lines]
-        found_forces = np.concatenate([rows, columns[n + len(segment.kinds) :]])
-        known = [*segment.found.rows[:lines], *segment.found.normal, *segment.found.friction]
-        found_forces[np.isnan(known)] = nan
-        forces[:, here] = found_forces
+
+def _forces(flow: Flow, times: Array, values: tuple[Array, ...]) -> Array:
+    """Accelerations, multipliers of rows, normal forces and friction along a flow, a row for each."""
+    with np.errstate(divide="ignore", invalid="ignore"):  # what has no value is not a number
+        found = flow.formulas.sampled_forces(times, values)
+    columns = np.empty((len(found), len(times)))
+    for number, column in enumerate(found):
+        columns[number] = column
+    return columns

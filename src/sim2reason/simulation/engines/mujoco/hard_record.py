@@ -10,7 +10,7 @@ import numpy as np
 from sim2reason.dsl.constancy import straight
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Rigid
-from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.hard_forces import Found, HardInstant, Way, solved
 from sim2reason.simulation.engines.mujoco.hard_model import HardModel
@@ -187,16 +187,13 @@ class HardRecord:
             normal[:, number] = np.where(unknown[rows : rows + faces] > 0.0, nan, found.normal)
             friction[:, number] = np.where(unknown[rows + faces :] > 0.0, nan, found.friction)
         names = list(mechanism.contacts)
-        return State(
-            mechanism,
-            times,
-            q,
-            v,
+        dynamics = Dynamics(
             a,
             dict(zip(lines, tension, strict=True)),
             dict(zip(names, normal, strict=True)),
             dict(zip(names, friction, strict=True)),
         )
+        return State.of(mechanism, times, (q, v), dynamics)
 
     def _joints(self, times: Array) -> Iterator[tuple[Stretch, Array]]:
         """For each time the stretch that it belongs to, and the joints then: on the curve through three knots."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.state import Array, Dynamics, State
 
 
 @dataclass
@@ -36,7 +36,7 @@ class Recorder:
         names = list(self.mechanism.contacts)
         normal = dict(zip(names, forces[k : k + c], strict=True))
         friction = dict(zip(names, forces[k + c :], strict=True))
-        return State(self.mechanism, times, q, v, a, tension, normal, friction)
+        return State.of(self.mechanism, times, (q, v), Dynamics(a, tension, normal, friction))
 
 
 def _between(first: Array, last: Array, start: Array, stop: Array, times: Array, n: int) -> tuple[Array, Array, Array]:
