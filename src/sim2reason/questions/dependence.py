@@ -11,7 +11,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.query import Query
-from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST, Study
+from sim2reason.questions.study import BEYOND, SHORTEST, Study
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 
@@ -27,14 +27,21 @@ Course = tuple[tuple[str, tuple[str, ...]], ...]
 class Dependence:
     """How a query's answer depends on the number at an address of the scene, all others being what they are."""
 
-    def __init__(self, query: Query, study: Study, path: str, *, rough: bool = False) -> None:
-        """`study` is that of any scene in which that number has some value; `rough` answers have some eight digits."""
+    def __init__(self, query: Query, study: Study, path: str, error: float = FINEST) -> None:
+        """`study` is that of any scene in which that number has some value; `error` is what a step may err by."""
         moment = query.moment.first() if query.moment is not None else None
         self._query, self._study, self._path = replace(query, moment=moment), study, path
-        self._error = ENOUGH if rough else FINEST
+        self._as_asked = moment == query.moment
+        self._error = error
         self._known: dict[float, float | None] = {}
-        self._times: dict[float, float] = {}  # when what is asked about came
+        self._times: dict[float, float] = {}  # when what is asked about came; inf where it was waited for in vain
         self._courses: dict[float, Course] = {}
+
+    def know(self, value: float, answer: float) -> None:
+        """The answer for the value that the number has in the study's scene; its motion need not be followed again."""
+        if self._as_asked:
+            self._known[value] = answer
+            self._note(value, self._study)
 
     def __call__(self, value: float) -> float | None:
         """The answer; inf for a time to what comes later than the motion is followed, None if there is no answer."""
@@ -52,39 +59,49 @@ class Dependence:
             scene = self._study.scene.having(self._path, value)
         except (SceneError, ValueError):
             return None
-        kind = KINDS[self._query.kind]
-        for until in self._stages(value, scene):
+        for stages in self._plans(value, scene):
             try:
-                other = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, until]), self._error))
+                return self._followed(value, scene, stages)
             except (SceneError, SimulationError, UnsupportedError):
-                return None
+                continue
+        return None
+
+    def _followed(self, value: float, scene: Scene, stages: Sequence[float]) -> float | None:
+        """The answer, where a motion is followed for ever longer until there is one."""
+        kind = KINDS[self._query.kind]
+        for until in stages:
+            other = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, until]), self._error))
             found = kind.answer(self._query, other)
             if found is not None:
-                self._times[value] = time = kind.time(self._query, other) or 0.0
-                events = other.trace.events
-                self._courses[value] = tuple((event.kind, event.subjects) for event in events if event.time <= time)
+                self._note(value, other)
                 return found if isfinite(found) else None
             if other.trace.cut or other.trace.stable_until < until:
                 return None
+        self._times[value] = inf
         return inf if kind.measured(self._query).name == "time" else None
 
-    def _stages(self, value: float, scene: Scene) -> Iterator[float]:
+    def _note(self, value: float, study: Study) -> None:
+        """When what is asked about comes in a motion, and after what."""
+        self._times[value] = time = KINDS[self._query.kind].time(self._query, study) or 0.0
+        self._courses[value] = tuple((e.kind, e.subjects) for e in study.trace.events if e.time <= time)
+
+    def _plans(self, value: float, scene: Scene) -> list[tuple[float, ...]]:
         """How long to follow a motion, s: to a stated time; until what is waited for comes; else to its own horizon.
 
-        It comes about when it came at the nearest of the values that are known.
+        It comes about when it came at the nearest of the values that are known. Where it did not come there at all, the
+        motion is followed as long as can be at once; if something then is amiss, that may be after it has come.
         """
         moment, end = self._query.moment, scene.horizon
         if moment is None:
-            yield end
-        elif not moment.event and not moment.channels:  # a time, the start, or all of the motion
+            return [(end,)]
+        if not moment.event and not moment.channels:  # a time, the start, or all of the motion
             known = [time for time, _ in moment.stated] or ([0.0] if moment.kind == "start" else [])
-            yield max(BEYOND * known[0], SHORTEST * end) if known else end
-        else:
-            near = min(self._times, key=lambda known: abs(known - value), default=None)
-            if near is not None:
-                yield min(1.2 * self._times[near], LONGER * end)
-            yield end
-            yield LONGER * end
+            return [(max(BEYOND * known[0], SHORTEST * end) if known else end,)]
+        near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0
+        usual = end, LONGER * end
+        if not near:
+            return [usual]
+        return [usual[-1:], usual] if near == inf else [(min(1.2 * near, LONGER * end), *usual)]
 
     def rate(self, value: float) -> float | None:
         """The derivative, from one side, which is known to `STEP`; None where there is none."""

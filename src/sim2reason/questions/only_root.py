@@ -13,15 +13,21 @@ SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not loo
 NEARLY = 10.0  # margins: unless it is as low as this already; then halving finds the tip of a kink
 KINK = 10  # halvings
 CLOSER = 3  # halvings between numbers for which different things happen
+COARSE = 1e-6  # relative: what a step may err by where an answer is farther than that from what is given
 
 
 class Scan:
     """Looks for another root. Below one root answers must lie on one side of what is given, above it on the other."""
 
-    def __init__(self, dependence: Dependence, root: float, given: float, margin: float) -> None:
-        """`margin` is by how much an answer must differ from what is given to be told from it."""
+    def __init__(
+        self, dependence: Dependence, root: float, given: float, margin: float, coarse: Dependence | None = None
+    ) -> None:
+        """`margin` is by how much an answer must differ from what is given to be told from it.
+
+        Where it differs by far, that of a `coarse` dependence, which costs less, is enough.
+        """
         rate = dependence.rate(root)
-        self._dependence, self._root, self._given = dependence, root, given
+        self._fine, self._coarse, self._root, self._given = dependence, coarse or dependence, root, given
         self._scale = margin if rate is not None and rate > 0.0 else -margin
         self._known: dict[float, float | None] = {}
 
@@ -46,15 +52,18 @@ class Scan:
     def _clear(self, at: float) -> float | None:
         """By how many margins the answer is beyond what is given, on the side where it must be; None without answer."""
         if at not in self._known:
-            found = self._dependence(at)
-            side = 1.0 if at > self._root else -1.0
-            self._known[at] = None if found is None else side * (found - self._given) / self._scale
+            clear = self._beyond(at, self._coarse(at))
+            self._known[at] = clear if clear is None or clear > NEARLY else self._beyond(at, self._fine(at))
         return self._known[at]
+
+    def _beyond(self, at: float, found: float | None) -> float | None:
+        side = 1.0 if at > self._root else -1.0
+        return None if found is None else side * (found - self._given) / self._scale
 
     def _borders(self) -> Iterator[float]:
         """Numbers ever closer to where there ceases to be an answer."""
         for one, other in pairwise(sorted({*self._known, self._root})):
-            yield from towards_border(self._dependence, one, other)
+            yield from towards_border(self._coarse, one, other)
 
     def _turning_points(self) -> Iterator[float]:
         """Numbers between neighbours for which different things happen: the answer may be anything in between."""
@@ -66,7 +75,7 @@ class Scan:
             pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
 
     def _differ(self, one: float, other: float) -> bool:
-        courses = [self._dependence.course(at) for at in (one, other)]
+        courses = [self._coarse.course(at) for at in (one, other)]
         return None not in courses and courses[0] != courses[1]
 
     def _dips(self) -> Iterator[float]:

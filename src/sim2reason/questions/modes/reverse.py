@@ -23,8 +23,9 @@ from sim2reason.questions.conditions import asking_for
 from sim2reason.questions.dependence import STEP, Dependence, roots
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.questions.only_root import Scan
+from sim2reason.questions.only_root import COARSE, Scan
 from sim2reason.questions.phrasing import chosen, sentence
+from sim2reason.questions.study import ENOUGH
 from sim2reason.questions.targets import targets
 from sim2reason.questions.unknown import range_of, some
 
@@ -55,7 +56,9 @@ class Reverse(QuestionMode):
             return None
         unit = words.units.spell(asked.measured(query).unit)
         for unknown in some(words.unknowns, rng):
-            found = _fixed(Dependence(query, study, unknown.path), float(study.scene.value(unknown.path)), result, unit)
+            drawn, dependence = float(study.scene.value(unknown.path)), Dependence(query, study, unknown.path)
+            dependence.know(drawn, result)
+            found = _fixed(dependence, drawn, result, unit)
             values = range_of(study.scene, unknown.path)
             if found is not None and values[0] <= found[1] <= values[-1]:
                 given, answer, elasticity = found
@@ -99,7 +102,7 @@ class Reverse(QuestionMode):
         if reading.given is None or isinstance(reading.query.moment, Reached):
             return super().solution(reading, study, words)
         for unknown in words.unknowns:
-            dependence = Dependence(reading.query, study, unknown.path, rough=True)
+            dependence = Dependence(reading.query, study, unknown.path, ENOUGH)
             found = roots(dependence, range_of(study.scene, unknown.path), reading.given.value)
             return found[0] if len(found) == 1 else None
         return None
@@ -109,10 +112,9 @@ def another(question: Question, study: Study) -> float | None:
     """A value of a question's unknown, beside the answer, that the result does not exclude; None if none is seen."""
     if question.given is None or not question.unknown:
         return None
-    dependence = Dependence(question.query, study, question.unknown, rough=True)
-    return Scan(dependence, question.answer, question.given.value, question.given.half).another(
-        range_of(study.scene, question.unknown)
-    )
+    fine, coarse = (Dependence(question.query, study, question.unknown, error) for error in (ENOUGH, COARSE))
+    scan = Scan(fine, question.answer, question.given.value, question.given.half, coarse)
+    return scan.another(range_of(study.scene, question.unknown))
 
 
 def _noun(query: Query, words: Words) -> Noun | None:

@@ -5,6 +5,7 @@ runs with floats for the integrator, with arrays for all samples at once.
 """
 
 import math
+from functools import partial
 from itertools import chain
 from math import inf
 
@@ -83,7 +84,7 @@ class _Recorded:
         guards = [(pivot, PIVOT * abs(pivot.value)) for pivot in found.pivots if isinstance(pivot, Symbol)]
         rate = tape.code([*self.v, *found.x], guards)(math)
         cost = STAGES * tape.written
-        forces = tape.code([*found.x, *rows, *normal, *friction])
+        forces = [*found.x, *rows, *normal, *friction]
         watched = self._watched(mode, rows, normal, friction)
         patterns = [self._patterns(mode, spare) for spare in found.free]
         parts = {margin: [pattern.get(margin, 0.0) for pattern in patterns] for margin, _ in watched}
@@ -102,7 +103,8 @@ class _Recorded:
         self.system.budget.spend(WRITING * len(tape.nodes))
         names = [*(margin for margin, _ in watched), *([Margin("brace", 0)] if braced else [])]
         due = tuple(margin for margin, _ in braced)
-        return Formulas(rate, forces, margins, tuple(names), held, tuple(passing), closing, cost, due)
+        write = partial(tape.code, forces)
+        return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, due)
 
     def _patterns(self, mode: Mode, free: FreeForces) -> dict[Margin, Number]:
         """How the margins of forces change with forces that the motion leaves open."""

@@ -21,7 +21,7 @@ class Formulas:
     """
 
     rate: Rate
-    forces: Callable[[Any], Callable[..., tuple[Any, ...]]]  # of `math` or `numpy`: a, rows, normal, friction
+    write_forces: Callable[[], Callable[[Any], Callable[..., tuple[Any, ...]]]]  # of `math` or `numpy`, if it is asked
     code: Callable[..., tuple[float, ...]]  # of margins, then of what braced ones are and how they change
     watched: tuple[Margin, ...]
     held: Callable[..., tuple[float, ...]] | None  # by how much rows that act are off, if something is held twice
@@ -32,8 +32,8 @@ class Formulas:
 
     @cached_property
     def sampled_forces(self) -> Callable[..., tuple[Any, ...]]:
-        """All forces for arrays of samples."""
-        return self.forces(np)
+        """For arrays of samples: a, rows, normal, friction. Few motions are asked for them."""
+        return self.write_forces()(np)
 
     def margins(self, time: float, values: Sequence[float]) -> tuple[float, ...]:
         """All margins, in the order of `watched`."""

@@ -182,8 +182,7 @@ class Tape:
             lines.append(f"if -{least} < {name} < {least}: raise ArithmeticError('a pivot is lost')")
         said = [writer.name(out.id) if isinstance(out, Symbol) else writer.constant(float(out)) for out in outputs]
         lines.append(f"return ({', '.join(said)}{',' if len(said) == 1 else ''})")
-        names = [f"c{number}" for number in range(len(writer.constants))]
-        make = compiled(f"{self._names[0]}, y", lines, ", ".join(["maths", *names]))
+        make = compiled(f"{self._names[0]}, y", lines, ", ".join(["maths", *writer.constants.values()]))
         constants = list(writer.constants)
         return lambda maths: make(maths, *constants)
 
@@ -193,7 +192,8 @@ class _Writer:
 
     def __init__(self, tape: Tape, outputs: Sequence[Symbol]) -> None:
         self._tape = tape
-        self.constants: list[float] = []
+        self._inputs = list(tape.inputs)
+        self.constants: dict[float, str] = {}  # and how they are written
         self._text: dict[int, tuple[str, int]] = {}  # how a node is written, and how deep its brackets are
         self.lines: list[str] = []
         uses = self._uses(outputs)
@@ -217,7 +217,7 @@ class _Writer:
     def _write(self, number: int, *, single: bool) -> None:
         operation, a, b = self._tape.nodes[number]
         if operation == "input":
-            self._text[number] = (list(self._tape.inputs)[a], 0)
+            self._text[number] = (self._inputs[a], 0)
             return
         if operation == "constant":
             self._text[number] = (self.constant(self._tape.constants[a]), 0)
@@ -244,9 +244,7 @@ class _Writer:
         """How a number is written: itself if it belongs to the shape, else as a parameter."""
         if value in PLAIN:
             return PLAIN[value]
-        if value not in self.constants:
-            self.constants.append(value)
-        return f"c{self.constants.index(value)}"
+        return self.constants.setdefault(value, f"c{len(self.constants)}")
 
 
 def value_of(number: Number) -> float:
