@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from sim2reason.dsl.scene import Scene
-from sim2reason.filters import Candidate, sift
+from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.length import followed
 from sim2reason.prose.voices import hiding
 from sim2reason.prose.writer import Description, describe
@@ -135,6 +135,8 @@ class QuestionSearch:
                 if verdict.keep:
                     return CertifiedQuestion(candidate, study, certificate, description, prompt.shape)
             refused[verdict.counted] += 1
+            if not question.unknown and FILTERS[verdict.filter].of_scene:
+                return None
         return None
 
     def _questions(

@@ -103,10 +103,12 @@ class Filter(ABC):
     Class data:
         order: its place among the filters: what costs little comes first.
         needs_witness: whether it runs last, with the certificate, since the witness costs most.
+        of_scene: whether what it refuses is the scene, so that no other question about it need be asked.
     """
 
     order: ClassVar[int]
     needs_witness: ClassVar[bool] = False
+    of_scene: ClassVar[bool] = False
 
     @abstractmethod
     def reason(self, candidate: Candidate) -> str:

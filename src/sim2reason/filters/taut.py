@@ -11,6 +11,7 @@ class Taut(Filter):
     """A string that has nothing to spare at the start pulls at nothing just after it: nobody would call it taut."""
 
     order = 0
+    of_scene = True
 
     def reason(self, candidate: Candidate) -> str:
         """Look at the tensions just after the start."""

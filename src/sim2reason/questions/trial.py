@@ -1,6 +1,7 @@
 """Trials of an outcome: whether it comes about with another value of one number of the scene."""
 
-from itertools import pairwise
+from collections.abc import Iterable
+from itertools import islice, pairwise
 
 import numpy as np
 
@@ -8,7 +9,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.study import Study
-from sim2reason.questions.unknown import range_of
+from sim2reason.questions.unknown import range_of, usual_range
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES
 
@@ -47,15 +48,26 @@ class Trial:
             duration *= 2.0
         return None
 
-    def change(self) -> float | None:
-        """Where the outcome changes, if it does so just once in the number's range."""
+    def change(self, *, usual: bool = False) -> float | None:
+        """Where the outcome changes, if it does so just once in the number's range; `usual`: near what is drawn."""
         values = range_of(self._scene, self._path)
-        sparse = {self(value) for value in (*values[::SPARSE], values[-1])}
-        if not sparse >= {True, False}:
+        sparse = self._turns((*values[::SPARSE], values[-1]))
+        if len(sparse) != 1 or (usual and not self._is_usual(*sparse[0])):
             return None
-        told = [(value, found) for value in values if (found := self(value)) is not None]
-        turns = [(low, high) for (low, one), (high, other) in pairwise(told) if one != other]
-        return self.between(*turns[0]) if len(turns) == 1 else None
+        turns = self._turns(values)
+        if len(turns) != 1 or (usual and not self._is_usual(*turns[0])):
+            return None
+        return self.between(*turns[0])
+
+    def _turns(self, values: Iterable[float]) -> list[tuple[float, float]]:
+        """Between which neighbours among some values it changes; no more than two such pairs."""
+        told = ((value, found) for value in values if (found := self(value)) is not None)
+        return list(islice(((low, high) for (low, one), (high, other) in pairwise(told) if one != other), 2))
+
+    def _is_usual(self, low: float, high: float) -> bool:
+        """Whether any number between two is not far from those that are drawn."""
+        least, most = usual_range(self._scene, self._path)
+        return low <= most and high >= least
 
     def near(self, about: float) -> float | None:
         """Where it changes, looked for ever farther from a number: just there, if that is where it does."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import Self, cast
 
 import numpy as np
@@ -76,10 +77,16 @@ def range_of(scene: Scene, path: str) -> tuple[float, ...]:
     return tuple(spaced(begin, min(high * BEYOND, held.most), POINTS).tolist())
 
 
-def is_usual(scene: Scene, path: str, value: float) -> bool:
-    """Whether a number is not far from those that are drawn."""
+def usual_range(scene: Scene, path: str) -> tuple[float, float]:
+    """Where a number is not far from those that are drawn."""
     drawn = _field(scene, path).drawn
-    return drawn is not None and drawn.low / USUAL <= value <= drawn.high * USUAL
+    return (drawn.low / USUAL, drawn.high * USUAL) if drawn is not None else (inf, -inf)
+
+
+def is_usual(scene: Scene, path: str, value: float) -> bool:
+    """Whether a number lies there."""
+    low, high = usual_range(scene, path)
+    return low <= value <= high
 
 
 def _of_either_sign(size: float, most: float) -> Array:

@@ -63,7 +63,7 @@ class ThresholdKind(Kind):
         outcome = found[int(rng.integers(len(found)))]
         for unknown in some(words.unknowns, rng):
             trial = Trial(study, outcome, unknown.path)
-            critical = trial.change()
+            critical = trial.change(usual=True)
             if critical is not None and is_usual(study.scene, unknown.path, critical):
                 happens = bool(rng.random() < 0.5)
                 greatest = trial(critical * (1.0 + SIDE)) is not happens
