@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 
 import numpy as np
 
@@ -62,21 +63,17 @@ class QuestionSearch:
         self.kinds: set[str] = set()  # of questions that were found in it
 
     @cached_property
-    def _wording(self) -> int:
-        """The seed of a text whose sentences about strings can be followed, if one is found soon."""
-        tried = range(self._first_wording, self._first_wording + WORDINGS)
-        return next((n for n in tried if followed(describe(self.study.scene, n).sentences)), self._first_wording)
-
-    @cached_property
     def description(self) -> Description:
-        """Its text."""
-        return describe(self.study.scene, self._wording)
+        """Its text, one whose sentences about strings can be followed, if one is found soon."""
+        first = describe(self.study.scene, self._first_wording)
+        others = (describe(self.study.scene, self._first_wording + n) for n in range(1, WORDINGS))
+        return next((told for told in chain([first], others) if followed(told.sentences)), first)
 
     def _described(self, question: Question) -> Description:
         """Its text, as a question needs it: with its unknown, if it has one."""
         if not question.unknown:
             return self.description
-        return describe(self.study.scene, self._wording, hiding(question.unknown))
+        return describe(self.study.scene, self.description.seed, hiding(question.unknown))
 
     @cached_property
     def words(self) -> Words:

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -24,7 +23,6 @@ from sim2reason.prose.voices import Voice, numeric
 
 FREE_FALL = "The acceleration of free fall is $g$."
 TABLE_FROM = 3  # like bodies; two are always prose
-TOLD = 8  # texts that are remembered: a scene is told to count its words, to look at its sentences, and for questions
 
 
 @dataclass(frozen=True)
@@ -60,20 +58,23 @@ class Description:
         return self.names.mention(address, self.scene.bodies[address])
 
 
-@lru_cache(maxsize=TOLD)
 def describe(scene: Scene, seed: int = 0, voice: Voice = numeric) -> Description:
     """The text of a scene; wordings depend on `seed` alone, so that all voices say the same sentences.
 
     A first pass finds the order of mention, from which follow the letters; a second one writes.
     """
-    _, dry = draft(scene, seed)
+    return written(draft(scene, seed)[1], seed, voice)
+
+
+def written(dry: "Writer", seed: int = 0, voice: Voice = numeric) -> Description:
+    """The second pass, after one by `dry`."""
+    scene = dry.scene
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
     final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told))
     sentences = tuple(final.sentences())
     return Description(scene, sentences, names, final.symbols, final.roles, tuple(final.told), seed, voice)
 
 
-@lru_cache(maxsize=TOLD)
 def draft(scene: Scene, seed: int = 0) -> "tuple[list[str], Writer]":
     """The sentences of the first pass, hardly longer than those of the text, and who wrote them."""
     nouns = _nouns(scene, np.random.default_rng([seed, 1]))

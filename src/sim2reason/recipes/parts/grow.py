@@ -17,7 +17,7 @@ from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
-from sim2reason.prose.writer import describe, draft
+from sim2reason.prose.writer import draft, written
 from sim2reason.recipes.parts.open_ports import OpenPort, ends_for, is_down, is_passed, open_ports, stands_still, takes
 
 TRIES = 40
@@ -233,9 +233,10 @@ def grow(tier: Tier, rng: np.random.Generator) -> Scene:
 
 def _is_short(scene: Scene, words: int) -> bool:
     """Whether the whole text and every sentence about a string keep within their bounds."""
-    if _total(draft(scene)[0]) > words:
+    drafted, dry = draft(scene)
+    if _total(drafted) > words:
         return False  # most do not, and show it at once
-    sentences = describe(scene).sentences
+    sentences = written(dry).sentences
     return _total(sentences) <= words and max(map(_length, sentences)) <= LONGEST_SENTENCE
 
 
