@@ -43,6 +43,12 @@ class Dependence:
             self._known[value] = answer
             self._note(value, self._study)
 
+    def coarser(self, error: float) -> "Dependence":
+        """The same with steps that may err by more; what one learns of when to wait for an answer the other knows."""
+        found = Dependence(self._query, self._study, self._path, error)
+        found._times = self._times
+        return found
+
     def __call__(self, value: float) -> float | None:
         """The answer; inf for a time to what comes later than the motion is followed, None if there is no answer."""
         if value not in self._known:

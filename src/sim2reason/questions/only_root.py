@@ -27,7 +27,7 @@ class Scan:
         Where it differs by far, that of a `coarse` dependence, which costs less, is enough.
         """
         rate = dependence.rate(root)
-        self._fine, self._coarse, self._root, self._given = dependence, coarse or dependence, root, given
+        self._dependence, self._coarse, self._root, self._given = dependence, coarse or dependence, root, given
         self._scale = margin if rate is not None and rate > 0.0 else -margin
         self._known: dict[float, float | None] = {}
 
@@ -53,7 +53,7 @@ class Scan:
         """By how many margins the answer is beyond what is given, on the side where it must be; None without answer."""
         if at not in self._known:
             clear = self._beyond(at, self._coarse(at))
-            self._known[at] = clear if clear is None or clear > NEARLY else self._beyond(at, self._fine(at))
+            self._known[at] = clear if clear is None or clear > NEARLY else self._beyond(at, self._dependence(at))
         return self._known[at]
 
     def _beyond(self, at: float, found: float | None) -> float | None:

@@ -112,8 +112,8 @@ def another(question: Question, study: Study) -> float | None:
     """A value of a question's unknown, beside the answer, that the result does not exclude; None if none is seen."""
     if question.given is None or not question.unknown:
         return None
-    fine, coarse = (Dependence(question.query, study, question.unknown, error) for error in (ENOUGH, COARSE))
-    scan = Scan(fine, question.answer, question.given.value, question.given.half, coarse)
+    fine = Dependence(question.query, study, question.unknown, ENOUGH)
+    scan = Scan(fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE))
     return scan.another(range_of(study.scene, question.unknown))
 
 
