@@ -1,5 +1,6 @@
 """Each filter drops what it should and keeps what it should."""
 
+from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import NoSlipping, Rolling
@@ -23,7 +25,7 @@ from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.parts.effects import effects
-from sim2reason.questions import KINDS, Moment, Query, Question, Study, Target
+from sim2reason.questions import KINDS, MODES, Moment, Query, Question, Study, Target
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
@@ -123,6 +125,16 @@ def test_precision_drops_a_small_difference_of_large_numbers() -> None:
 def test_precision_drops_what_hangs_on_the_order_of_events() -> None:
     limit = ramp(angle=30.0, friction=0.577, speed=1.0)  # tan 30° = 0.57735: it just slides back, or just does not
     assert reason("precision", candidate(limit, AtTime(1.9), Target("velocity", "ramp.blocks.0"), 1.0))
+
+
+def test_a_changed_scene_is_asked_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By whatever filter: an answer in the same motion stays what it is."""
+    found = candidate(ramp(angle=30.0), AtTime(0.5), Target("velocity", "ramp.blocks.0"))
+    other = found.study.variant(ramp(angle=31.0))
+    first = found.response(other)
+    monkeypatch.setattr(type(found.kind), "answer", lambda *_: 0.0)
+    assert first
+    assert found.response(other) == first
 
 
 def test_too_many_words_go() -> None:
@@ -242,3 +254,7 @@ def test_a_string_that_is_slack_at_once_is_not_called_taut() -> None:
     sliding = TwoSideMassPlane(plane=Plane(angle=30.0, friction=0.1), blocks=(lower, upper))
     scene = Scene(entities=(Named(name="ramp", entity=sliding),))
     assert "slack" in reason("taut", candidate(scene, AtTime(0.5), Target("velocity", "ramp.blocks.0")))
+    refused = Counter[str]()
+    search = QuestionSearch(scene, 1)
+    assert search.ask(MODES["numeric"], np.random.default_rng(1), refused, "state") is None
+    assert refused["taut"] == 1, "nothing else is asked about a scene like that"

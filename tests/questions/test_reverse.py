@@ -66,6 +66,32 @@ def test_the_friction_that_makes_it_take_so_long(time: float) -> None:
     assert dependence(1.0) == np.inf
 
 
+def test_a_coarser_dependence_waits_as_long_as_the_finer_one_knows_to() -> None:
+    """Else what goes wrong in a motion after the answer would hide it from one of the two."""
+    fine = Dependence(TAKES, study(ramp(angle=30.0)), "ramp.plane.angle")
+    coarse, time, scene = fine.coarser(1e-6), fine(30.0), ramp(angle=31.0)
+    assert time == pytest.approx(sqrt(2.0 * 0.8 / (G * 0.5)))
+    plans = coarse._plans(31.0, scene)
+    assert plans == [(pytest.approx(1.2 * time), scene.horizon, 2.0 * scene.horizon)]
+    assert coarse(31.0) == pytest.approx(sqrt(2.0 * 0.8 / (G * sin(radians(31.0)))))
+
+
+def test_beside_a_motion_in_which_nothing_came_one_is_followed_for_long_at_once() -> None:
+    """And has the same answer: 0.8 m take √(2 s/g(sin θ − µ cos θ)), or for ever from µ = tan 40° = 0.84 on."""
+    scene = ramp(angle=40.0, friction=0.1)
+    dependence = Dependence(TAKES, study(scene), "ramp.plane.friction")
+    assert dependence(1.5) == np.inf
+    assert dependence._plans(0.1, scene)[0] == (2.0 * scene.horizon,)
+    slope = radians(40.0)
+    assert dependence(0.1) == pytest.approx(sqrt(1.6 / (G * (sin(slope) - 0.1 * cos(slope)))))
+
+
+def test_what_is_known_of_the_scene_itself_is_not_worked_out_again() -> None:
+    dependence = Dependence(AFTER, study(ramp(angle=30.0)), "ramp.plane.angle")
+    dependence.know(30.0, 1.25)
+    assert dependence(30.0) == 1.25
+
+
 def test_two_elevations_of_one_range_are_told() -> None:
     """On level ground θ and 90° − θ carry as far; from a height two angles do, too, if neither is the best one."""
     scene = throw(25.0)

@@ -50,6 +50,16 @@ def pendulum(hanger: Cord | LightRod, angle: float, speed: float) -> Scene:
     )
 
 
+def test_what_changes_far_from_what_is_drawn_is_not_closed_in_on() -> None:
+    """Friction is drawn up to 0.7; on a slope of 60° it would have to be tan 60° = 1.73, beyond twice that."""
+    scene = ramp(angle=60.0, friction=0.3)
+    trial = Trial(study(scene), OUTCOMES["slides"]("ramp.blocks.0"), "ramp.plane.friction")
+    assert trial.change(usual=True) is None
+    tried = len(trial._known)
+    assert trial.change() == pytest.approx(tan(radians(60.0)), rel=1e-7)
+    assert tried < len(trial._known)
+
+
 def test_a_block_slips_from_the_angle_of_friction_on() -> None:
     """µ = tan θ, and θ = atan µ."""
     scene = ramp(angle=25.0, friction=0.3)

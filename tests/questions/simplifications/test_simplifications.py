@@ -177,3 +177,12 @@ def test_a_wide_swing_taken_as_small() -> None:
     times = np.linspace(0.0, 1.0, 11)
     swung = 1.0 - np.cos(sqrt(1.5 * G / 1.2) * times)  # from θ₀ on, in θ₀
     assert np.abs(found.trace.sample(times).q[:, 0]) == pytest.approx(radians(60.0) * swung, rel=1e-9, abs=1e-12)
+
+
+def test_a_motion_is_read_differently_once() -> None:
+    """Filters and the item ask for the same reading, whose equilibrium and modes are not looked for again."""
+    study, slip = studied(rod_pendulum()), SIMPLIFICATIONS["small angle"]
+    assert list(slip.subjects(ASKED, study)) == [""]
+    first = slip.simplified(study, "", 1.0)
+    assert first is not None
+    assert slip.simplified(study, "", 2.0) is first
