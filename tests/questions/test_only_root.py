@@ -77,5 +77,10 @@ def test_between_numbers_for_which_different_things_happen_more_are_tried() -> N
     assert found(result) is None
 
 
+def test_what_begins_to_happen_at_the_root_makes_no_other_root() -> None:
+    """What is not told from the root is it."""
+    assert found(lambda value: 1.0 - (value - ROOT) / 4.0, 1.001 * ROOT) is None
+
+
 def test_a_function_that_only_rises_has_one_root() -> None:
     assert found(lambda value: value**3) is None

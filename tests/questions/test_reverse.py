@@ -125,6 +125,9 @@ def test_a_dip_between_two_points_is_seen() -> None:
         def rate(self, value: float) -> float:
             return 2.0 * (value - 3.0)
 
+        def course(self, value: float) -> None:
+            del value
+
     points = tuple(np.geomspace(0.1, 100.0, 64).tolist())
     dependence = Parabola()
     assert Scan(dependence, 20.0, 289.0001, 1.0).another(points) is None

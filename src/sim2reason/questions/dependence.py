@@ -17,6 +17,7 @@ from sim2reason.simulation.trace import ENGINES, FINEST
 
 LONGER = 2.0  # times the scene's own horizon, until which something is waited for that may come later
 BORDER = 5  # bisections towards where there is no answer
+AT_ONCE = 1e-6  # of a time
 STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
 
@@ -87,9 +88,11 @@ class Dependence:
         return inf if kind.measured(self._query).name == "time" else None
 
     def _note(self, value: float, study: Study) -> None:
-        """When what is asked about comes in a motion, and after what."""
+        """When what is asked about comes in a motion, and after what; itself it may be an event, within rounding."""
         self._times[value] = time = KINDS[self._query.kind].time(self._query, study) or 0.0
-        self._courses[value] = tuple((e.kind, e.subjects) for e in study.trace.events if e.time <= time)
+        self._courses[value] = tuple(
+            (e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - AT_ONCE)
+        )
 
     def _plans(self, value: float, scene: Scene) -> list[tuple[float, ...]]:
         """How long to follow a motion, s: to a stated time; until what is waited for comes; else to its own horizon.

@@ -40,10 +40,13 @@ class Scan:
 
     def _tried(self, values: Sequence[float]) -> Iterator[float]:
         for stride in STRIDES:
-            yield from (at for at in values[stride // 2 :: stride] if abs(at - self._root) > NEAR * abs(self._root))
+            yield from filter(self._is_apart, values[stride // 2 :: stride])
         yield from self._borders()
-        yield from self._turning_points()
+        yield from filter(self._is_apart, self._turning_points())
         yield from self._dips()
+
+    def _is_apart(self, at: float) -> bool:
+        return abs(at - self._root) > NEAR * abs(self._root)
 
     def _could_be(self, at: float) -> bool:
         clear = self._clear(at)
