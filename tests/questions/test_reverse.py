@@ -19,7 +19,7 @@ from sim2reason.prose.writer import describe
 from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.conditions import asking_for
 from sim2reason.questions.dependence import Dependence, roots
-from sim2reason.questions.modes.reverse import another
+from sim2reason.modes.reverse import another
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.moved import Moved

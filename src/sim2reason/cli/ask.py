@@ -7,6 +7,7 @@ from textwrap import fill
 import click
 
 from sim2reason.cli import console, source
+from sim2reason.datasets.make import answer_of
 from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.questions import KINDS, MODES
@@ -53,7 +54,7 @@ def _tell(text: str, found: list[CertifiedQuestion]) -> None:
     for number, certified in enumerate(found, start=1):
         question = certified.question
         sign = f"  (positive: {question.sign})" if question.sign else ""
-        click.echo(f"\n{number}. {question.text}\n   Answer: {question.answer:.4g} {question.unit}".rstrip() + sign)
+        click.echo(f"\n{number}. {question.text}\n   Answer: {answer_of(certified).told}{sign}")
 
 
 def _document(certified: CertifiedQuestion) -> dict[str, object]:
@@ -62,6 +63,7 @@ def _document(certified: CertifiedQuestion) -> dict[str, object]:
         "prompt": certified.prompt,
         "question": question.text,
         "answer": question.answer,
+        "formula": question.formula.latex if question.formula is not None else None,
         "unit": question.unit,
         "sign": question.sign,
         "mode": question.mode,

@@ -46,7 +46,7 @@ def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> in
         remedy = "install the versions that it names, or make the dataset anew"
         raise DatasetError(f"{name}: this version of sim2reason makes another problem of these coordinates; {remedy}")
     for title, lines in (
-        ("Problem", [*item.prompt.splitlines(), "", f"Answer: {item.answer.value:.6g} {item.answer.unit}".rstrip()]),
+        ("Problem", [*item.prompt.splitlines(), "", f"Answer: {item.answer.told}"]),
         ("Scene", item.scene.splitlines()),
         ("Certificate", [f"{key}: {value}" for key, value in item.certificate.items()]),
         ("Refused before it", [f"{count} × {reason}" for reason, count in sorted(refused.items())] or ["nothing"]),

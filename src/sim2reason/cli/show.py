@@ -55,6 +55,6 @@ def _tell(item: Item, *, with_scene: bool) -> None:
     for line in item.prompt.splitlines():
         click.echo(fill(line, WIDTH, break_long_words=False, break_on_hyphens=False))
     sign = f"  (positive: {item.answer.sign})" if item.answer.sign else ""
-    click.echo(f"\nAnswer: {item.answer.value:.6g} {item.answer.unit}{sign}\n")
+    click.echo(f"\nAnswer: {item.answer.told}{sign}\n")
     if with_scene:
         click.echo(indent(item.scene, "    "))

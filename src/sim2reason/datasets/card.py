@@ -50,7 +50,7 @@ def _example(item: Item | None) -> Iterator[str]:
         return
     sign = f" (positive: {item.answer.sign})" if item.answer.sign else ""
     yield from ("", "## An example", "", *(f"> {line}".rstrip() for line in item.prompt.splitlines()), "")
-    yield from (f"Answer: {item.answer.value:.6g} {item.answer.unit}{sign}", "", "Its scene:", "", "```yaml")
+    yield from (f"Answer: {item.answer.told}{sign}", "", "Its scene:", "", "```yaml")
     yield from (item.scene.rstrip("\n"), "```")
 
 
@@ -59,7 +59,7 @@ def _fields() -> Iterator[str]:
         ("id", "names the request that makes the item again"),
         ("prompt", "the problem, as a solver sees it"),
         ("shape", "in which order the prompt says what it says"),
-        ("answer", "value, unit, sense that counts as positive, relative tolerance"),
+        ("answer", "value, unit, sense that counts as positive, relative tolerance; or a formula with bindings"),
         ("mode, kind, recipe, difficulty", "what sort of problem it is"),
         ("entities", "the types of the scene's parts"),
         ("distractors", "wrong answers, each with the slip that leads to it"),

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from sim2reason.datasets.item import Item
 from sim2reason.errors import DatasetError
-from sim2reason.grading import Outcome, Score, number
+from sim2reason.grading import Outcome, Score, formula, number
 
 __all__ = ["Response", "Tally", "grade", "line", "responses", "tallies"]
 
@@ -23,11 +23,13 @@ class Response(BaseModel):
 
 
 def grade(item: Item, response: str, *, lenient: bool = False) -> Score:
-    """The score of `response` to `item`, in the item's unit and within its tolerance.
+    """The score of `response` to `item`, in the item's unit and within its tolerance; a formula at its bindings.
 
-    `lenient` takes the last number where there is no box: for evaluation, never for a reward.
+    `lenient` takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken.
     """
     answer = item.answer
+    if answer.formula is not None:
+        return formula(response, answer.formula.latex, answer.formula.points, symbols=answer.formula.symbols)
     return number(response, answer.value, answer.unit, tolerance=answer.tolerance, lenient=lenient)
 
 

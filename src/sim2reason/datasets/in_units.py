@@ -6,7 +6,12 @@ from sim2reason.questions.spoken_units import SpokenUnits, spoken_in
 
 
 def told_in(system: SpokenUnits, item: Item) -> Item:
-    """The same problem with all numbers of its text, its answer and its wrong answers in a system of units."""
+    """The same problem with all numbers of its text, its answer and its wrong answers in a system of units.
+
+    One in symbols stays as it is: its formula holds in any.
+    """
+    if item.answer.formula is not None:
+        return item
     unit = system.spelled(item.answer.unit)[0]
     begin, asked, end = item.prompt.rpartition(f" in {unit_in_words(item.answer.unit)}")
     if asked and item.answer.unit and ". " not in end:  # the last sentence

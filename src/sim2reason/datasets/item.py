@@ -1,8 +1,11 @@
 """An item: one problem with its answer, and all that is needed to check or make it again."""
 
 import json
+from typing import Self
 
-from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, JsonValue, field_validator
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, JsonValue, field_validator, model_validator
+
+from sim2reason.prose.formula_numbers import said_in
 
 
 class Record(BaseModel):
@@ -11,8 +14,44 @@ class Record(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
+class Binding(Record):
+    """Numbers for all symbols of a problem, in their order, and the answer that the engine finds with them."""
+
+    numbers: tuple[FiniteFloat, ...]
+    answer: FiniteFloat
+
+
+class FormulaRecord(Record):
+    """An answer as a formula. Its bindings count angles in radians and lengths in metres, as formulas do."""
+
+    latex: str
+    symbols: tuple[str, ...]
+    """All that the prompt has, in LaTeX without dollars; the formula may do without some."""
+    units: tuple[str, ...]
+    """Those of the symbols, as the scene's file has them: angles in degrees."""
+    bindings: tuple[Binding, ...]
+    """The first has the scene's own numbers."""
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if any(len(held) != len(self.symbols) for held in (self.units, *(each.numbers for each in self.bindings))):
+            raise ValueError("each symbol has a unit, and a number in each binding")
+        return self
+
+    @property
+    def points(self) -> list[dict[str, float]]:
+        """The bindings by symbol."""
+        return [dict(zip(self.symbols, each.numbers, strict=True)) for each in self.bindings]
+
+    def given(self, binding: int = 0) -> dict[str, str]:
+        """By symbol, the numbers of a binding in words, with their units, as a text would have them."""
+        numbers = self.bindings[binding].numbers
+        pairs = zip(self.symbols, self.units, numbers, strict=True)
+        return {symbol: said_in(number, unit) for symbol, unit, number in pairs}
+
+
 class Answer(Record):
-    """The answer: `value` in `unit`, right within the relative `tolerance`."""
+    """The answer: `value` in `unit`, right within the relative `tolerance`; or a `formula`, whose value that is."""
 
     value: FiniteFloat
     unit: str
@@ -20,6 +59,13 @@ class Answer(Record):
     sign: str = ""
     """The axis or sense that counts as positive, in words; empty for a magnitude."""
     tolerance: float = 0.05
+    formula: FormulaRecord | None = None
+
+    @property
+    def told(self) -> str:
+        """For people: the number with its unit, or the formula and its value in the scene."""
+        number = f"{self.value:.6g} {self.unit}".rstrip()
+        return number if self.formula is None else f"${self.formula.latex}$, which here is {number}"
 
 
 class Distractor(Record):

@@ -7,12 +7,12 @@ from pydantic import JsonValue
 
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
-from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
+from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, Provenance, QueryRecord
 from sim2reason.datasets.item_search import SETTINGS as BUDGET
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Made, Request, versions
 from sim2reason.datasets.question_search import SAMPLES, SHORTEST, CertifiedQuestion
-from sim2reason.questions import KINDS
+from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
@@ -36,9 +36,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         id=request.id,
         prompt=found.prompt,
         shape=found.shape,
-        answer=Answer(
-            value=question.answer, unit=question.unit, sign=question.sign, tolerance=found.candidate.tolerance
-        ),
+        answer=answer_of(found),
         mode=request.mode,
         kind=question.query.kind,
         recipe=request.recipe,
@@ -63,6 +61,19 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         ),
     )
     return told_in(system_named(request.units), item)
+
+
+def answer_of(found: CertifiedQuestion) -> Answer:
+    """The record of its answer."""
+    question, tolerance = found.question, found.candidate.tolerance
+    formula = _formula_of(question.formula) if question.formula is not None else None
+    return Answer(value=question.answer, unit=question.unit, sign=question.sign, tolerance=tolerance, formula=formula)
+
+
+def _formula_of(formula: Formula) -> FormulaRecord:
+    pairs = zip(formula.points, formula.values, strict=True)
+    bindings = tuple(Binding(numbers=numbers, answer=answer) for numbers, answer in pairs)
+    return FormulaRecord(latex=formula.latex, symbols=formula.symbols, units=formula.units, bindings=bindings)
 
 
 def _query_of(found: CertifiedQuestion) -> QueryRecord:

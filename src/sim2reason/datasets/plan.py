@@ -26,7 +26,7 @@ LARGEST = 2**63 - 1
 SI = "SI"
 """The system of units of which a text speaks by default."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
-SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic"
+SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 """The packages whose versions may change the bytes of a dataset."""
 
 

@@ -11,7 +11,6 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.length import followed
-from sim2reason.prose.voices import hiding
 from sim2reason.prose.writer import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
 from sim2reason.questions.prompt import shaped, words_of
@@ -47,6 +46,15 @@ class CertifiedQuestion:
         return self.candidate.prompt
 
 
+@dataclass(frozen=True)
+class _Told:
+    """A question that filters look at, with its text."""
+
+    candidate: Candidate
+    description: Description
+    shape: str
+
+
 class QuestionSearch:
     """A scene with its motion and its text, which all questions about it share.
 
@@ -68,12 +76,6 @@ class QuestionSearch:
         first = describe(self.study.scene, self._first_wording)
         others = (describe(self.study.scene, self._first_wording + n) for n in range(1, WORDINGS))
         return next((told for told in chain([first], others) if followed(told.sentences)), first)
-
-    def _described(self, question: Question) -> Description:
-        """Its text, as a question needs it: with its unknown, if it has one."""
-        if not question.unknown:
-            return self.description
-        return describe(self.study.scene, self.description.seed, hiding(question.unknown))
 
     @cached_property
     def words(self) -> Words:
@@ -115,26 +117,33 @@ class QuestionSearch:
             refused[self.fault] += 1
             return None
         for question in self._questions(mode, kind, rng, refused, tries):
-            description, study = self._described(question), mode.study(question, self.study)
-            prompt = shaped(description, question, rng)
-            candidate = Candidate(
-                study,
-                question,
-                prompt.text,
-                description.sentences,
-                self.words,
-                difficulty=self._difficulty,
-            )
-            verdict = sift(candidate, witnessed=False)
+            told = self._told(question, mode, rng)
+            verdict = sift(told.candidate, witnessed=False)
             if verdict.keep:
-                study, certificate = self._certified(question.query, study)
-                verdict = sift(replace(candidate, certificate=certificate), witnessed=True)
+                completed = mode.completed(question, self.study, self.words, rng)
+                if completed is None:
+                    refused["incomplete"] += 1
+                    continue
+                if completed is not question:
+                    told = self._told(completed, mode, rng)
+                    verdict = sift(told.candidate, witnessed=False)
+            if verdict.keep:
+                study, certificate = self._certified(question.query, told.candidate.study)
+                verdict = sift(replace(told.candidate, certificate=certificate), witnessed=True)
                 if verdict.keep:
-                    return CertifiedQuestion(candidate, study, certificate, description, prompt.shape)
+                    return CertifiedQuestion(told.candidate, study, certificate, told.description, told.shape)
             refused[verdict.counted] += 1
             if not question.unknown and FILTERS[verdict.filter].of_scene:
                 return None
         return None
+
+    def _told(self, question: Question, mode: QuestionMode, rng: np.random.Generator) -> "_Told":
+        """A question with its prompt, as filters look at it."""
+        description, study = mode.described(question, self.description), mode.study(question, self.study)
+        prompt = shaped(description, question, rng)
+        said, level = description.sentences, self._difficulty
+        candidate = Candidate(study, question, prompt.text, said, self.words, difficulty=level)
+        return _Told(candidate, description, prompt.shape)
 
     def _questions(
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int

@@ -17,12 +17,14 @@ from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import load
 
 TEXT, REAL, WHOLE = pa.string(), pa.float64(), pa.int64()
+BINDING = pa.struct({"numbers": pa.list_(REAL), "answer": REAL})
+FORMULA = pa.struct({"latex": TEXT, "symbols": pa.list_(TEXT), "units": pa.list_(TEXT), "bindings": pa.list_(BINDING)})
 SCHEMA = pa.schema(
     {
         "id": TEXT,
         "prompt": TEXT,
         "shape": TEXT,
-        "answer": pa.struct({"value": REAL, "unit": TEXT, "sign": TEXT, "tolerance": REAL}),
+        "answer": pa.struct({"value": REAL, "unit": TEXT, "sign": TEXT, "tolerance": REAL, "formula": FORMULA}),
         "mode": TEXT,
         "kind": TEXT,
         "recipe": TEXT,

@@ -20,6 +20,11 @@ class Degenerate(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Compare the result with zero and with the scene's scale, and the answer with every number of the text."""
+        if (
+            candidate.question.formula is not None
+            and candidate.question.formula.latex in candidate.question.formula.symbols
+        ):
+            return "the answer is one symbol"
         answer = abs(candidate.question.answer)
         if abs(candidate.question.result) <= max(_least(candidate), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"

@@ -3,7 +3,7 @@
 import re
 
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.questions.modes.reverse import another
+from sim2reason.modes.reverse import another
 
 
 class Identifiable(Filter):

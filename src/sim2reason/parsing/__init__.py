@@ -7,6 +7,7 @@ sentence comes out letter by letter, none missing and none to spare. So whatever
 has this text, and a text with a sentence cut is never read as the same scene.
 """
 
+from sim2reason.parsing.matcher import NONE_GIVEN
 from sim2reason.parsing.scene_parser import ParsedScene, parse_scene
 
-__all__ = ["ParsedScene", "parse_scene"]
+__all__ = ["NONE_GIVEN", "ParsedScene", "parse_scene"]

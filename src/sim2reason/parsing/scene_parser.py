@@ -155,7 +155,7 @@ class _Grammar:
             yield state
             return
         for index, closing in enumerate(CLOSINGS[number:], start=number):
-            for choice, wording in enumerate(closing.wordings):
+            for choice, wording in enumerate(closing.spoken):
                 here = state.with_choice(choice)._replace(closings=(*state.closings, closing.name))
                 for then in self._matcher.sentence(place, wording, "", here):
                     yield from self._closings(place + 1, index + 1, then)

@@ -13,12 +13,21 @@ from sim2reason.dsl.template import Role
 
 @dataclass(frozen=True, slots=True)
 class Closing:
-    """A sentence in its wordings, and the scenes that need it."""
+    """A sentence in its wordings, and the scenes that need it.
+
+    `of_symbol` is the wording where its number is a symbol, which none of the others would then define.
+    """
 
     name: str
     needed: Callable[[Scene], bool]
     wordings: tuple[str, ...]
     role: Role = "assumption"
+    of_symbol: str = ""
+
+    @property
+    def spoken(self) -> tuple[str, ...]:
+        """All its wordings, that of a symbol last."""
+        return (*self.wordings, self.of_symbol) if self.of_symbol else self.wordings
 
 
 def _from_rest(scene: Scene) -> bool:
@@ -195,6 +204,7 @@ CLOSINGS: tuple[Closing, ...] = (
             "the acceleration due to gravity is g = {world.gravity}.",
             "the acceleration of free fall is g = {world.gravity}.",
         ),
+        of_symbol="the acceleration of free fall is {world.gravity}.",
     ),
 )
 
@@ -219,6 +229,6 @@ def is_assumption(sentence: str) -> bool:
 
 @cache
 def _assumptions() -> re.Pattern[str]:
-    told = [wording for closing in CLOSINGS if closing.role == "assumption" for wording in closing.wordings]
+    told = [wording for closing in CLOSINGS if closing.role == "assumption" for wording in closing.spoken]
     shown = (re.escape(wording[:1].upper() + wording[1:]) for wording in told)
     return re.compile("|".join(re.sub(r"\\\{.*?\\\}", r"\\S.{0,30}", wording) for wording in shown))

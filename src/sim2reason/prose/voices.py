@@ -21,6 +21,11 @@ def symbolic(parameter: Parameter, symbol: str) -> str:
     return f"${symbol}$"
 
 
+def symbolic_but_zero(parameter: Parameter, symbol: str) -> str:
+    """The symbol alone, but for what is zero: the text says that, since it is no number that could be another."""
+    return (symbolic if parameter.value else numeric)(parameter, symbol)
+
+
 @dataclass(frozen=True, slots=True)
 class Hiding:
     """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""

@@ -21,7 +21,6 @@ from sim2reason.prose.tables import table
 from sim2reason.prose.terms import Terms
 from sim2reason.prose.voices import Voice, numeric
 
-FREE_FALL = "The acceleration of free fall is $g$."
 TABLE_FROM = 3  # like bodies; two are always prose
 
 
@@ -194,8 +193,9 @@ class Writer(Terms):
         """What holds for all; a g that is a symbol is named, not said to equal itself."""
         told: list[str] = []
         for found in closings(self.scene):
-            sentence = self.finish(self.render(self.choose(found.wordings), ""))
-            told.append(self._as(found.role, FREE_FALL if "g = $g$" in sentence else sentence))
+            sentence = self.render(self.choose(found.wordings), "")
+            said = self.render(found.of_symbol, "") if "g = $g$" in sentence else sentence
+            told.append(self._as(found.role, self.finish(said)))
         return told
 
     def _as(self, role: Role, sentence: str) -> str:

@@ -9,6 +9,8 @@ from typing import ClassVar, TypeVar
 
 import numpy as np
 
+from sim2reason.prose.voices import hiding
+from sim2reason.prose.writer import Description
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.moments import MOMENTS, Moment
@@ -20,12 +22,28 @@ from sim2reason.registry import Registry
 
 
 @dataclass(frozen=True, slots=True)
+class Formula:
+    """An answer as a formula: its LaTeX, the symbols that the problem has, and values that others must agree with.
+
+    `units` are those in which a text gives the symbols; the `points` have radians for degrees and metres for
+    kilometres, as formulas do. The first point is the scene's own, and `values` are the engine's answers at each.
+    """
+
+    latex: str
+    symbols: tuple[str, ...]
+    units: tuple[str, ...]
+    points: tuple[tuple[float, ...], ...]
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Question:
     """A question in words with its answer.
 
     `sign` is the sense that counts as positive, in words; empty for a magnitude. `unknown` is the address of the number
     that the text must leave open, empty for none. Where the query's answer R is not what is asked for, `given` is what
-    the question says that it is, and `elasticity` is d ln R/d ln p, p being the answer to the question.
+    the question says that it is, and `elasticity` is d ln R/d ln p, p being the answer to the question. Where the
+    numbers of the text are symbols, the answer is a `formula`, and `answer` its value in the scene.
     """
 
     mode: str
@@ -37,6 +55,7 @@ class Question:
     unknown: str = ""
     given: StatedResult | None = None
     elasticity: float = 1.0
+    formula: Formula | None = None
 
     @property
     def result(self) -> float:
@@ -66,6 +85,18 @@ class QuestionMode(ABC):
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """A question of a kind (by default drawn by share) about a motion, or None if it offers none."""
 
+    def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+        """A question that filters keep, with what costs too much to be found for others; None if there is no such.
+
+        By default nothing is missing.
+        """
+        del study, words, rng
+        return question
+
+    def described(self, question: Question, description: Description) -> Description:
+        """The text of the scene as a question needs it; by default with its unknown, if it has one."""
+        return description.voiced(hiding(question.unknown)) if question.unknown else description
+
     @abstractmethod
     def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
         """What a sentence asks in this mode, found by trying every phrase; None if it is none of them."""
@@ -89,7 +120,7 @@ class QuestionMode(ABC):
         return KINDS[reading.query.kind].answer(reading.query, study)
 
 
-MODES: Registry[QuestionMode] = Registry("questions.modes")
+MODES: Registry[QuestionMode] = Registry("modes")
 M = TypeVar("M", bound=QuestionMode)
 
 
@@ -103,6 +134,7 @@ __all__ = [
     "KINDS",
     "MODES",
     "MOMENTS",
+    "Formula",
     "Kind",
     "Moment",
     "Noun",

@@ -1,24 +1,28 @@
 """Prompts read back: which scene and which question a text means."""
 
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import TextError
-from sim2reason.parsing import ParsedScene, parse_scene
+from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
+from sim2reason.prose.symbol_names import without_names
 from sim2reason.questions import KINDS, MODES, Query, Reading, Study, Words
-from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE
+from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, SYMBOLIC, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
+from sim2reason.questions.spoken import spoken_of
 from sim2reason.questions.spoken_units import in_si
 from sim2reason.simulation.scenes import simulate
 
 _UNIT = r"(\S{1,12})"
+_SYMBOLS = r"\$[^$]+\$(?:(?:, | and )\$[^$]+\$)*"
 _FORMS = [
     *(re.compile(r"\s+" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS),
     *(re.compile(rf"\s+{re.escape(form)}()$") for form in (*WHOLE, *PLAIN_FORMATS)),  # in no unit
+    *(re.compile(rf"\s+{re.escape(form.format(symbols='LIST')).replace('LIST', _SYMBOLS)}()$") for form in SYMBOLIC),
 ]
 
 
@@ -54,8 +58,12 @@ class ParsedPrompt:
         return parse_unit(unit).factor_to(parse_unit(self.unit)) or 1.0
 
 
-def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPrompt:
+def parse_prompt(
+    text: str, rng: np.random.Generator | None = None, given: Mapping[str, str] = NONE_GIVEN
+) -> ParsedPrompt:
     """Read a prompt: its scene is rebuilt from the words alone, hidden numbers drawn by `rng`, and simulated.
+
+    `given` has the number, with its unit, of each symbol (LaTeX without dollars) of a prompt whose numbers are symbols.
 
     Raises:
         TextError: the text means no scene, more than one, or asks nothing that this library asks.
@@ -67,7 +75,7 @@ def parse_prompt(text: str, rng: np.random.Generator | None = None) -> ParsedPro
     for told in in_si(text[: form.start()]):
         for shape, draft in _drafts(told):
             try:
-                return _understood(draft, form[1], shape, rng)
+                return _understood(_stated(draft, given), form[1], shape, rng, given)
             except TextError as error:
                 refused = error if refused is None or error.place == "prompt" else refused
     raise refused or TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
@@ -80,15 +88,30 @@ def _drafts(text: str) -> Iterator[tuple[str, Draft]]:
             yield shape.name, draft
 
 
-def _understood(draft: Draft, unit: str, shape: str, rng: np.random.Generator | None) -> ParsedPrompt:
+def _stated(draft: Draft, given: Mapping[str, str]) -> Draft:
+    """With the numbers of symbols of which the story speaks."""
+    told = {symbol: said for symbol, said in given.items() if f"${symbol}$" in draft.story}
+    return replace(draft, story=without_names(draft.story), given={**draft.given, **told}) if told else draft
+
+
+def _understood(
+    draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
+) -> ParsedPrompt:
     """What a draft means; TextError for one that means nothing."""
     reading = parse_scene(draft.story, rng, draft.given)
     study = Study(reading.scene, simulate(reading.scene))
-    asked = (mode.parsed(draft.question, study, _words(reading)) for mode in MODES.values())
+    words = _in_symbols(_words(reading), draft, given) if given else _words(reading)
+    asked = (mode.parsed(draft.question, study, words) for mode in MODES.values())
     found = next((each for each in asked if each is not None), None)
     if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
     return ParsedPrompt(reading, study, found, unit, shape)
+
+
+def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:
+    """Words that know the symbols of the scene, and the question's own with their values."""
+    own = [spoken_of(symbol, said, words.units) for symbol, said in given.items() if symbol not in draft.given]
+    return replace(words, symbols={symbol: symbol for symbol in draft.given}, own=dict(filter(None, own)))
 
 
 def _words(reading: ParsedScene) -> Words:

@@ -6,6 +6,7 @@ import numpy as np
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.prose.naming import symbols
+from sim2reason.prose.phrases import join
 from sim2reason.prose.writer import Description
 from sim2reason.questions import KINDS, Question, Words
 from sim2reason.questions.shapes import SHAPES
@@ -30,6 +31,14 @@ PLAIN_FORMATS = (
 )
 """Of a pure number."""
 
+SYMBOLIC = (
+    "Give your answer in terms of {symbols}, inside \\boxed{{}}.",
+    "Express the answer in terms of {symbols}, inside \\boxed{{}}.",
+    "Write the final answer as a formula in terms of {symbols}, in \\boxed{{}}.",
+    "The answer is a formula in {symbols}; put it in \\boxed{{}}.",
+)
+"""Where the numbers are symbols; an angle is one in radians."""
+
 
 @dataclass(frozen=True)
 class Prompt:
@@ -45,7 +54,9 @@ def words_of(description: Description) -> Words:
     said = [(p.path, p) for p in scene.parameters if p.path in description.symbols]
     mentions = {address: description.mention(address) for address in scene.bodies}
     alone = {path: symbols([parameter], scene.bodies, description.names) for path, parameter in said}
-    return Words.of(scene, mentions, {path: found[path] for path, found in alone.items()})
+    unknowns = {path: found[path] for path, found in alone.items()}
+    together = {path: description.symbols[path] for path in description.told if path in description.symbols}
+    return Words.of(scene, mentions, unknowns, together)
 
 
 def prompt(description: Description, question: Question, rng: np.random.Generator) -> str:
@@ -68,6 +79,9 @@ def shaped(description: Description, question: Question, rng: np.random.Generato
 
 def _last_line(question: Question, rng: np.random.Generator) -> str:
     """How to give the answer."""
+    if question.formula is not None:
+        form = SYMBOLIC[int(rng.random() * len(SYMBOLIC))]
+        return form.format(symbols=join([f"${symbol}$" for symbol in question.formula.symbols]))
     whole = KINDS[question.query.kind].measured(question.query).whole
     forms = WHOLE if whole else FORMATS if question.unit else PLAIN_FORMATS
     form = forms[int(rng.random() * len(forms))]

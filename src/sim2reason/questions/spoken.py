@@ -1,11 +1,52 @@
 """How questions say numbers, and how they are found in them again."""
 
 import re
+from collections.abc import Collection
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
 from sim2reason.dsl.measures import join_unit
+from sim2reason.dsl.units import UnitSystem
+
+
+@dataclass(frozen=True, slots=True)
+class OwnSymbol:
+    """What stands for a number that a question itself says: a noun with its article, its symbol, and its value."""
+
+    noun: str
+    symbol: str
+    value: float
+
+    @property
+    def shown(self) -> str:
+        """The symbol as it stands in a text."""
+        return f"${self.symbol}$"
+
+
+OWN = {
+    "s": ("a time", ("t", "t_1", "t_2")),
+    "m": ("a distance", ("d", "s", "D")),
+    "deg": ("an angle", (r"\alpha", r"\beta", r"\gamma")),
+}
+"""By the SI unit of a number of a question's own: its noun, and the symbols that it may have."""
+
+
+def symbol_for(value: float, unit: str, taken: Collection[str]) -> OwnSymbol | None:
+    """A symbol for a number of a question's own that nothing else has; None if there is none for its unit."""
+    noun, options = OWN.get(unit, ("", ()))
+    free = next((option for option in options if option not in taken), None)
+    return OwnSymbol(noun, free, value) if free is not None else None
+
+
+def spoken_of(symbol: str, said: str, units: UnitSystem) -> tuple[str, OwnSymbol] | None:
+    """A symbol of a question's own from its number with the unit, and the SI unit; None if it can have no such."""
+    for unit, (noun, options) in OWN.items():
+        shown = join_unit("", units.spell(unit))
+        if symbol in options and said.endswith(shown):
+            return unit, OwnSymbol(noun, symbol, float(said.removesuffix(shown)))
+    return None
 
 
 def say(value: float, unit: str) -> str:

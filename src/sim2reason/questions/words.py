@@ -8,6 +8,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import UnitSystem
 from sim2reason.quantities.subjects import Subject
+from sim2reason.questions.spoken import OwnSymbol, said, say
 from sim2reason.questions.unknown import Unknown, unknowns
 
 
@@ -20,18 +21,52 @@ class Words:
     released: bool  # from rest; else the text counts time from t = 0
     said: frozenset[str] = frozenset()  # the paths of all numbers that the text says, or speaks of as unknown
     unknowns: Sequence[Unknown] = ()  # the numbers that it leaves unknown, or could
+    symbols: Mapping[str, str] = field(default_factory=dict[str, str])  # by address, those of all numbers, if known
+    own: Mapping[str, OwnSymbol] = field(default_factory=dict[str, OwnSymbol])  # of a question's numbers, by SI unit
     _called: dict[str, Mapping[str, str]] = field(default_factory=dict[str, Mapping[str, str]], repr=False)
 
     @classmethod
-    def of(cls, scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, str] | None = None) -> Self:
-        """Those of a text about a scene that calls its bodies by `mentions` and its unknown, if any, by `symbols`."""
+    def of(
+        cls,
+        scene: Scene,
+        mentions: Mapping[str, str],
+        unknown: Mapping[str, str] | None = None,
+        symbols: Mapping[str, str] | None = None,
+    ) -> Self:
+        """Those of a text about a scene that calls its bodies by `mentions`.
+
+        `unknown` has the symbol of each number that it leaves unknown, or could; `symbols` those that all would have.
+        """
         said = frozenset(p.path for p in scene.parameters if p.value is not None and not p.hidden)
-        return cls(scene.mechanism, mentions, scene.starts_from_rest, said, unknowns(scene, mentions, symbols or {}))
+        offered = unknowns(scene, mentions, unknown or {})
+        return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {})
 
     @property
     def since(self) -> str:
         """From when on the text counts time."""
         return "release" if self.released else "t = 0"
+
+    def say(self, value: float, unit: str) -> str:
+        """A number of the question's own: 0.80 s, or its symbol."""
+        own = self.own.get(unit)
+        return own.shown if own is not None else say(value, self.units.spell(unit))
+
+    def amount(self, value: float, unit: str) -> str:
+        """The same where a noun must go before a symbol: 0.80 s, or *a time $t$*."""
+        own = self.own.get(unit)
+        return f"{own.noun} {own.shown}" if own is not None else self.say(value, unit)
+
+    def heard(self, text: str, unit: str) -> list[float]:
+        """The numbers of a question's own that stand in it."""
+        own = self.own.get(unit)
+        if own is None:
+            return said(text, self.units.spell(unit))
+        return [own.value] if own.shown in text else []
+
+    @property
+    def symbolic(self) -> bool:
+        """Whether its numbers are symbols."""
+        return bool(self.symbols)
 
     @property
     def units(self) -> UnitSystem:

@@ -68,6 +68,7 @@ class Solution:
     answer: float | None = None
     unit: str = ""
     reason: str = ""
+    stated: tuple[str, ...] = ()  # the names of the numbers that the question itself says
 
     @property
     def text(self) -> str:

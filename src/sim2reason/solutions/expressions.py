@@ -1,9 +1,10 @@
 """Formulas that know their value and how they are written: what the relations of a worked solution are made of."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
 
 from sim2reason.solutions.digits import rounded
@@ -27,6 +28,16 @@ class Expression(ABC):
     @abstractmethod
     def symbols(self) -> Iterator[str]:
         """The names in it, from left to right, some more than once."""
+
+    @property
+    def parts(self) -> "tuple[Expression, ...]":
+        """The formulas that it is built of; none by default."""
+        return ()
+
+    def built_of(self, parts: "Sequence[Expression]") -> "Expression":
+        """The same of other parts, in their order; by default itself."""
+        del parts
+        return self
 
     @property
     def rank(self) -> int:
@@ -126,6 +137,15 @@ class Sum(Expression):
 
     terms: tuple[Expression, ...]
 
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The terms."""
+        return self.terms
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The sum of others."""
+        return reduce(added, parts)
+
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their sum."""
         return sum((term.value(at, digits) for term in self.terms), 0.0)
@@ -151,6 +171,15 @@ class Product(Expression):
     """Factors multiplied."""
 
     factors: tuple[Expression, ...]
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The factors."""
+        return self.factors
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The product of others."""
+        return reduce(multiplied, parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their product."""
@@ -189,6 +218,16 @@ class Quotient(Expression):
 
     above: Expression
     below: Expression
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """What is divided, and by what."""
+        return self.above, self.below
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The quotient of others."""
+        above, below = parts
+        return ratio(above, below)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Their quotient."""

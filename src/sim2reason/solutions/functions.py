@@ -2,7 +2,7 @@
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -15,6 +15,16 @@ class Power(Expression):
 
     base: Expression
     exponent: int
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The base."""
+        return (self.base,)
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The power of another base."""
+        (base,) = parts
+        return Power(base, self.exponent)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """The power."""
@@ -42,6 +52,16 @@ class Root(Expression):
 
     inside: Expression
 
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """What stands under the sign."""
+        return (self.inside,)
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The root of something else."""
+        (inside,) = parts
+        return Root(inside)
+
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """The root; ValueError below zero."""
         inside = self.inside.value(at, digits)
@@ -62,6 +82,16 @@ class Call(Expression):
 
     function: Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
     argument: Expression
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The argument."""
+        return (self.argument,)
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The function of something else."""
+        (argument,) = parts
+        return Call(self.function, argument)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """The value of the function."""

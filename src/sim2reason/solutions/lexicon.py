@@ -16,8 +16,8 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import SceneError
+from sim2reason.prose.formula_numbers import factor
 from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.functions import Call
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -165,8 +165,7 @@ class Lexicon:
 
 def _counted(parameter: Parameter, value: float) -> float:
     """In the mechanism's own count: that of the text, but for degrees and for kilometres."""
-    unit = parameter.measure.unit
-    return value * (parse_unit(unit).factor if unit == "deg" or unit.startswith("km") else 1.0)
+    return value * factor(parameter.measure.unit)
 
 
 def _factor(number: Both, atom: Both) -> float | None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, Values, added, multiplied
-from sim2reason.solutions.functions import Call, Power
+from sim2reason.solutions.functions import Call, Power, Root
 
 NOTHING = 1e-12  # a coefficient that rounding has left
 Monomial = tuple[tuple[Expression, int], ...]  # atoms and their powers, in the order in which they are written
@@ -164,9 +164,11 @@ def _times(before: Polynomial, last: Symbol) -> Expression:
     return multiplied(before.expression(), last)
 
 
-def _order(part: tuple[Expression, int]) -> tuple[int, str]:
-    """µ, then masses, then the rest, g, unknowns, and sines last."""
+def written_order(part: tuple[Expression, int]) -> tuple[int, str]:
+    """µ, then masses, then the rest, g, unknowns, and roots and sines last."""
     name = part[0].latex()
+    if isinstance(part[0], Root):
+        return 8, name
     if isinstance(part[0], Call):
         return 9, name
     head = name.partition("_")[0]
@@ -179,7 +181,7 @@ def _joined(one: Monomial, two: Monomial) -> Monomial:
     powers: dict[Expression, int] = dict(one)
     for atom, power in two:
         powers[atom] = powers.get(atom, 0) + power
-    return tuple(sorted(powers.items(), key=_order))
+    return tuple(sorted(powers.items(), key=written_order))
 
 
 def _holds(monomial: Monomial, names: Collection[str]) -> bool:
@@ -220,7 +222,7 @@ def _shared(monomials: list[Monomial]) -> Monomial:
     for monomial in monomials[1:]:
         powers = dict(monomial)
         found = {atom: min(power, powers[atom]) for atom, power in found.items() if atom in powers}
-    return tuple(sorted(found.items(), key=_order))
+    return tuple(sorted(found.items(), key=written_order))
 
 
 def _less(monomial: Monomial, shared: Monomial) -> Monomial:

@@ -46,6 +46,11 @@ class Moment(ABC):
         """The numbers that a question about it says, each with its unit; none by default."""
         return ()
 
+    def having(self, numbers: Sequence[float]) -> Self:
+        """The same moment with other numbers in place of those that are `stated`; by default there are none."""
+        del numbers
+        return self
+
     @property
     def tells(self) -> tuple[Channel, ...]:
         """What its own words say, which therefore can't be asked; nothing by default."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from sim2reason.questions.choices import apart, bears_from
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.spoken import said, say, spoken
+from sim2reason.questions.spoken import spoken
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -38,12 +38,16 @@ class AtTime(Moment):
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
         """Every number of seconds."""
         del trace
-        return (cls(number) for number in said(text, words.units.time))
+        return (cls(number) for number in words.heard(text, "s"))
 
     @property
     def stated(self) -> tuple[tuple[float, str], ...]:
         """The time."""
         return ((self.after, "s"),)
+
+    def having(self, numbers: Sequence[float]) -> Self:
+        """At another time."""
+        return type(self)(*numbers)
 
     def time(self, trace: Trace) -> float | None:
         """The time itself, while the motion is described."""
@@ -51,14 +55,15 @@ class AtTime(Moment):
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: 0.80 s after release."""
-        time = say(self.after, words.units.time)
         if words.released:
+            time = words.amount(self.after, "s")
             return (f"{time} after release", f"{time} after the release", f"{time} after the start")
+        time = words.say(self.after, "s")
         return (f"at t = {time}", f"at the time t = {time}", f"at the instant t = {time}")
 
     def stretches(self, words: Words) -> tuple[str, ...]:
         """As in: in the first 0.80 s after release."""
-        time = say(self.after, words.units.time)
+        time = words.say(self.after, "s")
         if words.released:
             return (f"in the first {time} after release", f"within {time} of release", f"during the first {time}")
         return (f"between t = 0 and t = {time}", f"from t = 0 to t = {time}", f"in the time from t = 0 to t = {time}")

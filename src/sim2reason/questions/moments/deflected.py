@@ -51,7 +51,7 @@ class Deflected(Threshold):
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the string first makes an angle of 20° with the downward vertical."""
-        line, angle = self.subject(words), f"an angle of {self.said(words)} with the downward vertical"
+        line, angle = self.subject(words), f"an angle of {words.say(self.value, self.unit)} with the downward vertical"
         return (
             f"when {line} first makes {angle}",
             f"at the moment when {line} first makes {angle}",
@@ -60,5 +60,5 @@ class Deflected(Threshold):
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the string first makes an angle of 20° with the downward vertical."""
-        angle = f"an angle of {self.said(words)} with the downward vertical"
+        angle = f"an angle of {words.say(self.value, self.unit)} with the downward vertical"
         return Clause(self.subject(words), "does", f"first make {angle}", f"first makes {angle}")

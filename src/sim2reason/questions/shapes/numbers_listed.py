@@ -2,13 +2,12 @@
 
 import re
 from collections.abc import Iterator
-from functools import cache
 
 import numpy as np
 
-from sim2reason.dsl.body import BODIES
-from sim2reason.dsl.model import Parameter, field_types
+from sim2reason.dsl.model import Parameter
 from sim2reason.prose.phrases import join
+from sim2reason.prose.symbol_names import with_names, without_names
 from sim2reason.prose.voices import Voice, symbolic
 from sim2reason.prose.writer import Description
 from sim2reason.questions.shapes import Draft, PromptShape, shape
@@ -39,7 +38,7 @@ class NumbersListed(PromptShape):
             return None
         if sum(_COMPONENT.fullmatch(symbol) is not None for symbol in told) > COMPONENTS:
             return None
-        story = _named(marked)
+        story = with_names(marked).text
         if _FORMULA.search(story):
             return None
         listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in told.items()])}."
@@ -51,7 +50,7 @@ class NumbersListed(PromptShape):
         for place in range(len(said) - 1, len(said) - 2 - QUESTION, -1):
             given = _listed(said[place]) if place > 0 else {}
             for story, question in splits([*said[:place], *said[place + 1 :]]) if given else ():
-                yield Draft(_bracket().sub(r"(\1)", text_of(story)), question, given)
+                yield Draft(without_names(text_of(story)), question, given)
 
 
 def _numbers(description: Description, marked: Description) -> dict[str, str] | None:
@@ -68,24 +67,6 @@ def _numbers(description: Description, marked: Description) -> dict[str, str] | 
         if not spoken.startswith("$"):
             found[symbol] = spoken
     return found
-
-
-def _named(marked: Description) -> str:
-    """A text in symbols, with the name of each that stands alone in a bracket: block A (mass $m_A$)."""
-    story, parameters = marked.text, {parameter.path: parameter for parameter in marked.scene.parameters}
-    for path in marked.told:
-        symbol = marked.symbols.get(path)
-        if symbol is not None and path in parameters and path.rpartition(".")[0] in marked.scene.bodies:
-            story = story.replace(f"(${symbol}$)", f"({parameters[path].measure.name} ${symbol}$)")
-    return story
-
-
-@cache
-def _bracket() -> re.Pattern[str]:
-    """A symbol in a bracket behind the name of a number that some body has."""
-    held = (kind for body in BODIES.values() for kind in field_types(body).values())
-    names = {kind.measure.name for kind in held if kind.measure is not None}
-    return re.compile(rf"\((?:{'|'.join(map(re.escape, sorted(names)))}) (\$[^$]+\$)\)")
 
 
 def _is_gravity(parameter: Parameter) -> bool:

@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
 import numpy as np
@@ -13,7 +13,6 @@ from sim2reason.questions.choices import apart
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import Clause, Happening
 from sim2reason.questions.moments.parts.verbs import Verb
-from sim2reason.questions.spoken import said, say
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
@@ -120,7 +119,7 @@ class Threshold(Passage):
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
         """Every subject that is named, with every number of the unit."""
         del trace
-        numbers = said(text, words.units.spell(cls.unit))
+        numbers = words.heard(text, cls.unit)
         for name, phrase in cls.candidates(words).items():
             if phrase in text:
                 yield from (cls(name, number) for number in numbers)
@@ -135,6 +134,11 @@ class Threshold(Passage):
         """The quantity, then."""
         return self.channels
 
+    def having(self, numbers: Sequence[float]) -> Self:
+        """With another value."""
+        (value,) = numbers
+        return replace(self, value=value)
+
     def said(self, words: Words) -> str:
         """The value with its unit."""
-        return say(self.value, words.units.spell(self.unit))
+        return words.amount(self.value, self.unit)

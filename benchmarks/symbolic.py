@@ -1,0 +1,223 @@
+r"""Symbolic problems and their grader: ``python benchmarks/symbolic.py [ITEMS] [SEED] [RECIPE,RECIPE]``.
+
+Of each: the prompt, read back with fresh numbers, must lead by simulation to what the formula says, to 1e-6; the formula
+and rewritings of it must be paid; and so must none of 20 formulas that differ from it. What differs, a reader of its own
+tells here, that shares nothing with the grader.
+"""
+
+import re
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from math import cos, exp, isfinite, log, sin, sqrt, tan
+
+import numpy as np
+import sympy
+from sim2reason.datasets.grade import grade
+from sim2reason.datasets.item import FormulaRecord, Item
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Request
+from sim2reason.errors import TextError
+from sim2reason.prose.formula_numbers import said_in
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.recipes import DIFFICULTIES, RECIPES
+
+MUTANTS, FRESH = 20, 2
+WIDTH = 0.05  # of the numbers that are put in when a prompt is read back
+CLOSE, SAME = 1e-6, 1e-9
+LONGEST = 1000  # characters that the grader reads
+FUNCTIONS = {"sin": sin, "cos": cos, "tan": tan, "sqrt": sqrt, "ln": log, "exp": exp}
+FRACTION = re.compile(r"\\[td]?frac\{")
+
+
+def inside(text: str, at: int) -> int:
+    """The place after the brace that closes the one before `at`."""
+    depth = 1
+    while depth:
+        depth += {"{": 1, "}": -1}.get(text[at], 0)
+        at += 1
+    return at
+
+
+def program(latex: str, names: Mapping[str, str]) -> str:
+    """A formula of ours as Python has it, with `names` for its symbols."""
+    while found := FRACTION.search(latex):
+        middle = inside(latex, found.end())
+        end = inside(latex, middle + 1)
+        above, below = latex[found.end() : middle - 1], latex[middle + 1 : end - 1]
+        latex = f"{latex[: found.start()]}\\left(\\left({above}\\right)/\\left({below}\\right)\\right){latex[end:]}"
+    while (at := latex.find(r"\sqrt{")) >= 0:
+        end = inside(latex, at + 6)
+        latex = f"{latex[:at]}\\ROOT\\left({latex[at + 6 : end - 1]}\\right){latex[end:]}"
+    for symbol in sorted(names, key=len, reverse=True):
+        latex = re.sub(rf"(?<![A-Za-z\\]){re.escape(symbol)}(?![A-Za-z])", f" {names[symbol]} ", latex)
+    latex = latex.replace(r"\left", " ").replace(r"\right", " ").replace(r"\,", " ").replace(r"\cdot", "*")
+    latex = latex.replace(r"\ROOT", "sqrt").replace("\\", " ")
+    latex = re.sub(r"\b(sin|cos|tan) *\^ *\{ *(\d+) *\} *(s\d+_)", r"(\1(\3)**\2)", latex)
+    latex = re.sub(r"\b(sin|cos|tan) +(s\d+_)", r"\1(\2)", latex)
+    latex = re.sub(r"\^ *\{ *(\d+) *\}", r"**\1", latex)
+    tokens = re.findall(r"\d+\.?\d*|s\d+_|sin|cos|tan|sqrt|ln|\*\*|[-+*/()]", latex)
+    said = ""
+    for before, token in zip(["+", *tokens], tokens, strict=False):
+        ends = before == ")" or before[0].isdigit() or before.endswith("_")
+        begins = token == "(" or token[0].isdigit() or token[0].isalpha()
+        said += ("*" if ends and begins else "") + token
+    return said
+
+
+def value(latex: str, at: Mapping[str, float]) -> float | None:
+    """The value of a formula of ours; None where it has none."""
+    names = {symbol: f"s{number}_" for number, symbol in enumerate(at)}
+    try:
+        found = eval(program(latex, names), {**FUNCTIONS, **{names[s]: number for s, number in at.items()}})  # noqa: S307
+    except (ValueError, ZeroDivisionError, OverflowError):
+        return None
+    return float(found) if isfinite(found) else None
+
+
+def terms(latex: str) -> list[tuple[int, int]]:
+    """Where the terms of sums are, at any depth, each with the sign before it."""
+    signs = [at for at, letter in enumerate(latex) if letter in "+-"]
+    found: list[tuple[int, int]] = []
+    for at in signs:
+        depth, end = 0, at + 1
+        while end < len(latex) and depth >= 0 and not (depth == 0 and latex[end] in "+-"):
+            depth += {"{": 1, "(": 1, "}": -1, ")": -1}.get(latex[end], 0)
+            end += 1
+        end -= depth < 0
+        end -= len(r"\right") if latex[:end].endswith(r"\right") else 0
+        found.append((at, end))
+    return found
+
+
+def mutated(formula: FormulaRecord, rng: np.random.Generator) -> str:
+    """A formula with one thing changed."""
+    latex, symbols = formula.latex, list(formula.symbols)
+    one, other = (symbols[int(rng.integers(len(symbols)))] for _ in range(2))
+    places = [m.span() for m in re.finditer(r"(?<![\d_{.])\d+(?![\d.])", latex)]
+    heard = [m.span() for m in re.finditer(rf"{re.escape(one)}(?![A-Za-z_\d])", latex)]
+    signs, ends = [at for at, letter in enumerate(latex) if letter in "+-"], terms(latex)
+    shift = 1.0 + float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.02, 0.3))
+    match int(rng.integers(8)):
+        case 0 if places:
+            begin, end = places[int(rng.integers(len(places)))]
+            return f"{latex[:begin]}{int(latex[begin:end]) * shift:.6f}{latex[end:]}"
+        case 1 if signs:
+            at = signs[int(rng.integers(len(signs)))]
+            return latex[:at] + ("-" if latex[at] == "+" else "+") + latex[at + 1 :]
+        case 2 if heard:
+            begin, end = heard[int(rng.integers(len(heard)))]
+            return f"{latex[:begin]}{other}{latex[end:]}"
+        case 3 if ends:
+            begin, end = ends[int(rng.integers(len(ends)))]
+            return f"{latex[:begin]} + 0 {latex[end:]}"
+        case 4:
+            return rf"{one} \left({latex}\right)"
+        case 5:
+            return rf"\left({latex}\right) + {shift - 1.0:.4f} \cdot {one}"
+        case 6:
+            return f"{formula.bindings[0].answer:.12g}" if rng.random() < 0.5 else str(int(rng.integers(10)))
+        case _:
+            return rf"{shift:.6f} \left({latex}\right)"
+
+
+def mutants(formula: FormulaRecord, rng: np.random.Generator) -> list[str]:
+    """As many as are wanted that are not the formula, as its values at other numbers than the grader's tell."""
+    found: dict[str, None] = {}
+    points = [{s: x * float(rng.uniform(0.9, 1.1)) for s, x in point.items()} for point in formula.points[:3]]
+    truth = [value(formula.latex, point) for point in points]
+    for _ in range(50 * MUTANTS):
+        text = mutated(formula, rng)
+        pairs = [(a, value(text, point)) for a, point in zip(truth, points, strict=True) if a]
+        if any(b is None or abs(b - a) > 1e-5 * abs(a) for a, b in pairs):
+            found.setdefault(text)
+        if len(found) == MUTANTS:
+            break
+    return list(found)
+
+
+def rewritings(formula: FormulaRecord) -> Iterator[str]:
+    """The same formula as others would write it."""
+    latex = formula.latex
+    yield latex.replace(r"\frac", r"\dfrac").replace(r"\left(", "(").replace(r"\right)", ")")
+    yield f"x = {latex}"
+    symbols = {name: sympy.Symbol(name, positive=True) for name in formula.symbols}
+    names = {name: f"s{number}_" for number, name in enumerate(formula.symbols)}
+    space = {"sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "sqrt": sympy.sqrt, "ln": sympy.log}
+    whole = re.sub(r"\b(\d+)\b", r"Z(\1)", program(latex, names))
+    held = eval(whole, {**space, "Z": sympy.Integer, **{names[s]: symbols[s] for s in symbols}})  # noqa: S307
+    yield from (text for form in (sympy.expand, sympy.together) if len(text := sympy.latex(form(held))) < LONGEST)
+
+
+def read_back(item: Item, rng: np.random.Generator) -> str:
+    """What is wrong with the prompt, read with fresh numbers; empty if nothing is."""
+    formula = item.answer.formula
+    assert formula is not None
+    done = 0
+    for _ in range(6 * FRESH):
+        point = {s: x * float(np.exp(rng.uniform(-WIDTH, WIDTH))) for s, x in formula.points[0].items()}
+        given = {s: said_in(x, unit) for (s, x), unit in zip(point.items(), formula.units, strict=True)}
+        try:
+            found = parse_prompt(item.prompt, given=given)
+        except TextError as error:
+            if "can not be" in str(error):
+                continue
+            return f"not read: {error}"
+        answer, expected = found.answer, value(formula.latex, point)
+        factor = np.pi / 180.0 if item.answer.unit == "deg" else 1.0
+        if answer is None or expected is None:
+            continue  # other numbers, another course of things, in which what is asked about does not come
+        if abs(answer * factor - expected) > CLOSE * abs(expected):
+            return f"{answer * factor} by simulation, {expected} by the formula, with {given}"
+        done += 1
+        if done == FRESH:
+            return ""
+    return "" if done else "no fresh numbers have an answer"
+
+
+def main(items: int = 500, seed: int = 1, recipes: str = "") -> int:
+    """Print the figures; exit code 1 if anything is wrong."""
+    names = recipes.split(",") if recipes else list(RECIPES)
+    rng, count, spent = np.random.default_rng(seed), Counter[str](), Counter[str]()
+    made, position, faults = Counter[str](), 0, 0
+    idle = set[str]()
+    while made.total() < items and len(idle) < len(names) and position < 20 * items:
+        recipe = names[position % len(names)]
+        turn = position // len(names)
+        position += 1
+        if recipe in idle:
+            continue
+        begin = time.process_time()
+        item = make(Request(recipe, DIFFICULTIES[turn % 3], "symbolic", seed, turn)).item
+        spent[recipe] += time.process_time() - begin
+        if item is None:
+            idle |= {recipe} if turn >= 2 and not made[recipe] else set()
+            continue
+        made[recipe] += 1
+        formula = item.answer.formula
+        assert formula is not None
+        for name, text, wanted in (
+            *(("reference", text, "correct") for text in [formula.latex]),
+            *(("rewriting", text, "correct") for text in rewritings(formula)),
+            *(("mutant", text, "not") for text in mutants(formula, rng)),
+        ):
+            score = grade(item, rf"\boxed{{{text}}}")
+            count[name] += 1
+            if (score.outcome == "correct") != (wanted == "correct"):
+                faults += 1
+                print(f"{item.id}: {name} {text!r} for {formula.latex!r}: {score}")
+        if wrong := read_back(item, rng):
+            faults += 1
+            print(f"{item.id}: {wrong}\n    {item.prompt}\n    {formula.latex}")
+    for recipe in names:
+        print(f"{recipe:16} {made[recipe]:4} items, {made[recipe] / max(spent[recipe], SAME):.2f} a CPU-second")
+    print(f"{made.total()} items; {dict(count)}; {faults} faults")
+    with_forms = [recipe for recipe in names if made[recipe]]
+    total = sum(spent[recipe] for recipe in with_forms)
+    print(f"{sum(made[r] for r in with_forms) / max(total, SAME):.2f} items a CPU-second over {len(with_forms)} recipes")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*map(int, sys.argv[1:3]), *sys.argv[3:]))

@@ -1,0 +1,108 @@
+"""The same question about scenes with other numbers, each simulated by the exact engine."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import isfinite
+
+import numpy as np
+
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.prose.formula_numbers import factor
+from sim2reason.questions import KINDS, Query, Study
+from sim2reason.questions.study import BEYOND, SHORTEST
+from sim2reason.simulation.certify import RECORDED
+from sim2reason.simulation.trace import ENGINES
+
+LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
+STEEPEST = 89.0  # degrees
+EQUAL = 1e-9  # relative
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A symbol of a problem: its unit and value as the text says them, and the address of its number.
+
+    What the question itself says has no address.
+    """
+
+    symbol: str
+    unit: str
+    value: float
+    path: str = ""
+
+    def counted(self, value: float) -> float:
+        """A value of it as formulas count: in radians and metres, where it is said in degrees or kilometres."""
+        return value * factor(self.unit)
+
+
+@dataclass(frozen=True)
+class Variation:
+    """A scene with other numbers: their values as formulas count them, its motion, and the answer in it."""
+
+    values: Mapping[str, float]
+    study: Study
+    query: Query
+    answer: float
+
+    @property
+    def until(self) -> float:
+        """When all that the answer depends on has happened, s."""
+        return KINDS[self.query.kind].time(self.query, self.study) or 0.0
+
+    @property
+    def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """What happens before that, in order; turns change nothing."""
+        end = self.until * (1.0 - EQUAL)
+        return tuple((e.kind, e.subjects) for e in self.study.trace.events if e.time < end and e.kind != "turn")
+
+
+@dataclass(frozen=True)
+class Variations:
+    """A query about a scene, in all of whose numbers others can be put."""
+
+    study: Study
+    query: Query
+    symbols: Sequence[Quantity]
+
+    def own(self) -> Variation | None:
+        """With the numbers that it has."""
+        return self._at([held.value for held in self.symbols])
+
+    def drawn(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
+        """With every number times a factor whose logarithm is at most `width`; those that have an answer."""
+        for _ in range(tries):
+            factors = np.exp(rng.uniform(-width, width, len(self.symbols))).tolist()
+            values = [held.value * factor for held, factor in zip(self.symbols, factors, strict=True)]
+            steep = (
+                held.unit == "deg" and abs(value) > STEEPEST >= abs(held.value)
+                for held, value in zip(self.symbols, values, strict=True)
+            )
+            found = None if any(steep) else self._at(values)
+            if found is not None:
+                yield found
+
+    def _at(self, values: Sequence[float]) -> Variation | None:
+        said = dict(zip(self.symbols, values, strict=True))
+        query = self._asking([value for held, value in said.items() if not held.path])
+        try:
+            scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
+            study = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, self._end(query)])))
+        except (SceneError, SimulationError, UnsupportedError, ValueError):
+            return None
+        answer = KINDS[query.kind].answer(query, study)
+        time = KINDS[query.kind].time(query, study)
+        if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:
+            return None
+        return Variation({held.symbol: held.counted(value) for held, value in said.items()}, study, query, answer)
+
+    def _asking(self, numbers: Sequence[float]) -> Query:
+        moment = self.query.moment
+        return replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
+
+    def _end(self, query: Query) -> float:
+        """How long to follow a motion, s: to a stated time, else some times as long as it took in the known one."""
+        here, least = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
+        moment = query.moment
+        times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []
+        waits = moment is not None and bool(moment.event or moment.channels)
+        return max(BEYOND * times[0] if times and not waits else LATER * here, least)

@@ -1,0 +1,50 @@
+"""Regimes: what is true of a motion and need not be of one with other numbers, one file each.
+
+A formula holds in one of them; where the numbers of a text are symbols, the question says which one it means.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from sim2reason.quantities.subjects import Subject
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.registry import Registry
+
+FEW = 2  # that one question assumes, at most
+
+
+@dataclass(frozen=True, slots=True)
+class Regime(ABC):
+    """Something that one subject does throughout, from the start to the time that a question is about.
+
+    Class data:
+        of: the kind of subject.
+    """
+
+    of: ClassVar[Subject]
+
+    name: str
+
+    @classmethod
+    @abstractmethod
+    def found(cls, study: Study, words: Words, until: float) -> Sequence[Self]:
+        """Those of a motion up to a time, s, that the text has words for."""
+
+    @abstractmethod
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is so in another motion up to a time, s."""
+
+    @abstractmethod
+    def clause(self, words: Words) -> str:
+        """It in words, after *assume that*."""
+
+
+REGIMES: Registry[type[Regime]] = Registry("questions.regimes")
+
+
+def regimes(study: Study, words: Words, until: float) -> list[Regime]:
+    """All that a motion is in, up to a time, s."""
+    return [found for cls in REGIMES.values() for found in cls.found(study, words, until)]

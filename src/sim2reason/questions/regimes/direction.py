@@ -1,0 +1,78 @@
+"""Which way a body moves."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.dsl.vectors import Vector
+from sim2reason.quantities.kinematics import Acceleration, Velocity
+from sim2reason.quantities.subjects import Sense
+from sim2reason.quantities.subjects.bodies import RIGHT, UP, Bodies
+from sim2reason.quantities.subjects.paths import center_path
+from sim2reason.questions.choices import at
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+STILL = 1e-9  # of the greatest speed: less is none
+OPPOSITE = {UP: "down", RIGHT: "left"}
+
+
+@REGIMES.register("direction")
+@dataclass(frozen=True, slots=True)
+class Direction(Regime):
+    """A body moves one way along a line, or is about to."""
+
+    of = Bodies()
+
+    positive: str  # the sense of the line, as the text has it
+    ahead: bool
+
+    @classmethod
+    def found(cls, study: Study, words: Words, until: float) -> Sequence[Self]:
+        """Of every body whose line has a sense in words."""
+        found: list[Self] = []
+        for name in words.called(cls.of):
+            for sense in _senses(study, name):
+                side = _side(study, name, sense.vector, until)
+                if side:
+                    found.append(cls(name, sense.positive, side > 0))
+        return found
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it moves that way there."""
+        sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
+        return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
+
+    def clause(self, words: Words) -> str:
+        """As in: block A moves down the slope."""
+        first, space, rest = self.positive.partition(" ")
+        way = first if self.ahead else OPPOSITE[first]
+        towards = f"to the {way}" if first == RIGHT else way
+        return f"{words.called(self.of)[self.name]} moves {towards}{space}{rest}"
+
+
+def _senses(study: Study, name: str) -> list[Sense]:
+    """That of the line along which a body moves, if the text has words for it."""
+    if not center_path(study.mechanism, name).straight:
+        return []
+    senses = Bodies().senses(study.mechanism, name)
+    return [sense for sense in senses if sense.positive.partition(" ")[0] in OPPOSITE and not sense.axis]
+
+
+def _side(study: Study, name: str, way: Vector, until: float) -> int:
+    """1 or -1 if the velocity is along or against a way throughout, 0 if it is both or none.
+
+    What starts from rest moves the way in which it is accelerated.
+    """
+    scan = study.trace.scan
+    speeds: Array = Velocity.evaluate(scan, name)[scan.times <= until] @ np.array(way)
+    still = STILL * max(float(np.abs(speeds).max(initial=0.0)), STILL)
+    if np.abs(speeds).max(initial=0.0) <= STILL:
+        speeds = Acceleration.evaluate(at(study.trace, 0.0), name) @ np.array(way)
+        still = STILL
+    ahead, back = bool((speeds > still).any()), bool((speeds < -still).any())
+    return int(ahead) - int(back)

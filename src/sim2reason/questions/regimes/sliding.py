@@ -1,0 +1,55 @@
+"""Whether a body slides on what it lies on."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from sim2reason.quantities.subjects.contacts import Contacts
+from sim2reason.questions.choices import at
+from sim2reason.questions.moments.parts.slip_change import slip
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+STILL = 1e-9  # m/s
+SOON = 1e-3  # of the time that is asked about, or s: by when what is released has begun to slide
+
+
+@REGIMES.register("sliding")
+@dataclass(frozen=True, slots=True)
+class Sliding(Regime):
+    """A body slides on a rough face from the start on, or never does."""
+
+    of = Contacts()
+
+    slides: bool
+
+    @classmethod
+    def found(cls, study: Study, words: Words, until: float) -> Sequence[Self]:
+        """Of every body on a rough face."""
+        contacts = study.mechanism.contacts
+        rough = [name for name in words.called(cls.of) if contacts[name].friction > 0.0]
+        return [cls(name, found) for name in rough if (found := _slides(study, name, until)) is not None]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is so there."""
+        return _slides(study, self.name, until) is self.slides
+
+    def clause(self, words: Words) -> str:
+        """As in: block A slides on the plank throughout."""
+        surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
+        if len(words.mechanism.contacts[self.name].slip) > 1:
+            return f"{called} slips on {surface}" if self.slides else f"{called} rolls without slipping"
+        return f"{called} slides on {surface}" if self.slides else f"{called} does not slide on {surface}"
+
+
+def _slides(study: Study, name: str, until: float) -> bool | None:
+    """Whether it slides throughout; None if it does for a while."""
+    soon = min(SOON * (until or 1.0), float(study.trace.state.times[-1]))
+    later = np.abs(slip(at(study.trace, soon), name))
+    scan = study.trace.scan
+    speeds = np.concatenate([later, np.abs(slip(scan, name))[(scan.times > soon) & (scan.times < until)]])
+    moving = speeds > STILL
+    return bool(moving[0]) if moving.all() or not moving.any() else None

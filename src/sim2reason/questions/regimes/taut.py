@@ -1,0 +1,34 @@
+"""Whether a string pulls."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+from sim2reason.quantities.subjects.strings import Strings
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+SLACK = 1e-9  # N
+
+
+@REGIMES.register("taut")
+@dataclass(frozen=True, slots=True)
+class Taut(Regime):
+    """A string stays taut."""
+
+    of = Strings()
+
+    @classmethod
+    def found(cls, study: Study, words: Words, until: float) -> Sequence[Self]:
+        """Every string that does."""
+        return [held for name in words.called(cls.of) if (held := cls(name)).holds(study, until)]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether there is a tension throughout."""
+        scan = study.trace.scan
+        return bool((scan.tension[self.name][scan.times <= until] > SLACK).all())
+
+    def clause(self, words: Words) -> str:
+        """As in: the string stays taut."""
+        return f"{words.called(self.of)[self.name]} stays taut"

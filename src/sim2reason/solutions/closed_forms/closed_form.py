@@ -1,0 +1,107 @@
+"""From the steps of a worked solution to one formula: every name that a step gives is put in where it is used."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from sim2reason.solutions.book import Solution
+from sim2reason.solutions.closed_forms.rewriting import shortest
+from sim2reason.solutions.expressions import (
+    Expression,
+    Number,
+    Symbol,
+)
+from sim2reason.solutions.worked import Worked
+
+SIMPLE = 60  # the largest denominator of a number that is no accident
+EXACT = 1e-12
+MOST = 150  # symbols in a formula before it is made shorter
+LONGEST = 200  # characters of LaTeX: nobody would write more into a box
+
+
+class ClosedFormError(Exception):
+    """A solution from which no formula follows; the message says why."""
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """The answer as a formula of what is given, in SI units and radians; `symbols` are those in it, sorted."""
+
+    expression: Expression
+    latex: str
+    symbols: tuple[str, ...]
+
+    def value(self, at: Mapping[str, float]) -> float:
+        """Its value; ValueError or ZeroDivisionError where it has none."""
+        found = self.expression.value(at)
+        assert not isinstance(found, complex)
+        return found
+
+
+def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
+    """The answer of a solution as one formula; ClosedFormError where it came only in numbers or would be too long.
+
+    `own` are the names for the numbers that the question itself says, in its order, in place of the solution's.
+    """
+    if solution.answer is None:
+        raise ClosedFormError(solution.reason)
+    definitions = {
+        relation.left.latex(): relation.right
+        for step in solution.steps
+        for relation in step.relations
+        if relation.left.latex() in step.gives and relation.role in ("result", "law")
+    }
+    renamed = dict(zip(solution.stated, own, strict=False))
+    given = {
+        relation.left.latex() for step in solution.steps for relation in step.relations if relation.role == "given"
+    }
+    whole = Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
+    found = shortest(whole)
+    latex = found.latex()
+    if len(latex) > LONGEST:
+        raise ClosedFormError(f"it takes {len(latex)} characters")
+    return ClosedForm(found, latex, tuple(sorted(set(found.symbols()))))
+
+
+class Substitution:
+    """Each name replaced by what it stands for, until only what is given is left."""
+
+    def __init__(self, definitions: Mapping[str, Expression], given: Mapping[str, str]) -> None:
+        """Nothing is put in yet; `given` has what each name that stays is called."""
+        self._definitions, self._given = definitions, given
+        self._known: dict[str, Expression] = {}
+
+    def named(self, name: str) -> Expression:
+        """What a name stands for."""
+        if name in self._given:
+            return Symbol(self._given[name])
+        if name not in self._known:
+            if name not in self._definitions:
+                raise ClosedFormError(f"{name} comes from no formula")
+            self._known[name] = self.of(self._definitions[name])
+        return self._known[name]
+
+    def of(self, held: Expression) -> Expression:
+        """A formula with names put in."""
+        match held:
+            case Symbol():
+                found = self.named(held.name)
+            case Number():
+                found = _simple(held)
+            case Worked():
+                found = self.of(held.inner)
+            case _ if held.parts:
+                found = held.built_of([self.of(part) for part in held.parts])
+            case _:
+                raise ClosedFormError("a number in it was found numerically")
+        if sum(1 for _ in found.symbols()) > MOST:
+            raise ClosedFormError("its formula grows too long")
+        return found
+
+
+def _simple(number: Number) -> Number:
+    """A number that a formula may have: anything else hides what it comes from."""
+    fraction = Fraction(number.x).limit_denominator(SIMPLE)
+    if abs(float(fraction) - number.x) > EXACT * max(1.0, abs(number.x)):
+        raise ClosedFormError(f"the number {number.x:g} in it is no simple one")
+    return number

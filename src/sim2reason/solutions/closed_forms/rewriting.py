@@ -1,0 +1,208 @@
+"""Formulas rewritten by sympy, which is loaded when the first one is: the shortest of a few equal ones is kept.
+
+A formula is brought over one denominator in the field of rational functions, whose generators are the symbols and, as
+if they were symbols, the sines and roots in it; it is cancelled there, then factored or collected.
+"""
+
+# sympy ships no types; it is used in this one module, which speaks types to the others:
+# pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import reduce
+from itertools import product
+from operator import add, mul, truediv
+from typing import Any
+
+from sim2reason.solutions.expressions import (
+    ONE,
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    multiplied,
+    ratio,
+)
+from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.polynomials import Monomial, Polynomial, written_order
+
+SHORT = 60  # characters: what is no longer needs no more looking at
+PARTED = 80  # symbols in a formula whose parts are looked at one by one
+CLEARLY = 0.9  # of its length: one that is little shorter is not plainer
+UGLY = 8  # characters that are written to avoid a minus sign at the front
+FACTORED = 30  # terms of what is factored
+FUNCTIONS = 8  # sines, cosines and roots in one formula, at most
+TERMS = 60  # in a numerator or denominator: more is neither factored nor written
+
+
+class TooLongError(Exception):
+    """A formula that grew beyond what anybody would write."""
+
+
+def shortest(held: Expression) -> Expression:
+    """The shortest formula that is found for one: brought over one denominator as a whole, or part by part."""
+    found = min((*_over_one(held), held), key=length)
+    many = sum(1 for _ in held.symbols()) > PARTED
+    if many or length(found) <= SHORT or not any(name.startswith("\\sqrt") for name in _functions(held)):
+        return found
+    parted = held.built_of([shortest(part) for part in held.parts])
+    return parted if length(parted) < CLEARLY * length(found) else found
+
+
+def length(held: Expression) -> int:
+    """The length of a formula as it is written, more where signs in it could be put better."""
+    latex = held.latex()
+    return len(latex) + UGLY * (latex.count(r"\left(-") + latex.count("{-") + latex.startswith("-"))
+
+
+def _over_one(held: Expression) -> Iterator[Expression]:
+    """Formulas equal to one of symbols and simple numbers, none if it grows too long on the way."""
+    names = tuple(dict.fromkeys(held.symbols()))
+    if not names:
+        return
+    try:
+        field = RationalFunctions(names, len(set(_functions(held))))
+        found = field.reduced(field.of(held))
+        yield from field.written(found)
+    except (TooLongError, ZeroDivisionError):
+        return
+
+
+class RationalFunctions:
+    """The field of rational functions of some symbols, and of the sines and roots that are met."""
+
+    def __init__(self, names: tuple[str, ...], functions: int) -> None:
+        """No sine is met yet; at most so many will be."""
+        from sympy import ZZ  # noqa: PLC0415 - half a second, for which no other mode waits
+        from sympy.polys.fields import field  # noqa: PLC0415
+
+        if functions > FUNCTIONS:
+            raise TooLongError
+        self._field, *generators = field([f"x{k}" for k in range(len(names) + functions)], ZZ)
+        self._symbols = dict(zip(names, generators, strict=False))
+        self._atoms: list[Expression] = [Symbol(name) for name in names]
+        self._spare = generators[len(names) :]
+        self._met: dict[tuple[str, Any], Any] = {}
+        self._squares: dict[int, Any] = {}  # of roots, by the number of their generator
+
+    def of(self, held: Expression) -> Any:
+        """A formula as an element of the field."""
+        if isinstance(held, Symbol):
+            return self._symbols[held.name]
+        if isinstance(held, Number):
+            fraction = Fraction(held.x).limit_denominator(10**6)
+            return self._field(fraction.numerator) / self._field(fraction.denominator)
+        parts = [self.of(part) for part in held.parts]
+        if isinstance(held, Root | Call):
+            return self._atom(held, self.reduced(parts[0]))
+        if isinstance(held, Power):
+            return self._sized(parts[0] ** held.exponent)
+        operation = {Sum: add, Product: mul, Quotient: truediv}.get(type(held))
+        if operation is None:
+            raise TooLongError
+        return self._sized(reduce(operation, parts))
+
+    def _sized(self, found: Any) -> Any:
+        if max(len(found.numer), len(found.denom)) > TERMS:
+            raise TooLongError
+        return found
+
+    def _atom(self, held: Root | Call, inner: Any) -> Any:
+        """A function of something, as one more generator."""
+        function = held.function if isinstance(held, Call) else "sqrt"
+        if (function, inner) not in self._met:
+            place = len(self._atoms)
+            self._met[function, inner] = self._spare[len(self._met)]
+            self._atoms.append(held.built_of([min(self.written(inner), key=length)]))
+            if isinstance(held, Root):
+                self._squares[place] = inner
+        return self._met[function, inner]
+
+    def reduced(self, found: Any) -> Any:
+        """With what stands under a root in place of the root's square."""
+        for place, inside in self._squares.items():
+            for side in (found.numer, found.denom):
+                if any(monomial[place] > 1 for monomial in side):
+                    found = self._rooted(found.numer, place, inside) / self._rooted(found.denom, place, inside)
+                    break
+        return self._sized(found)
+
+    def _rooted(self, side: Any, place: int, inside: Any) -> Any:
+        total = self._field(0)
+        for monomial, part in side.items():
+            pairs, left = divmod(monomial[place], 2)
+            rest = (*monomial[:place], left, *monomial[place + 1 :])
+            total += self._field(side.ring({rest: part})) * inside**pairs
+        return total
+
+    # ---- back
+
+    def written(self, found: Any) -> Iterator[Expression]:
+        """An element as a formula: multiplied out, with what all terms share in front, and factored."""
+        above, below = found.numer, found.denom
+        yield ratio(self._sum(above).expression(), self._sum(below).expression())
+        top, bottom = (_signed(side) for side in (above, below))
+        forms = [[self._sum(side).factored(), self._product(side)] for side in (top[1], bottom[1])]
+        for one, other in product(*forms):
+            yield _times(top[0] * bottom[0], ratio(one, other))
+
+    def _product(self, side: Any) -> Expression:
+        """A sum as a product of sums."""
+        factor, parts = side.factor_list() if len(side) <= FACTORED else (1, [(side, 1)])
+        number, factors = float(factor), list[Expression]()
+        for part, power in sorted(parts, key=lambda held: len(held[0])):
+            sign, plain = _signed(part)
+            one = self._gathered(plain)
+            factors.append(one if power == 1 else Power(one, power))
+            number *= float(sign**power)
+        return reduce(multiplied, sorted(factors, key=_place), Number(number))
+
+    def _sum(self, side: Any) -> Polynomial:
+        terms: dict[Monomial, float] = {}
+        for powers, part in side.items():
+            monomial = tuple((atom, power) for atom, power in zip(self._atoms, powers, strict=False) if power)
+            terms[tuple(sorted(monomial, key=written_order))] = float(part)
+        return Polynomial(dict(sorted(terms.items(), key=lambda term: [written_order(atom) for atom in term[0]])))
+
+    def _gathered(self, side: Any) -> Expression:
+        """A sum in which one atom is collected, where that is shorter."""
+        whole = self._sum(side)
+        options = [whole.expression()]
+        atoms = {atom for monomial in whole.terms for atom, power in monomial if power == 1}
+        for atom in sorted(atoms, key=lambda held: held.latex()):
+            inside = Polynomial(
+                {tuple(p for p in m if p != (atom, 1)): part for m, part in whole.terms.items() if (atom, 1) in m}
+            )
+            if len(inside.terms) > 1:
+                rest = Polynomial({m: part for m, part in whole.terms.items() if (atom, 1) not in m})
+                options.append(rest.expression() + Product((atom, inside.factored())))
+        return min(options, key=length)
+
+
+def _functions(held: Expression) -> Iterator[str]:
+    """The roots and sines in a formula, as they are written."""
+    if isinstance(held, Root | Call):
+        yield held.latex()
+    for part in held.parts:
+        yield from _functions(part)
+
+
+def _place(factor: Expression) -> tuple[int, str]:
+    """Where a factor stands in a product: numbers, symbols, sums, roots, sines."""
+    base = factor.base if isinstance(factor, Power) else factor
+    return (6, "") if isinstance(base, Sum) else written_order((base, 1))
+
+
+def _signed(side: Any) -> tuple[int, Any]:
+    """Its sign where all terms share it, or more are negative; and it without that."""
+    negative = sum(part < 0 for part in side.values())
+    return (-1, -side) if 2 * negative > len(side) else (1, side)
+
+
+def _times(sign: int, held: Expression) -> Expression:
+    """With its sign."""
+    return held if sign > 0 else -held if held != ONE else Number(-1.0)
