@@ -1,8 +1,8 @@
 r"""Symbolic problems and their grader: ``python benchmarks/symbolic.py [ITEMS] [SEED] [RECIPE,RECIPE]``.
 
-Of each: the prompt, read back with fresh numbers, must lead by simulation to what the formula says, to 1e-6; the formula
-and rewritings of it must be paid; and so must none of 20 formulas that differ from it. What differs, a reader of its own
-tells here, that shares nothing with the grader.
+Of each: the prompt, read back with fresh numbers, must lead by simulation to what the formula says, to 1e-6; the
+formula and rewritings of it must be paid; and so must none of 20 formulas that differ from it. What differs, a reader
+of its own tells here, that shares nothing with the grader.
 """
 
 import re
@@ -14,6 +14,7 @@ from math import cos, exp, isfinite, log, sin, sqrt, tan
 
 import numpy as np
 import sympy
+
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import FormulaRecord, Item
 from sim2reason.datasets.make import make
@@ -51,7 +52,8 @@ def program(latex: str, names: Mapping[str, str]) -> str:
         end = inside(latex, at + 6)
         latex = f"{latex[:at]}\\ROOT\\left({latex[at + 6 : end - 1]}\\right){latex[end:]}"
     for symbol in sorted(names, key=len, reverse=True):
-        latex = re.sub(rf"(?<![A-Za-z\\]){re.escape(symbol)}(?![A-Za-z])", f" {names[symbol]} ", latex)
+        before = "" if symbol.startswith("\\") else r"(?<![A-Za-z\\])"
+        latex = re.sub(rf"{before}{re.escape(symbol)}(?![A-Za-z])", f" {names[symbol]} ", latex)
     latex = latex.replace(r"\left", " ").replace(r"\right", " ").replace(r"\,", " ").replace(r"\cdot", "*")
     latex = latex.replace(r"\ROOT", "sqrt").replace("\\", " ")
     latex = re.sub(r"\b(sin|cos|tan) *\^ *\{ *(\d+) *\} *(s\d+_)", r"(\1(\3)**\2)", latex)
@@ -70,7 +72,7 @@ def value(latex: str, at: Mapping[str, float]) -> float | None:
     """The value of a formula of ours; None where it has none."""
     names = {symbol: f"s{number}_" for number, symbol in enumerate(at)}
     try:
-        found = eval(program(latex, names), {**FUNCTIONS, **{names[s]: number for s, number in at.items()}})  # noqa: S307
+        found = eval(program(latex, names), {**FUNCTIONS, **{names[s]: number for s, number in at.items()}})
     except (ValueError, ZeroDivisionError, OverflowError):
         return None
     return float(found) if isfinite(found) else None
@@ -91,7 +93,7 @@ def terms(latex: str) -> list[tuple[int, int]]:
     return found
 
 
-def mutated(formula: FormulaRecord, rng: np.random.Generator) -> str:
+def mutated(formula: FormulaRecord, rng: np.random.Generator) -> str:  # noqa: PLR0911 - one for each way
     """A formula with one thing changed."""
     latex, symbols = formula.latex, list(formula.symbols)
     one, other = (symbols[int(rng.integers(len(symbols)))] for _ in range(2))
@@ -146,7 +148,7 @@ def rewritings(formula: FormulaRecord) -> Iterator[str]:
     names = {name: f"s{number}_" for number, name in enumerate(formula.symbols)}
     space = {"sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "sqrt": sympy.sqrt, "ln": sympy.log}
     whole = re.sub(r"\b(\d+)\b", r"Z(\1)", program(latex, names))
-    held = eval(whole, {**space, "Z": sympy.Integer, **{names[s]: symbols[s] for s in symbols}})  # noqa: S307
+    held = eval(whole, {**space, "Z": sympy.Integer, **{names[s]: symbols[s] for s in symbols}})
     yield from (text for form in (sympy.expand, sympy.together) if len(text := sympy.latex(form(held))) < LONGEST)
 
 
@@ -215,7 +217,9 @@ def main(items: int = 500, seed: int = 1, recipes: str = "") -> int:
     print(f"{made.total()} items; {dict(count)}; {faults} faults")
     with_forms = [recipe for recipe in names if made[recipe]]
     total = sum(spent[recipe] for recipe in with_forms)
-    print(f"{sum(made[r] for r in with_forms) / max(total, SAME):.2f} items a CPU-second over {len(with_forms)} recipes")
+    print(
+        f"{sum(made[r] for r in with_forms) / max(total, SAME):.2f} items a CPU-second over {len(with_forms)} recipes"
+    )
     return 1 if faults else 0
 
 

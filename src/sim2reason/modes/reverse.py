@@ -40,6 +40,11 @@ class Reverse(QuestionMode):
 
     name = "reverse"
 
+    @property
+    def kinds(self) -> frozenset[str]:
+        """Those that have words for answers as conditions, and whose answers are no whole numbers."""
+        return frozenset(name for name, kind in KINDS.items() if kind.stated and not getattr(kind, "whole", False))
+
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """A result of this motion, and a number that it fixes, or the time at which it is first so."""
         if kind in TIMES and rng.random() < TIMES[kind]:

@@ -35,10 +35,15 @@ class Symbolic(QuestionMode):
 
     name = "symbolic"
 
+    @property
+    def kinds(self) -> frozenset[str]:
+        """Those to which some strategy of worked solutions has a way."""
+        return frozenset[str]().union(*(strategy.kinds for strategy in STRATEGIES.values()))
+
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """Whatever some strategy of worked solutions may lead to, still in numbers."""
-        solvable = frozenset[str]().union(*(strategy.kinds for strategy in STRATEGIES.values()))
-        kinds = [name for name in ([kind] if kind else [found.name for found in by_share(rng)]) if name in solvable]
+        names = [kind] if kind else [found.name for found in by_share(rng)]
+        kinds = [name for name in names if name in self.kinds]
         found = (MODES["numeric"].ask(study, words, name, rng) for name in kinds)
         asked = (question for question in found if question is not None and _solvable(question.query, study, words))
         return next((replace(question, mode=self.name) for question in asked), None)
@@ -174,7 +179,7 @@ def _spoken(words: Words, query: Query) -> Words | None:
         if found is None or unit in own:
             return None
         own[unit] = found
-    return replace(words, own=own)
+    return replace(words, symbolic=True, own=own)
 
 
 def _symbols(study: Study, words: Words) -> list[Quantity]:

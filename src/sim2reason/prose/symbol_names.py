@@ -10,7 +10,6 @@ from sim2reason.dsl.model import field_types
 from sim2reason.dsl.units import parse_unit
 from sim2reason.prose.writer import Description
 
-
 NOUNS = (
     (r"\b(?:at|points) ", "deg", "an angle ", ""),
     (r"\bat ", "m/s", "a speed ", ""),

@@ -81,6 +81,11 @@ class QuestionMode(ABC):
 
     name: ClassVar[str]
 
+    @property
+    def kinds(self) -> frozenset[str]:
+        """The kinds of question, by name, that it can ask; by default all."""
+        return frozenset(KINDS)
+
     @abstractmethod
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """A question of a kind (by default drawn by share) about a motion, or None if it offers none."""

@@ -111,7 +111,7 @@ def _understood(
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:
     """Words that know the symbols of the scene, and the question's own with their values."""
     own = [spoken_of(symbol, said, words.units) for symbol, said in given.items() if symbol not in draft.given]
-    return replace(words, symbols={symbol: symbol for symbol in draft.given}, own=dict(filter(None, own)))
+    return replace(words, symbolic=True, own=dict(filter(None, own)))
 
 
 def _words(reading: ParsedScene) -> Words:

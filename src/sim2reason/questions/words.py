@@ -22,6 +22,7 @@ class Words:
     said: frozenset[str] = frozenset()  # the paths of all numbers that the text says, or speaks of as unknown
     unknowns: Sequence[Unknown] = ()  # the numbers that it leaves unknown, or could
     symbols: Mapping[str, str] = field(default_factory=dict[str, str])  # by address, those of all numbers, if known
+    symbolic: bool = False  # whether it has those in place of numbers
     own: Mapping[str, OwnSymbol] = field(default_factory=dict[str, OwnSymbol])  # of a question's numbers, by SI unit
     _called: dict[str, Mapping[str, str]] = field(default_factory=dict[str, Mapping[str, str]], repr=False)
 
@@ -62,11 +63,6 @@ class Words:
         if own is None:
             return said(text, self.units.spell(unit))
         return [own.value] if own.shown in text else []
-
-    @property
-    def symbolic(self) -> bool:
-        """Whether its numbers are symbols."""
-        return bool(self.symbols)
 
     @property
     def units(self) -> UnitSystem:

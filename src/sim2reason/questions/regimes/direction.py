@@ -18,6 +18,7 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 STILL = 1e-9  # of the greatest speed: less is none
+LASTING = 1e-9  # of the time that is asked about: what turns back stands still for less
 OPPOSITE = {UP: "down", RIGHT: "left"}
 
 
@@ -64,15 +65,19 @@ def _senses(study: Study, name: str) -> list[Sense]:
 
 
 def _side(study: Study, name: str, way: Vector, until: float) -> int:
-    """1 or -1 if the velocity is along or against a way throughout, 0 if it is both or none.
+    """1 or -1 if the velocity is along or against a way throughout, 0 if it is both, none, or none for a while.
 
     What starts from rest moves the way in which it is accelerated.
     """
     scan = study.trace.scan
-    speeds: Array = Velocity.evaluate(scan, name)[scan.times <= until] @ np.array(way)
-    still = STILL * max(float(np.abs(speeds).max(initial=0.0)), STILL)
-    if np.abs(speeds).max(initial=0.0) <= STILL:
-        speeds = Acceleration.evaluate(at(study.trace, 0.0), name) @ np.array(way)
-        still = STILL
-    ahead, back = bool((speeds > still).any()), bool((speeds < -still).any())
+    within = scan.times <= until
+    speeds: Array = Velocity.evaluate(scan, name)[within] @ np.array(way)
+    fastest = float(np.abs(speeds).max(initial=0.0))
+    if fastest <= STILL:
+        begins = float((Acceleration.evaluate(at(study.trace, 0.0), name) @ np.array(way))[0])
+        return int(begins > STILL) - int(begins < -STILL)
+    idle = np.abs(speeds) <= STILL * fastest
+    if (idle[1:] & idle[:-1] & (np.diff(scan.times[within]) > LASTING * until)).any():
+        return 0
+    ahead, back = bool((speeds[~idle] > 0.0).any()), bool((speeds[~idle] < 0.0).any())
     return int(ahead) - int(back)

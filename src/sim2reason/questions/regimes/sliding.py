@@ -14,6 +14,7 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 STILL = 1e-9  # m/s
+LASTING = 1e-9  # of that time
 SOON = 1e-3  # of the time that is asked about, or s: by when what is released has begun to slide
 
 
@@ -46,10 +47,13 @@ class Sliding(Regime):
 
 
 def _slides(study: Study, name: str, until: float) -> bool | None:
-    """Whether it slides throughout; None if it does for a while."""
+    """Whether it slides throughout, if only to and fro; None if it does for a while."""
     soon = min(SOON * (until or 1.0), float(study.trace.state.times[-1]))
-    later = np.abs(slip(at(study.trace, soon), name))
     scan = study.trace.scan
-    speeds = np.concatenate([later, np.abs(slip(scan, name))[(scan.times > soon) & (scan.times < until)]])
-    moving = speeds > STILL
-    return bool(moving[0]) if moving.all() or not moving.any() else None
+    within = (scan.times > soon) & (scan.times < until)
+    times = np.concatenate([[soon], scan.times[within]])
+    still = np.abs(np.concatenate([slip(at(study.trace, soon), name), slip(scan, name)[within]])) <= STILL
+    if still.all():
+        return False
+    stays = still[1:] & still[:-1] & (np.diff(times) > LASTING * until)  # what turns back is still for no time
+    return None if still[0] or stays.any() else True

@@ -14,12 +14,12 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
+from sim2reason.modes.reverse import another
 from sim2reason.prose.voices import hiding
 from sim2reason.prose.writer import describe
 from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.conditions import asking_for
 from sim2reason.questions.dependence import Dependence, roots
-from sim2reason.modes.reverse import another
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.moved import Moved

@@ -1,0 +1,166 @@
+"""Symbolic questions: formulas as textbooks have them, the regimes that they need, and prompts read back."""
+
+from collections import Counter
+from dataclasses import replace
+from math import cos, exp, radians, sin
+
+import numpy as np
+import pytest
+
+from plain_scenes import atwood, half_atwood, ramp, swing
+from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.dsl.scene import Scene
+from sim2reason.filters import Candidate
+from sim2reason.filters.degenerate import Degenerate
+from sim2reason.grading import formula
+from sim2reason.modes.parts.variations import Quantity, Variations
+from sim2reason.prose.formula_numbers import said_in
+from sim2reason.questions import MODES, Query, Question, Study, Target
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import prompt
+
+SYMBOLIC = MODES["symbolic"]
+BLOCK = "ramp.blocks.0"
+
+
+def completed(scene: Scene, query: Query, unit: str, seed: int = 0) -> Question | None:
+    """A query in symbols."""
+    search = QuestionSearch(scene, 0)
+    asked = Question("symbolic", query, "", 1.0, unit)
+    return SYMBOLIC.completed(asked, search.study, search.words, np.random.default_rng(seed))
+
+
+def paid(question: Question | None, expected: str) -> bool:
+    """Whether a formula worked out by hand equals the one that was found, at all bindings."""
+    assert question is not None
+    assert question.formula is not None
+    found = question.formula
+    points = [dict(zip(found.symbols, point, strict=True)) for point in found.points]
+    return formula(rf"\boxed{{{expected}}}", found.latex, points, symbols=found.symbols).reward == 1.0
+
+
+def test_the_tension_of_an_atwood_machine() -> None:
+    """T = 2 m₁ m₂ g/(m₁ + m₂) (Halliday & Resnick), whichever side is heavier."""
+    found = completed(atwood(), Query("start", Target("tension", "tendon_1"), AtStart()), "N")
+    assert paid(found, r"\frac{2 m_A m_B g}{m_A + m_B}")
+    assert not paid(found, r"\frac{2.04 m_A m_B g}{m_A + m_B}")
+    assert found is not None
+    assert "Assume" not in found.text
+
+
+def test_what_the_formula_needs_is_assumed() -> None:
+    """The speed after a way d, v = √(2 a d), a = g (m₁ − m₂)/(m₁ + m₂): only if the first goes down."""
+    block = next(name for name in atwood().mechanism.body if name.endswith("blocks.0"))
+    found = completed(atwood(), Query("event", Target("velocity", block), Moved(block, 0.5)), "m/s")
+    assert paid(found, r"\sqrt{\frac{2 g d (m_A - m_B)}{m_A + m_B}}")
+    assert found is not None
+    assert found.text.startswith(("Assume that block A moves down.", "Assume that block B moves up."))
+    assert "a distance $d$" in found.text
+
+
+def test_rough_slope_up() -> None:
+    """It stops after v²/(2 g (sin θ + µ cos θ)): no number changes the way in which it slides."""
+    query = Query("event", Target("displacement", BLOCK), Stopped(BLOCK))
+    found = completed(ramp(friction=0.3, speed=2.0), query, "m")
+    assert paid(found, r"\frac{v^2}{2 g (\sin\theta + \mu\cos\theta)}")
+
+
+def test_on_the_way_up_is_assumed() -> None:
+    """v − g t (sin θ + µ cos θ), until it stops."""
+    query = Query("state", Target("velocity", BLOCK), AtTime(0.1))
+    found = completed(ramp(friction=0.3, speed=2.0), query, "m/s")
+    assert paid(found, r"v - g t_1 (\sin\theta + \mu\cos\theta)")
+    assert found is not None
+    assert found.text.startswith("Assume that the block moves up the slope. ")
+    assert "at t = $t_1$" in found.text or "t = $t_1$" in found.text
+
+
+def test_no_formula_where_only_integration_answers() -> None:
+    """The time of a large swing is no elementary function."""
+    scene = swing()
+    ball = next(name for name in scene.mechanism.body if scene.mechanism.body[name].mass)
+    assert completed(scene, Query("time_to_event", None, Moved(ball, 0.1)), "s") is None
+
+
+def test_the_bindings_are_the_engines() -> None:
+    """a = g (m₂ − m₁ sin θ)/(m₁ + m₂), its magnitude, at every binding, worked out here."""
+    target = Target("acceleration", BLOCK)
+    found = completed(half_atwood(), Query("start", target, AtStart()), "m/s^2")
+    assert found is not None
+    assert found.formula is not None
+    assert len(found.formula.points) >= 9
+    assert len(set(found.formula.points)) == len(found.formula.points)
+    for point, value in zip(found.formula.points, found.formula.values, strict=True):
+        at = dict(zip(found.formula.symbols, point, strict=True))
+        expected = at["g"] * (at["m_B"] - at["m_A"] * sin(at[r"\theta"])) / (at["m_A"] + at["m_B"])
+        assert value == pytest.approx(abs(expected), rel=1e-9)
+
+
+def test_variations_keep_the_query_in_step_with_its_numbers() -> None:
+    """v = g t (sin θ − µ cos θ) in every scene, whose slope has a direction of its own."""
+    scene = ramp(angle=40.0, friction=0.2)
+    study = Study.of(scene, np.linspace(0.0, scene.horizon, 5))
+    symbols = [
+        Quantity(r"\theta", "deg", 40.0, "ramp.plane.angle"),
+        Quantity(r"\mu", "", 0.2, "ramp.plane.friction"),
+        Quantity("t", "s", 0.4),
+    ]
+    query = Query("state", Target("velocity", BLOCK), AtTime(0.4))
+    found = list(Variations(study, query, symbols).drawn(np.random.default_rng(0), 0.1, 6))
+    assert len(found) == 6
+    for each in found:
+        angle, friction, time = (each.values[held.symbol] for held in symbols)
+        assert abs(angle / radians(40.0)) <= exp(0.1)
+        assert each.until == time
+        assert each.answer == pytest.approx(9.8 * time * (sin(angle) - friction * cos(angle)), rel=1e-9)
+
+
+def certified(scene: Scene, kind: str) -> CertifiedQuestion:
+    found = (
+        QuestionSearch(scene, seed).ask(SYMBOLIC, np.random.default_rng(seed), Counter(), kind) for seed in range(40)
+    )
+    return next(each for each in found if each is not None)
+
+
+@pytest.mark.parametrize("kind", ["start", "state", "event", "time_to_event"])
+def test_a_prompt_is_read_back_with_the_numbers_of_a_binding(kind: str) -> None:
+    found = certified(half_atwood(), kind)
+    held = found.question.formula
+    assert held is not None
+    for number in (0, 3):
+        pairs = zip(held.symbols, held.units, held.points[number], strict=True)
+        given = {symbol: said_in(value, unit) for symbol, unit, value in pairs}
+        read = parse_prompt(found.prompt, given=given)
+        assert read.asked.mode == "symbolic"
+        assert read.answer == pytest.approx(held.values[number], rel=1e-6)
+
+
+def test_every_number_is_a_symbol_with_its_noun() -> None:
+    found = certified(ramp(friction=0.3, speed=2.0), "event")
+    story = found.prompt.partition("Give")[0]
+    assert not any(letter.isdigit() for letter in story.replace("t = 0", "").replace("_1", ""))
+    assert r"at an angle $\theta$ to the horizontal" in found.prompt or "whose" in found.prompt
+    assert "The acceleration of free fall is $g$." in found.prompt
+
+
+def test_numbers_of_a_text_are_no_symbols_for_numeric_questions() -> None:
+    search = QuestionSearch(ramp(), 0)
+    asked = MODES["numeric"].ask(search.study, search.words, "state", np.random.default_rng(0))
+    assert asked is not None
+    assert MODES["numeric"].parsed(asked.text, search.study, replace(search.words, symbolic=True)) is None
+    assert MODES["symbolic"].parsed(asked.text, search.study, search.words) is None
+
+
+def test_one_symbol_is_no_answer() -> None:
+    query = Query("event", Target("velocity", BLOCK), Stopped(BLOCK))
+    search = QuestionSearch(ramp(friction=0.3, speed=2.0), 0)
+    asked = completed(ramp(friction=0.3, speed=2.0), Query("time_to_event", None, Stopped(BLOCK)), "s")
+    assert asked is not None
+    assert asked.formula is not None
+    same = replace(asked, query=query, formula=replace(asked.formula, latex="v"))
+    text = prompt(search.description, asked, np.random.default_rng(0))
+    assert Degenerate().reason(Candidate(search.study, same, text)) == "the answer is one symbol"

@@ -1,0 +1,48 @@
+"""What a motion does throughout, in words, and in which other motions it does so."""
+
+import numpy as np
+import pytest
+
+from plain_scenes import atwood, ramp
+from sim2reason.dsl.scene import Scene
+from sim2reason.prose.writer import describe
+from sim2reason.questions import Study
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.regimes import regimes
+
+
+def study(scene: Scene, until: float = 1.0) -> Study:
+    return Study.of(scene, np.linspace(0.0, until, 11))
+
+
+def said(scene: Scene, until: float) -> set[str]:
+    words = words_of(describe(scene))
+    return {found.clause(words) for found in regimes(study(scene), words, until)}
+
+
+def test_a_block_slides_down_what_is_steep_enough() -> None:
+    """tan 30° = 0.577."""
+    assert "the block moves down the slope" in said(ramp(friction=0.3), 0.5)
+    assert any("slides on" in clause for clause in said(ramp(friction=0.3), 0.5))
+    assert said(ramp(friction=0.7), 0.5) == {"the block does not slide on the plane"}
+
+
+def test_on_its_way_up_and_back_it_moves_no_one_way() -> None:
+    """At 2 m/s up a smooth slope of 30° it turns after 2/(9.8 · 0.5) = 0.41 s."""
+    assert said(ramp(speed=2.0), 0.3) == {"the block moves up the slope"}
+    assert said(ramp(speed=2.0), 0.6) == set()
+
+
+@pytest.mark.parametrize(("left", "way"), [(3.0, "down"), (1.0, "up")])
+def test_the_heavier_side_goes_down(left: float, way: str) -> None:
+    found = said(atwood(left, 2.0), 0.5)
+    assert f"block A moves {way}" in found
+    assert any("stays taut" in clause for clause in found)
+
+
+def test_it_holds_where_it_is_so() -> None:
+    words = words_of(describe(atwood()))
+    down = next(r for r in regimes(study(atwood()), words, 0.5) if r.clause(words) == "block A moves down")
+    assert down.holds(study(atwood(5.0, 2.0)), 0.5)
+    assert not down.holds(study(atwood(1.0, 2.0)), 0.5)
+    assert down.holds(study(atwood(5.0, 2.0)), 0.0), "what is about to move counts"

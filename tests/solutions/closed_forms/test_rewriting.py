@@ -1,0 +1,79 @@
+"""Formulas made shorter keep their value, and numbers found on the way are no formulas."""
+
+from math import isclose
+
+import pytest
+
+from sim2reason.solutions.book import Relation, Solution, Step
+from sim2reason.solutions.closed_forms import ClosedFormError, closed_form
+from sim2reason.solutions.closed_forms.rewriting import length, shortest
+from sim2reason.solutions.expressions import Expression, Number, Product, Quotient, Sum, Symbol
+from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.worked import NumericRoot, Worked
+
+a, b, c, t = (Symbol(name) for name in ("p", "q", "s", r"\theta"))
+AT = {"p": 1.3, "q": 0.7, "s": 2.1, r"\theta": 0.4}
+FORMULAS: list[Expression] = [
+    Quotient(a * b + a * c, a * b - a * c),
+    Sum((Quotient(a, b), Quotient(b, a))),
+    Root(Sum((Power(Product((a, Call("sin", t))), 2), Power(b, 2)))),
+    Product((Root(a + b), Root(a + b), c)),
+    Quotient(Root(a + b) * Root(a + b) * Root(a + b), a + b),
+    Call("ln", Quotient(a * a, a * b)),
+    Power(Quotient(a - c, b), 3),
+    -Quotient(-a - b, c),
+    Call("arctan", Quotient(a * Call("sin", t), a * Call("cos", t) + b)),
+]
+
+
+@pytest.mark.parametrize("held", FORMULAS, ids=lambda held: held.latex())
+def test_what_is_rewritten_has_the_same_value_and_is_no_longer(held: Expression) -> None:
+    found = shortest(held)
+    assert isclose(found.value(AT).real, held.value(AT).real, rel_tol=1e-12)
+    assert length(found) <= length(held)
+
+
+def test_what_cancels_is_gone() -> None:
+    assert shortest(Quotient(a * b + a * c, a * b)).latex() == r"\frac{q + s}{q}"
+    assert shortest(Root(a + b) * Root(a + b)).latex() == "p + q"
+    assert shortest(Quotient(a * a - b * b, a - b)).latex() == "p + q"
+
+
+def solution(*definitions: tuple[str, Expression]) -> Solution:
+    given = tuple(Relation(Symbol(name), Number(value), "given") for name, value in AT.items())
+    steps = [Step(0, "givens", "", given, (), ())]
+    for name, right in definitions:
+        relation = Relation(Symbol(name), right, "result")
+        steps.append(Step(len(steps), "work", "", (relation,), (name,), ()))
+    return Solution("some", tuple(steps), AT, definitions[-1][0], 1.0, stated=("s",))
+
+
+def test_names_are_put_in_until_only_what_is_given_stays() -> None:
+    """x = p q, y = x s: y = p q d, the question's own number c being called d."""
+    found = closed_form(solution(("x", a * b), ("y", Symbol("x") * c)), ["d"])
+    assert found.latex == "d p q"
+    assert found.symbols == ("d", "p", "q")
+    assert found.value({"p": 2.0, "q": 3.0, "d": 5.0}) == 30.0
+
+
+def test_a_number_that_was_worked_out_stands_for_its_formula() -> None:
+    assert closed_form(solution(("x", Worked(a + b, 2.0) * c)), ["c"]).symbols == ("c", "p", "q")
+
+
+@pytest.mark.parametrize(
+    ("held", "why"),
+    [
+        (NumericRoot(a - Symbol("x"), "x", 1.3), "numerically"),
+        (a * Number(0.12345), "no simple one"),
+        (a * Symbol("unknown"), "comes from no formula"),
+    ],
+)
+def test_there_is_no_formula_where_a_number_hides_one(held: Expression, why: str) -> None:
+    with pytest.raises(ClosedFormError, match=why):
+        closed_form(solution(("x", held)))
+
+
+def test_a_formula_that_nobody_would_write_is_none() -> None:
+    long = Sum(tuple(Quotient(Power(a, n), b + Power(c, n)) for n in range(1, 12)))
+    with pytest.raises(ClosedFormError, match="characters"):
+        closed_form(solution(("x", long)))
