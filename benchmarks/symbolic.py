@@ -110,7 +110,7 @@ def mutated(formula: FormulaRecord, rng: np.random.Generator) -> str:  # noqa: P
             return latex[:at] + ("-" if latex[at] == "+" else "+") + latex[at + 1 :]
         case 2 if heard:
             begin, end = heard[int(rng.integers(len(heard)))]
-            return f"{latex[:begin]}{other}{latex[end:]}"
+            return f"{latex[:begin]} {other}{latex[end:]}"
         case 3 if ends:
             begin, end = ends[int(rng.integers(len(ends)))]
             return f"{latex[:begin]} + 0 {latex[end:]}"

@@ -1,11 +1,14 @@
 import math
+from pathlib import Path
 
 import pytest
 from pydantic import ValidationError
 
 from fake_makers import steady
-from sim2reason.datasets.item import Answer, Item
+from sim2reason.datasets.grade import grade
+from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item
 from sim2reason.datasets.plan import Request
+from sim2reason.datasets.store import read_shard, write
 
 
 @pytest.fixture
@@ -32,3 +35,44 @@ def test_numbers_are_finite(item: Item, value: float) -> None:
         Answer(value=value, unit="N")
     with pytest.raises(ValidationError):
         Item.model_validate({**item.model_dump(), "certificate": {"agreement": value}})
+
+
+@pytest.fixture
+def symbolic() -> Item:
+    """A block of mass m on a smooth slope: a = g sin θ, at two bindings."""
+    made = steady(Request("pulley", "easy", "numeric", 0, 0)).item
+    assert made is not None
+    bindings = tuple(
+        Binding(numbers=(angle, 9.8), answer=9.8 * math.sin(angle))
+        for angle in (math.radians(30.0), math.radians(42.5))
+    )
+    formula = FormulaRecord(latex=r"g \sin\theta", symbols=(r"\theta", "g"), units=("deg", "m/s^2"), bindings=bindings)
+    return made.model_copy(update={"answer": Answer(value=4.9, unit="m/s^2", formula=formula)})
+
+
+def test_a_formula_travels_through_a_shard(symbolic: Item, tmp_path: Path) -> None:
+    plain = steady(Request("pulley", "easy", "numeric", 0, 1)).item
+    assert plain is not None
+    write(tmp_path / "shard.parquet", [symbolic, plain])
+    assert read_shard(tmp_path / "shard.parquet") == [symbolic, plain]
+
+
+@pytest.mark.parametrize(
+    ("said", "reward"),
+    [(r"g\sin\theta", 1.0), (r"g \sqrt{1-\cos^2\theta}", 1.0), ("4.9", 0.0), (r"1.02 g\sin\theta", 0.0), ("g", 0.0)],
+)
+def test_a_formula_is_graded_at_its_bindings(symbolic: Item, said: str, reward: float) -> None:
+    assert grade(symbolic, rf"So it is \boxed{{{said}}}.").reward == reward
+
+
+def test_a_binding_is_said_in_the_units_of_the_text(symbolic: Item) -> None:
+    formula = symbolic.answer.formula
+    assert formula is not None
+    assert formula.given() == {r"\theta": "30.0°", "g": "9.8 m/s²"}
+    assert formula.given(1) == {r"\theta": "42.5°", "g": "9.8 m/s²"}
+    assert symbolic.answer.told == r"$g \sin\theta$, which here is 4.9 m/s^2"
+
+
+def test_each_symbol_has_a_number() -> None:
+    with pytest.raises(ValidationError, match="each symbol"):
+        FormulaRecord(latex="g", symbols=("g",), units=("m/s^2",), bindings=(Binding(numbers=(1.0, 2.0), answer=1.0),))

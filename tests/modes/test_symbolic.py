@@ -13,7 +13,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
 from sim2reason.grading import formula
-from sim2reason.modes.parts.variations import Quantity, Variations
+from sim2reason.modes.parts.variations import ProblemSymbol, Variations
 from sim2reason.prose.formula_numbers import said_in
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.moments.at_start import AtStart
@@ -105,9 +105,9 @@ def test_variations_keep_the_query_in_step_with_its_numbers() -> None:
     scene = ramp(angle=40.0, friction=0.2)
     study = Study.of(scene, np.linspace(0.0, scene.horizon, 5))
     symbols = [
-        Quantity(r"\theta", "deg", 40.0, "ramp.plane.angle"),
-        Quantity(r"\mu", "", 0.2, "ramp.plane.friction"),
-        Quantity("t", "s", 0.4),
+        ProblemSymbol(r"\theta", "deg", 40.0, "ramp.plane.angle"),
+        ProblemSymbol(r"\mu", "", 0.2, "ramp.plane.friction"),
+        ProblemSymbol("t", "s", 0.4),
     ]
     query = Query("state", Target("velocity", BLOCK), AtTime(0.4))
     found = list(Variations(study, query, symbols).drawn(np.random.default_rng(0), 0.1, 6))

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 
-from sim2reason.modes.parts.variations import Quantity, Variation, Variations
+from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.prose.symbol_names import with_names
 from sim2reason.prose.voices import symbolic_but_zero
@@ -117,7 +117,7 @@ class _Varied:
                     return found
         return []
 
-    def formula(self, near: Sequence[Variation], symbols: Sequence[Quantity]) -> Formula:
+    def formula(self, near: Sequence[Variation], symbols: Sequence[ProblemSymbol]) -> Formula:
         """As a question has it."""
         return Formula(
             self._formula.latex,
@@ -182,9 +182,9 @@ def _spoken(words: Words, query: Query) -> Words | None:
     return replace(words, symbolic=True, own=own)
 
 
-def _symbols(study: Study, words: Words) -> list[Quantity]:
+def _symbols(study: Study, words: Words) -> list[ProblemSymbol]:
     """All symbols of a problem in the order in which it tells them."""
     parameters = {p.path: p for p in study.scene.parameters}
     found = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]
-    said = [Quantity(symbol, p.measure.unit, p.value, p.path) for symbol, p in found if p.value]
-    return [*said, *(Quantity(own.symbol, words.units.spell(unit), own.value) for unit, own in words.own.items())]
+    said = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path) for symbol, p in found if p.value]
+    return [*said, *(ProblemSymbol(own.symbol, words.units.spell(unit), own.value) for unit, own in words.own.items())]

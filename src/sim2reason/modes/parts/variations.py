@@ -19,7 +19,7 @@ EQUAL = 1e-9  # relative
 
 
 @dataclass(frozen=True, slots=True)
-class Quantity:
+class ProblemSymbol:
     """A symbol of a problem: its unit and value as the text says them, and the address of its number.
 
     What the question itself says has no address.
@@ -62,7 +62,7 @@ class Variations:
 
     study: Study
     query: Query
-    symbols: Sequence[Quantity]
+    symbols: Sequence[ProblemSymbol]
 
     def own(self) -> Variation | None:
         """With the numbers that it has."""

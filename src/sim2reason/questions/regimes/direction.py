@@ -24,7 +24,7 @@ OPPOSITE = {UP: "down", RIGHT: "left"}
 
 @REGIMES.register("direction")
 @dataclass(frozen=True, slots=True)
-class Direction(Regime):
+class MovesOneWay(Regime):
     """A body moves one way along a line, or is about to."""
 
     of = Bodies()

@@ -20,7 +20,7 @@ SOON = 1e-3  # of the time that is asked about, or s: by when what is released h
 
 @REGIMES.register("sliding")
 @dataclass(frozen=True, slots=True)
-class Sliding(Regime):
+class SlidesThroughout(Regime):
     """A body slides on a rough face from the start on, or never does."""
 
     of = Contacts()

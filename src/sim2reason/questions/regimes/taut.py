@@ -14,7 +14,7 @@ SLACK = 1e-9  # N
 
 @REGIMES.register("taut")
 @dataclass(frozen=True, slots=True)
-class Taut(Regime):
+class StaysTaut(Regime):
     """A string stays taut."""
 
     of = Strings()
