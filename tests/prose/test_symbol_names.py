@@ -16,7 +16,7 @@ def test_a_text_loses_its_nouns_again(recipe: str) -> None:
         assert without_names(with_names(plain).text) == plain.text
 
 
-def test_an_angle_and_a_speed_are_called_so() -> None:
+def test_a_symbol_stands_behind_its_noun() -> None:
     plain = describe(sample("projectile", "easy", seed=1), 1, symbolic_but_zero)
     named = with_names(plain).text
     assert " at $v$" not in named

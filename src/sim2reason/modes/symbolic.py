@@ -15,7 +15,7 @@ from sim2reason.questions import KINDS, MODES, Formula, Query, Question, Questio
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
-from sim2reason.questions.regimes import FEW, Regime, regimes
+from sim2reason.questions.regimes import FEW, Regime, possible, regimes
 from sim2reason.questions.spoken import OwnSymbol, symbol_for
 from sim2reason.questions.targets import targets
 from sim2reason.solutions import STRATEGIES, Setting, solve
@@ -82,10 +82,17 @@ class Symbolic(QuestionMode):
         query = parse_question(asked, study, words)
         if query is None:
             return None
-        until = KINDS[query.kind].time(query, study) or 0.0
-        if assumed and not any(_assuming(held, words) == assumed for held in _some(regimes(study, words, until))):
+        if not assumed:
+            return Reading(self.name, query)
+        some = (held for held in _some(possible(study, words)) if _assuming(held, words) == assumed)
+        return next((Reading(self.name, query, assumed=held) for held in some), None)
+
+    def solution(self, reading: Reading, study: Study, words: Words) -> float | None:
+        """The answer with the numbers that the symbols have; None with those for which what is assumed is not so."""
+        until = KINDS[reading.query.kind].time(reading.query, study) or 0.0
+        if not all(held.holds(study, until) for held in reading.assumed):
             return None
-        return Reading(self.name, query)
+        return super().solution(reading, study, words)
 
 
 def _solvable(query: Query, study: Study, words: Words) -> bool:

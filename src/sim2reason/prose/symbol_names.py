@@ -12,9 +12,6 @@ from sim2reason.prose.writer import Description
 
 NOUNS = (
     (r"\b(?:at|points) ", "deg", "an angle ", ""),
-    (r"\bat ", "m/s", "a speed ", ""),
-    (r"\bat ", "rad/s", "an angular velocity ", ""),
-    (r"\bsteady ", "N", "force ", ""),
     (r"(?<!of )", "m", "a height ", r" above\b"),
     (r"(?<!of )", "m", "a distance ", r" (?:from|beyond)\b"),
 )

@@ -15,6 +15,7 @@ from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.query import Query
+from sim2reason.questions.regimes import Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target
 from sim2reason.questions.words import Words
@@ -65,11 +66,15 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What a sentence that was read asks: the query, and the answer to it that the sentence gives, if it does."""
+    """What a sentence that was read asks: the query, and the answer to it that the sentence gives, if it does.
+
+    `assumed` is what it says of the motion beforehand.
+    """
 
     mode: str
     query: Query
     given: StatedResult | None = None
+    assumed: tuple[Regime, ...] = ()
 
 
 class QuestionMode(ABC):

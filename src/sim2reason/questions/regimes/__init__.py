@@ -30,8 +30,8 @@ class Regime(ABC):
 
     @classmethod
     @abstractmethod
-    def found(cls, study: Study, words: Words, until: float) -> Sequence[Self]:
-        """Those of a motion up to a time, s, that the text has words for."""
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Those that a motion of such a scene may be in, as far as the text has words for them."""
 
     @abstractmethod
     def holds(self, study: Study, until: float) -> bool:
@@ -45,6 +45,11 @@ class Regime(ABC):
 REGIMES: Registry[type[Regime]] = Registry("questions.regimes")
 
 
+def possible(study: Study, words: Words) -> list[Regime]:
+    """All that motions of such a scene may be in."""
+    return [found for cls in REGIMES.values() for found in cls.possible(study, words)]
+
+
 def regimes(study: Study, words: Words, until: float) -> list[Regime]:
     """All that a motion is in, up to a time, s."""
-    return [found for cls in REGIMES.values() for found in cls.found(study, words, until)]
+    return [found for found in possible(study, words) if found.holds(study, until)]

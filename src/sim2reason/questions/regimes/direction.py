@@ -33,15 +33,10 @@ class MovesOneWay(Regime):
     ahead: bool
 
     @classmethod
-    def found(cls, study: Study, words: Words, until: float) -> Sequence[Self]:
-        """Of every body whose line has a sense in words."""
-        found: list[Self] = []
-        for name in words.called(cls.of):
-            for sense in _senses(study, name):
-                side = _side(study, name, sense.vector, until)
-                if side:
-                    found.append(cls(name, sense.positive, side > 0))
-        return found
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Either way, of every body whose line has a sense in words."""
+        senses = [(name, sense) for name in words.called(cls.of) for sense in _senses(study, name)]
+        return [cls(name, sense.positive, ahead) for name, sense in senses for ahead in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether it moves that way there."""

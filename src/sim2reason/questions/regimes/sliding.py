@@ -28,11 +28,10 @@ class SlidesThroughout(Regime):
     slides: bool
 
     @classmethod
-    def found(cls, study: Study, words: Words, until: float) -> Sequence[Self]:
-        """Of every body on a rough face."""
-        contacts = study.mechanism.contacts
-        rough = [name for name in words.called(cls.of) if contacts[name].friction > 0.0]
-        return [cls(name, found) for name in rough if (found := _slides(study, name, until)) is not None]
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Either, of every body on a rough face."""
+        rough = [name for name in words.called(cls.of) if study.mechanism.contacts[name].friction > 0.0]
+        return [cls(name, slides) for name in rough for slides in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is so there."""

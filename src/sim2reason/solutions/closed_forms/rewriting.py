@@ -39,6 +39,9 @@ FUNCTIONS = 8  # sines, cosines and roots in one formula, at most
 TERMS = 60  # in a numerator or denominator: more is neither factored nor written
 
 
+OPERATIONS = ((Sum, add), (Product, mul), (Quotient, truediv))
+
+
 class TooLongError(Exception):
     """A formula that grew beyond what anybody would write."""
 
@@ -101,7 +104,7 @@ class RationalFunctions:
             return self._atom(held, self.reduced(parts[0]))
         if isinstance(held, Power):
             return self._sized(parts[0] ** held.exponent)
-        operation = {Sum: add, Product: mul, Quotient: truediv}.get(type(held))
+        operation = next((does for kind, does in OPERATIONS if isinstance(held, kind)), None)
         if operation is None:
             raise TooLongError
         return self._sized(reduce(operation, parts))
