@@ -149,7 +149,10 @@ def rewritings(formula: FormulaRecord) -> Iterator[str]:
     space = {"sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "sqrt": sympy.sqrt, "ln": sympy.log}
     whole = re.sub(r"\b(\d+)\b", r"Z(\1)", program(latex, names))
     held = eval(whole, {**space, "Z": sympy.Integer, **{names[s]: symbols[s] for s in symbols}})
-    yield from (text for form in (sympy.expand, sympy.together) if len(text := sympy.latex(form(held))) < LONGEST)
+    for form in (sympy.expand, sympy.together):
+        text = sympy.latex(form(held)).replace(r"\left|{", r"\left|").replace(r"}\right|", r"\right|")
+        if len(text) < LONGEST:
+            yield text
 
 
 def read_back(item: Item, rng: np.random.Generator) -> str:
