@@ -1,5 +1,6 @@
 """What a worked solution is made of: steps with their relations, and a book in which each name has one value."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from math import degrees
@@ -91,8 +92,16 @@ def spelled(value: float, unit: str) -> str:
     return f"{rounded(value)}{unit}"
 
 
-RESULTS = (("m", ""), ("s", ""), ("kg", ""), ("N", ""), ("J", ""), ("m/s", ""), ("m/s", "^2"), ("kg m/s", ""))
-CANONICAL = {rf"\ \text{{{name}}}" + power: name + power for name, power in RESULTS}  # by their LaTeX
+def latex(unit: str) -> str:
+    """A unit in LaTeX, with the space before it: ``m^2/s`` as ``\\ \\text{m}^2\\text{/s}``; none for a pure number."""
+    if unit.startswith("1/"):
+        return latex(unit[2:]) + "^{-1}"
+    text = re.sub(r"\^(\d)", r"}^\1\\text{", unit.replace("*", " "))
+    return rf"\ \text{{{text}}}".replace(r"\text{}", "") if unit else ""
+
+
+MECHANICAL = ("m", "s", "kg", "N", "J", "m/s", "m/s^2", "kg m/s", "m^2", "m^2/s", "m^3/s^2", "1/s", "rad/s")
+CANONICAL = {latex(name): name for name in MECHANICAL}  # by their LaTeX
 
 
 class Book:
@@ -152,8 +161,7 @@ class Book:
         name = CANONICAL.get(unit)
         if name is None or self._units == SI:
             return unit
-        found, _, power = self._units.spell(name).partition("^")
-        return rf"\ \text{{{found}}}" + (f"^{power}" if power and len(power) == 1 else "")
+        return latex(self._units.spell(name))
 
     def open(self, kind: str) -> "Writing":
         """Begin a step."""

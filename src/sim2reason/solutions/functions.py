@@ -109,3 +109,24 @@ class Call(Expression):
     def symbols(self) -> Iterator[str]:
         """Those of the argument."""
         return self.argument.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class Pi(Expression):
+    """The ratio of a circle's circumference to its diameter."""
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """3.14159…"""
+        del at, digits
+        return math.pi
+
+    def latex(self) -> str:
+        """Its letter."""
+        return r"\pi"
+
+    def symbols(self) -> Iterator[str]:
+        """None."""
+        return iter(())
+
+
+PI = Pi()

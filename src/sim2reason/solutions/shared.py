@@ -1,7 +1,9 @@
 """What several coordinates have in common, and what of them laws are about."""
 
 from dataclasses import dataclass
+from math import isclose, pi
 
+from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.newton import Row
 
@@ -42,3 +44,14 @@ def equal(row: Row) -> tuple[tuple[int, int], int] | None:
     if len(parts) != 2 or abs(abs(parts[0][1]) - abs(parts[1][1])) > STILL:
         return None
     return (parts[0][0], parts[1][0]), -1 if parts[0][1] * parts[1][1] > 0.0 else 1
+
+
+def gravitational_constant(book: Book, value: float) -> Symbol:
+    """The constant of gravitation, which the text says once for all."""
+    if "G" not in book.values:
+        book.reserve("G")
+        book.know("G", value)
+        mantissa, _, power = f"{value:.8g}".partition("e")
+        said = rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
+        book.stated["G"] = r"4 \pi^{2}" if isclose(value, 4.0 * pi**2) else said
+    return Symbol("G")

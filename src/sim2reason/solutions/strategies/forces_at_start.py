@@ -15,7 +15,7 @@ from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
+from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND, gravitational_constant
 from sim2reason.solutions.stage import METRES
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way
@@ -199,7 +199,7 @@ class _AtStart(Way):
                 raise UnsolvedError("an attraction that does not fall with the square of the distance")
             other = pull.b if pull.a == self._body else pull.a
             ends = [(f.center(self._body).place, f.center(other).place) for f in (start(m), start(lexicon.twin))]
-            apart, constant = self._apart(ends), self._constant(pull.constant)
+            apart, constant = self._apart(ends), gravitational_constant(self.book, pull.constant)
             who = capital(self.setting.called(other))
             r = self._distance(apart, "r", self.setting.mark(other), f"{who} is at the distance")
             step, name = self.book.open("attraction"), self.book.fresh("g", self.setting.mark(other) or "1")
@@ -209,11 +209,3 @@ class _AtStart(Way):
             step.close()
             found.append((name, apart, r, True))
         return found
-
-    def _constant(self, value: float) -> Expression:
-        """The constant of gravitation, which the text says once for all."""
-        if "G" not in self.book.values:
-            self.book.reserve("G")
-            self.book.know("G", value)
-            self.book.stated["G"] = f"{value:.8g}"
-        return Symbol("G")

@@ -1,0 +1,214 @@
+"""Where a body on an ellipse is, and how fast, at one moment."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from functools import cached_property
+
+from sim2reason.solutions.book import latex
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Symbol
+from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.kepler import METRES, RADIANS, TWO, KeplerOrbit
+
+SPEED, ACCELERATION = latex("m/s"), latex("m/s^2")
+FIELDS = ("x", "y")
+
+
+class OrbitPlace(ABC):
+    """A body at one place of its ellipse."""
+
+    def __init__(self, orbit: KeplerOrbit) -> None:
+        """Nothing is written yet."""
+        self.orbit = orbit
+        self._names: dict[tuple[str, int], Symbol] = {}
+
+    @property
+    @abstractmethod
+    def grown(self) -> Expression:
+        """By how much the eccentric anomaly has grown."""
+
+    @property
+    @abstractmethod
+    def radius(self) -> Symbol:
+        """How far it is from the centre."""
+
+    @abstractmethod
+    def _moved(self, axis: int) -> Expression:
+        """By how much it has moved along an axis."""
+
+    @abstractmethod
+    def _rate(self, axis: int) -> Expression:
+        """Its velocity along an axis."""
+
+    def component(self, kind: str, axis: int) -> Symbol:
+        """The displacement ``s``, velocity ``v`` or acceleration ``a`` along an axis, 0 or 1."""
+        known = self._names.get((kind, axis))
+        if known is None:
+            known = self._names[kind, axis] = self._written(kind, axis)
+        return known
+
+    def _written(self, kind: str, axis: int) -> Symbol:
+        orbit, label = self.orbit, FIELDS[axis]
+        if kind == "s":
+            formula, unit, said = self._moved(axis), METRES, f"Along {label} it has moved by"
+        elif kind == "v":
+            formula, unit, said = self._rate(axis), SPEED, f"Its velocity along {label} is"
+        else:
+            place = orbit.place[axis] + self.component("s", axis)
+            formula, unit = -(orbit.parameter * place / Power(self.radius, 3)), ACCELERATION
+            said = f"The acceleration points to the centre; along {label} it is"
+        return orbit.result("component", said, orbit.named(kind, label), formula, unit)
+
+    @cached_property
+    def speed(self) -> Symbol:
+        """From the energy: the vis-viva equation."""
+        orbit = self.orbit
+        formula = Root(orbit.parameter * (TWO / self.radius - ONE / orbit.axis))
+        return orbit.result("energy", "By the same energy its speed is", orbit.named("v"), formula, SPEED)
+
+    @cached_property
+    def pull(self) -> Symbol:
+        """The size of the acceleration."""
+        orbit, formula = self.orbit, self.orbit.parameter / Power(self.radius, 2)
+        return orbit.result("attraction", "Its acceleration is", orbit.named("a"), formula, ACCELERATION)
+
+
+class AtAnomaly(OrbitPlace):
+    """Where the eccentric anomaly has grown by something."""
+
+    def __init__(
+        self, orbit: KeplerOrbit, grown: Callable[[], Expression], radius: Callable[[], Symbol] | None = None
+    ) -> None:
+        """`radius` writes the distance, where that is known without the anomaly."""
+        super().__init__(orbit)
+        self._grown, self._radius = grown, radius
+
+    @cached_property
+    def grown(self) -> Expression:
+        """As it was given."""
+        return self._grown()
+
+    @cached_property
+    def radius(self) -> Symbol:
+        """r = a (1 − p cos η + q sin η)."""
+        if self._radius is not None:
+            return self._radius()
+        orbit, angle = self.orbit, self.grown
+        near = ONE - orbit.along * Call("cos", angle) + orbit.across * Call("sin", angle)
+        said = "The distance from the centre is then"
+        return orbit.result("distance", said, orbit.named("r"), orbit.axis * near, METRES)
+
+    @cached_property
+    def _weights(self) -> dict[str, Symbol]:
+        """Names of the four weights with which the first place and velocity stand in those of the moment."""
+        return {number: self.orbit.named("c", number) for number in "1234"}
+
+    def _combined(self, numbers: str, axis: int) -> Expression:
+        """A sum of the first place and velocity; a part that is zero has no weight."""
+        orbit, found = self.orbit, ZERO
+        for number, part in zip(numbers, (orbit.place[axis], orbit.rate[axis]), strict=True):
+            if part != ZERO:
+                found = found + self._weight(number) * part
+        return found
+
+    def _weight(self, number: str) -> Symbol:
+        orbit, name = self.orbit, self._weights[number]
+        if name.name in orbit.book.values:
+            return name
+        rest = ONE - Call("cos", self.grown)
+        if number in "12":
+            formula = orbit.weights(self.grown)[int(number) - 1]
+        elif number == "3":
+            swift = Root(orbit.parameter * orbit.axis) * Call("sin", self.grown)
+            formula = -(swift / (orbit.radius * self.radius))
+        else:
+            formula = ONE - orbit.axis / self.radius * rest
+        whole, part = "displacement" if number in "12" else "velocity", "place" if number in "13" else "velocity"
+        unit = {"2": latex("s"), "3": latex("1/s")}.get(number, "")
+        return orbit.result("weights", f"In the {whole}, the first {part} has the weight", name, formula, unit)
+
+    def _moved(self, axis: int) -> Expression:
+        return self._combined("12", axis)
+
+    def _rate(self, axis: int) -> Expression:
+        return self._combined("34", axis)
+
+
+class Turned(OrbitPlace):
+    """Where the line to a body has turned through a right angle, or through two: the equation of its conic."""
+
+    def __init__(self, orbit: KeplerOrbit, quarters: int) -> None:
+        """`quarters` of a turn: 1 or 2."""
+        super().__init__(orbit)
+        self._quarters = quarters
+        self._sense = 1.0 if orbit.book.value(orbit.momentum) > 0.0 else -1.0
+
+    @cached_property
+    def _rectum(self) -> Symbol:
+        orbit, formula = self.orbit, Power(self.orbit.momentum, 2) / self.orbit.parameter
+        said = "The semi-latus rectum of the ellipse is"
+        return orbit.result("conic", said, orbit.named(r"\ell"), formula, METRES)
+
+    @cached_property
+    def _outward(self) -> Symbol:
+        """How fast it recedes at the start."""
+        orbit = self.orbit
+        said = "At first it recedes with"
+        return orbit.result("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
+
+    @cached_property
+    def radius(self) -> Symbol:
+        """ℓ/r = 1 + e cos ν: ahead by 180° the cosine has the other sign, by 90° it is minus the sine."""
+        orbit = self.orbit
+        if self._quarters == 2:
+            formula = self._rectum / (TWO - self._rectum / orbit.radius)
+            said = r"By the equation of the conic, $\ell/r$ differs from 1 by as much, the other way, half a turn on, so that"
+        else:
+            formula = self._rectum / (ONE - self._across)
+            said = r"By the equation of the conic, $\ell/r$ is $1 - e \sin\nu$ a right angle on from the anomaly $\nu$, so that"
+        return orbit.result("conic", said, orbit.named("r"), formula, METRES)
+
+    @property
+    def _across(self) -> Expression:
+        """The product e sin ν at the start."""
+        swift = self.orbit.momentum if self._sense > 0.0 else -self.orbit.momentum
+        return swift * self._outward / self.orbit.parameter
+
+    @cached_property
+    def _outward_now(self) -> Expression:
+        """How fast it recedes there."""
+        if self._quarters == 2:
+            return -self._outward
+        orbit = self.orbit
+        swift = orbit.momentum if self._sense > 0.0 else -orbit.momentum
+        formula = orbit.parameter / swift * (self._rectum / orbit.radius - ONE)
+        return orbit.result("recedes", "There it recedes with", orbit.named("u"), formula, SPEED)
+
+    @property
+    def _direction(self) -> tuple[Expression, Expression]:
+        """From the centre to the body, times the distance at the start."""
+        x, y = self.orbit.place
+        if self._quarters == 2:
+            return -x, -y
+        return (-y, x) if self._sense > 0.0 else (y, -x)
+
+    def _moved(self, axis: int) -> Expression:
+        return self.radius / self.orbit.radius * self._direction[axis] - self.orbit.place[axis]
+
+    def _rate(self, axis: int) -> Expression:
+        along, across = self._direction[axis], (-self._direction[1], self._direction[0])[axis]
+        first = self._outward_now / self.orbit.radius * along
+        return first + self.orbit.momentum / (self.radius * self.orbit.radius) * across
+
+    @cached_property
+    def grown(self) -> Expression:
+        """The difference of two eccentric anomalies, e cos E = 1 − r/a."""
+        orbit = self.orbit
+        here = ONE - self.radius / orbit.axis
+        first, last = (Call("arccos", part / orbit.eccentricity) for part in (orbit.along, here))
+        begins = first if orbit.book.value(orbit.across) >= 0.0 else -first
+        ends = last if orbit.book.value(self._outward_now) >= 0.0 else -last
+        formula = ends - begins
+        if orbit.book.value(formula) <= 0.0:
+            formula = formula + TWO * PI
+        said = r"As $e \cos E$ is $1 - r/a$ at both places, $E$ has grown by"
+        return orbit.result("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)

@@ -1,0 +1,200 @@
+"""Orbit: a light body about a fixed one; energy, angular momentum, and Kepler's laws."""
+
+from functools import cached_property
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.quantities.subjects.pairs import members
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.closest import Closest
+from sim2reason.questions.moments.farthest import Farthest
+from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.functions import PI
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.kepler import AREA, HALF, METRES, SECONDS, TWO, KeplerOrbit
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.orbit_place import AtAnomaly, OrbitPlace, Turned
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.way import Way
+
+MOMENTS = (AtTime, Away, Closest, Farthest, Orbited)
+QUANTITIES = ("displacement", "velocity", "acceleration", "distance", "relative speed")
+FUNCTIONALS = {
+    "greatest speed": ("speed", False),
+    "least speed": ("speed", True),
+    "greatest acceleration": ("pull", False),
+    "greatest distance": ("radius", True),
+    "least distance": ("radius", False),
+}  # which quantity at which apsis: the far one or the near one
+ALL_ROUND, QUARTER = 360, 90
+
+
+@strategy
+class Orbit(Strategy):
+    """A light body on an ellipse about a fixed one, at any moment."""
+
+    name = "orbit"
+    cost = 1.0
+    kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query = setting.query
+        if not _by_itself(setting.mechanism):
+            return "no light body goes round a fixed one by itself"
+        if isinstance(query, PeriodQuery):
+            return "" if query.measure == "period" and not query.small else "no orbital period is asked for"
+        if isinstance(query, StretchQuery):
+            known = query.functional in (*FUNCTIONALS, "greatest displacement", "area swept")
+            return "" if known else f"no way to the {query.functional}"
+        if not isinstance(query.moment, MOMENTS):
+            return f"no way to the moment {type(query.moment).__name__}"
+        quantity = query.target.quantity if query.target is not None else ""
+        return "" if quantity in ("", *QUANTITIES) else f"no way to the quantity {quantity}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The orbit, the place on it, and what is asked."""
+        return _OnOrbit(setting, book).write().name
+
+
+def _by_itself(m: Mechanism) -> bool:
+    """Whether every body that moves is attracted by one that is fixed, and by nothing else."""
+    moving = [body.name for body in m.bodies if body.coordinates]
+    pulls = {body: [pull for pull in m.attractions if body in (pull.a, pull.b)] for body in moving}
+    other = m.lines or m.faces or m.forces or m.burns or m.meetings or m.feet
+    level = all(c.kind == "slide" and abs(c.axis[2]) < 1e-9 for c in m.coordinates)
+    flat = all(len(m.body[body].coordinates) == 2 for body in moving)
+    lone = all(len(found) == 1 and found[0].power == 2.0 for found in pulls.values())
+    fixed = all(len({pull.a, pull.b} & set(moving)) == 1 for pull in m.attractions)
+    return bool(moving) and lone and fixed and level and flat and not other
+
+
+class _OnOrbit(Way):
+    """What is asked of bodies on orbits."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Nothing is written yet."""
+        super().__init__(setting, book)
+        self._orbits: dict[str, KeplerOrbit] = {}
+        self._places: dict[str, OrbitPlace] = {}
+
+    def write(self) -> Symbol:
+        """By the kind of the query."""
+        query, target = self.query, self.target
+        if isinstance(query, PeriodQuery):
+            return self.orbit(query.of[0]).period
+        if isinstance(query, StretchQuery):
+            return self._stretch(query)
+        if target is None:
+            return self.time
+        lone = [body for body in self._members(target.subject) if self.mechanism.body[body].coordinates]
+        if len(lone) == 1 and target.sense is None:
+            direct = {"velocity": "speed", "acceleration": "pull", "distance": "radius"}.get(target.quantity)
+            if direct is not None:
+                found: Symbol = getattr(self.place(lone[0]), direct)
+                return found
+        return GOALS[target.quantity].write(target, self)
+
+    @staticmethod
+    def _members(subject: str) -> tuple[str, ...]:
+        return members(subject) if " & " in subject else (subject,)
+
+    def _moving(self, subject: str) -> str:
+        found = [body for body in self._members(subject) if self.mechanism.body[body].coordinates]
+        if len(found) != 1:
+            raise UnsolvedError("two bodies that both move, each on its own ellipse")
+        return found[0]
+
+    # ---- orbits and places
+
+    def orbit(self, body: str) -> KeplerOrbit:
+        """The orbit of a body."""
+        if body not in self._orbits:
+            pull = next(p for p in self.mechanism.attractions if body in (p.a, p.b))
+            alone = sum(bool(held.coordinates) for held in self.mechanism.bodies) == 1
+            center = pull.b if pull.a == body else pull.a
+            self._orbits[body] = KeplerOrbit(self.setting, self.book, body, center, alone=alone)
+        return self._orbits[body]
+
+    @property
+    def _mover(self) -> str:
+        """Whose motion says when the moment is."""
+        moment = self.query.moment
+        assert isinstance(moment, Away | Closest | Farthest | Orbited)
+        return self._moving(moment.name)
+
+    def place(self, body: str) -> OrbitPlace:
+        """Where a body is at the moment."""
+        if body not in self._places:
+            by_time = isinstance(self.query.moment, AtTime) or self._mover != body
+            orbit = self.orbit(body)
+            self._places[body] = AtAnomaly(orbit, lambda: orbit.to_time(self.time)) if by_time else self._there
+        return self._places[body]
+
+    @cached_property
+    def _there(self) -> OrbitPlace:
+        """Where the body is whose motion says when the moment is."""
+        moment, orbit = self.query.moment, self.orbit(self._mover)
+        if isinstance(moment, Away):
+            distance = self.book.fresh("d")
+            self.book.say_given(distance.name, moment.value, METRES)
+            return AtAnomaly(orbit, lambda: orbit.to_distance(distance))
+        if isinstance(moment, Orbited):
+            if moment.degrees == ALL_ROUND:
+                return AtAnomaly(orbit, lambda: TWO * PI, lambda: orbit.radius)
+            return Turned(orbit, moment.degrees // QUARTER)
+        far = isinstance(moment, Farthest)
+        return AtAnomaly(orbit, lambda: orbit.to_apsis(far=far), lambda: orbit.apsis(far=far))
+
+    @cached_property
+    def time(self) -> Symbol:
+        """When the moment is."""
+        moment = self.query.moment
+        if isinstance(moment, AtTime):
+            name = self.book.fresh("t")
+            self.book.say_given(name.name, moment.after, SECONDS)
+            return name
+        orbit = self.orbit(self._mover)
+        if isinstance(moment, Orbited) and moment.degrees == ALL_ROUND:
+            return orbit.period
+        return orbit.time(self._there.grown)
+
+    def _stretch(self, query: StretchQuery) -> Symbol:
+        body = self._moving(query.name)
+        orbit = self.orbit(body)
+        if query.functional == "area swept":
+            swift = orbit.momentum if self.book.value(orbit.momentum) > 0.0 else -orbit.momentum
+            said = "Half the angular momentum per unit of mass is the area swept out per unit of time, so that it is"
+            return orbit.result("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
+        if query.functional == "greatest displacement":
+            return orbit.farthest()
+        which, far = FUNCTIONALS[query.functional]
+        at = AtAnomaly(orbit, lambda: orbit.to_apsis(far=far), lambda: orbit.apsis(far=far))
+        found: Symbol = getattr(at, which)
+        return found
+
+    # ---- for goals
+
+    @property
+    def newton(self) -> Newton:
+        """None is needed."""
+        raise UnsolvedError("the mass of what is attracted is not said")
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """None."""
+        raise UnsolvedError(f"no {kind} of {name}")
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """A component of a displacement, velocity or acceleration."""
+        body = self.mechanism.coordinates[k].body
+        if not self.mechanism.body[body].coordinates:
+            return NIL
+        axis = self.orbit(body).numbers.index(k)
+        found: Expression = self.place(body).component(kind, axis)
+        return Polynomial.of(found)
