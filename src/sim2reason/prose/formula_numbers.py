@@ -1,15 +1,23 @@
 """Numbers as formulas count them, in radians and metres, and as texts say them, in degrees and kilometres."""
 
+from functools import cache
+
 from sim2reason.dsl.measures import join_unit
-from sim2reason.dsl.units import parse_unit
+from sim2reason.dsl.unit_text import factors
+from sim2reason.dsl.units import ASTRONOMICAL, parse_unit
 
 DIGITS = 12  # of a number that was counted and is said again
 MINUS = "\N{MINUS SIGN}"
 
 
+@cache
 def factor(unit: str) -> float:
-    """What a number of some unit is multiplied by for a formula: 1 but for degrees and for kilometres."""
-    return parse_unit(unit).factor if unit == "deg" or unit.startswith("km") else 1.0
+    """What a number of some unit is multiplied by for a formula: 1 but for degrees, kilometres, grams, millicoulombs.
+
+    Astronomical units stand in formulas as they are.
+    """
+    own = {ASTRONOMICAL.length, ASTRONOMICAL.mass, ASTRONOMICAL.time}
+    return 1.0 if own & {word for word, _ in factors(unit)} else parse_unit(unit).factor
 
 
 def said_in(number: float, unit: str) -> str:

@@ -93,7 +93,7 @@ def spelled(value: float, unit: str) -> str:
 
 
 def latex(unit: str) -> str:
-    """A unit in LaTeX, with the space before it: ``m^2/s`` as ``\\ \\text{m}^2\\text{/s}``; none for a pure number."""
+    """A unit in LaTeX with the space before it, the words upright; nothing for a pure number."""
     if unit.startswith("1/"):
         return latex(unit[2:]) + "^{-1}"
     text = re.sub(r"\^(\d)", r"}^\1\\text{", unit.replace("*", " "))

@@ -71,7 +71,7 @@ class Expression(ABC):
     def __truediv__(self, other: "Expression | float") -> "Expression":
         """Their quotient."""
         divisor = lifted(other)
-        return self if divisor == ONE else Quotient(self, divisor)
+        return self if divisor == ONE or self == ZERO else Quotient(self, divisor)
 
     def __neg__(self) -> "Expression":
         """Its negative, term by term."""

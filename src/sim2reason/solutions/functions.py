@@ -116,7 +116,7 @@ class Pi(Expression):
     """The ratio of a circle's circumference to its diameter."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """3.14159…"""
+        """Its value."""
         del at, digits
         return math.pi
 

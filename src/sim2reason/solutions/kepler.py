@@ -76,7 +76,8 @@ class KeplerOrbit:
         formula = ONE / (TWO / self.radius - square / self.parameter)
         if self.book.value(formula) <= 0.0:
             raise UnsolvedError("its orbit is no ellipse")
-        said = r"Its energy per unit of mass, $\tfrac12 v^{2} - \mu/r$, is that of an ellipse, $-\mu/(2a)$, with the semi-major axis"
+        said = r"Its energy per unit of mass, $\tfrac12 v^{2} - \mu/r$, is that of an ellipse, $-\mu/(2a)$, whose "
+        said += "semi-major axis is"
         return self.result("energy", said, self.named("a"), formula, METRES)
 
     @cached_property
@@ -87,7 +88,7 @@ class KeplerOrbit:
 
     @cached_property
     def mean_motion(self) -> Symbol:
-        """n = √(µ/a³)."""
+        """N = √(µ/a³)."""
         formula = Root(self.parameter / Power(self.axis, 3))
         return self.result("mean motion", "The mean motion is", self.named("n"), formula, latex("rad/s"))
 
@@ -105,13 +106,13 @@ class KeplerOrbit:
 
     @cached_property
     def along(self) -> Symbol:
-        """e cos E₀."""
+        """E cos E₀."""
         said = r"Of the eccentric anomaly $E$ at the start, $e \cos E$ is"
         return self.result("anomaly", said, self.named("p"), ONE - self.radius / self.axis)
 
     @cached_property
     def across(self) -> Symbol:
-        """e sin E₀."""
+        """E sin E₀."""
         formula = self.dot / Root(self.parameter * self.axis)
         return self.result(
             "anomaly", r"Of the eccentric anomaly $E$ at the start, $e \sin E$ is", self.named("q"), formula

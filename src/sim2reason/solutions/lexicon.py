@@ -18,6 +18,7 @@ from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
 from sim2reason.prose.formula_numbers import factor
+from sim2reason.solutions.book import latex
 from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.functions import Call
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -44,8 +45,9 @@ class StatedNumber:
     def latex(self) -> str:
         """The number as it is said, with its unit."""
         measure, value = self.parameter.measure, self.parameter.value or 0.0
-        if measure.unit.startswith("km"):
-            return rf"{self.value:g}\ \text{{{measure.unit[1:]}}}"  # metres, as formulas need them
+        if self.value != value and not self.angle:  # in the units that formulas need
+            unit = "kg" if measure.unit == "g" else measure.unit[1:]
+            return f"{self.value:.12f}".rstrip("0").rstrip(".") + latex(unit)
         text = f"{value:.{measure.places(value)}f}"
         if abs(float(text) - value) > 1e-12 * abs(value):
             text = repr(value)
@@ -164,7 +166,7 @@ class Lexicon:
 
 
 def _counted(parameter: Parameter, value: float) -> float:
-    """In the mechanism's own count: that of the text, but for degrees and for kilometres."""
+    """In the mechanism's own count: that of the text, but for degrees, kilometres and other such parts."""
     return value * factor(parameter.measure.unit)
 
 

@@ -21,15 +21,23 @@ class OrbitPlace(ABC):
         self.orbit = orbit
         self._names: dict[tuple[str, int], Symbol] = {}
 
-    @property
-    @abstractmethod
+    @cached_property
     def grown(self) -> Expression:
         """By how much the eccentric anomaly has grown."""
+        return self._anomaly()
 
-    @property
-    @abstractmethod
+    @cached_property
     def radius(self) -> Symbol:
         """How far it is from the centre."""
+        return self._distance()
+
+    @abstractmethod
+    def _anomaly(self) -> Expression:
+        """Write by how much the eccentric anomaly has grown."""
+
+    @abstractmethod
+    def _distance(self) -> Symbol:
+        """Write how far it is from the centre."""
 
     @abstractmethod
     def _moved(self, axis: int) -> Expression:
@@ -82,14 +90,12 @@ class AtAnomaly(OrbitPlace):
         super().__init__(orbit)
         self._grown, self._radius = grown, radius
 
-    @cached_property
-    def grown(self) -> Expression:
+    def _anomaly(self) -> Expression:
         """As it was given."""
         return self._grown()
 
-    @cached_property
-    def radius(self) -> Symbol:
-        """r = a (1 − p cos η + q sin η)."""
+    def _distance(self) -> Symbol:
+        """R = a (1 − p cos η + q sin η)."""
         if self._radius is not None:
             return self._radius()
         orbit, angle = self.orbit, self.grown
@@ -155,16 +161,15 @@ class Turned(OrbitPlace):
         said = "At first it recedes with"
         return orbit.result("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
 
-    @cached_property
-    def radius(self) -> Symbol:
+    def _distance(self) -> Symbol:
         """ℓ/r = 1 + e cos ν: ahead by 180° the cosine has the other sign, by 90° it is minus the sine."""
         orbit = self.orbit
         if self._quarters == 2:
             formula = self._rectum / (TWO - self._rectum / orbit.radius)
-            said = r"By the equation of the conic, $\ell/r$ differs from 1 by as much, the other way, half a turn on, so that"
+            said = r"By the conic, half a turn on $\ell/r$ is as far from 1, the other way, so that"
         else:
             formula = self._rectum / (ONE - self._across)
-            said = r"By the equation of the conic, $\ell/r$ is $1 - e \sin\nu$ a right angle on from the anomaly $\nu$, so that"
+            said = r"By the conic, a right angle on $\ell/r$ is $1 - e \sin\nu$ with the first $\nu$, so that"
         return orbit.result("conic", said, orbit.named("r"), formula, METRES)
 
     @property
@@ -199,8 +204,7 @@ class Turned(OrbitPlace):
         first = self._outward_now / self.orbit.radius * along
         return first + self.orbit.momentum / (self.radius * self.orbit.radius) * across
 
-    @cached_property
-    def grown(self) -> Expression:
+    def _anomaly(self) -> Expression:
         """The difference of two eccentric anomalies, e cos E = 1 − r/a."""
         orbit = self.orbit
         here = ONE - self.radius / orbit.axis

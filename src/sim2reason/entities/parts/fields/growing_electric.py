@@ -16,7 +16,7 @@ from sim2reason.entities.parts.fields import (
 )
 
 Growth = Annotated[
-    float, LEAST, Le(1e6), Measure("growth", "N/(C s)", r"\dot{E}", called="rate of growth"), Range(0.1, 0.8)
+    float, LEAST, Le(1e6), Measure("growth", "N/(C s)", "k", called="rate of growth"), Range(0.1, 0.8)
 ]
 
 

@@ -1,0 +1,198 @@
+"""When a charged body in fields is where a question wants it, and where its speed or its distance is extreme."""
+
+from functools import cached_property
+
+import numpy as np
+
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.field_motion import FieldMotion, Turning, motion_in
+from sim2reason.solutions.fields import Fields
+from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.worked import NumericRoot
+
+METRES, SECONDS, SPEED = latex("m"), latex("s"), latex("m/s")
+TWO, HALF = Number(2.0), Number(0.5)
+SAMPLES = 400
+
+
+class FieldMoment:
+    """The moment that is asked about, written as it is needed."""
+
+    def __init__(self, setting: Setting, book: Book, fields: Fields) -> None:
+        """Nothing is written yet."""
+        self.setting, self.book, self.fields = setting, book, fields
+
+    def told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
+        """A step of one sentence that ends with a law by itself."""
+        step = self.book.open(kind)
+        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def motion(self) -> FieldMotion:
+        """As functions of time."""
+        return motion_in(self.fields, self.fields.launch)
+
+    @cached_property
+    def time(self) -> Symbol:
+        """When the moment is."""
+        moment, name = self.setting.query.moment, self.book.fresh("t")
+        if isinstance(moment, AtTime):
+            self.book.say_given(name.name, moment.after, SECONDS)
+            return name
+        if isinstance(moment, Stopped):
+            return self._stopped(name)
+        assert isinstance(moment, Away)
+        distance = self.book.fresh("d")
+        self.book.say_given(distance.name, moment.value, METRES)
+        if self.fields.drive is None and self.fields.damping is None:
+            return self._chord(distance, name)
+        square, level = self._distance(name), Power(distance, 2)
+        step = self.book.open("time")
+        law = step.law(square, level)
+        root = NumericRoot(square - level, name.name, self.setting.time)
+        who = capital(self.setting.called(self.fields.body))
+        step.say(f"{who} is so far away when {law}; the first root, found")
+        step.say(f"numerically, is {step.result(name, root, SECONDS)}.")
+        step.close()
+        return name
+
+    def _stopped(self, name: Symbol) -> Symbol:
+        """When a body on a line has no velocity."""
+        drive, rates = self.fields.drive, [self.motion.rate(axis, name) for axis in (0, 1)]
+        kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
+        if turns is not None and self._uniform and self.fields.launch == [ZERO, ZERO]:
+            size = turns if self.book.value(turns) > 0.0 else -turns
+            return self.told(
+                "stop", "What turns of the velocity cancels the drift again after", name, TWO * PI / size, SECONDS
+            )
+        if len(kept) != 1 or drive is None or drive.frequency is not None:
+            raise UnsolvedError("it does not move to and fro on a line by a steady force")
+        step, root = self.book.open("stop"), NumericRoot(kept[0], name.name, self.setting.time)
+        plain = drive.growth is None and drive.slope is None
+        formula = -(self.fields.launch[drive.axis] / drive.strength) if plain else root
+        who = capital(self.setting.called(self.fields.body))
+        step.say(f"{who} comes to rest when {step.law(kept[0], ZERO)}, so {step.result(name, formula, SECONDS)}.")
+        step.close()
+        return name
+
+    def _distance(self, time: Symbol) -> Expression:
+        """Of the distance from the start."""
+        return _square([self.motion.moved(axis, time) for axis in (0, 1)])
+
+    @cached_property
+    def _circle(self) -> Symbol:
+        """The radius of the circle on which a magnetic field alone leads it."""
+        vx, vy = self.fields.launch
+        turns = self.fields.turning
+        assert turns is not None
+        speed = Root(Power(vx, 2) + Power(vy, 2)) if ZERO not in (vx, vy) else vx + vy
+        given = self.setting.given(f"{self.fields.body.rpartition('.')[0]}.start.speed")
+        if given is not None:
+            speed = Symbol(given.symbol)
+        size = turns if self.book.value(turns) > 0.0 else -turns
+        said = "Magnetic force and circular motion give the radius of its circle,"
+        return self.told("circle", said, self.book.fresh("R"), speed / size, METRES)
+
+    def _chord(self, distance: Symbol, name: Symbol) -> Symbol:
+        turns = self.fields.turning
+        assert turns is not None
+        size = turns if self.book.value(turns) > 0.0 else -turns
+        half = Call("arcsin", distance / (TWO * self._circle))
+        said = "It is so far away when this is the chord of the angle through which it has turned:"
+        return self.told("chord", said, name, TWO / size * half, SECONDS)
+
+    @property
+    def _uniform(self) -> bool:
+        """Whether the fields never change, and nothing resists."""
+        drive = self.fields.drive
+        changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
+        return not changing and self.fields.damping is None
+
+    def extreme(self, query: StretchQuery) -> Symbol:
+        """Where the rate of change of its square vanishes."""
+        fields = self.fields
+        if query.functional == "greatest displacement":
+            if fields.drive is None and fields.damping is None:
+                said = "The longest chord is its diameter,"
+                return self.told("chord", said, self.book.fresh("d"), TWO * self._circle, METRES)
+            return self._farthest()
+        if self._uniform and isinstance(self.motion, Turning):
+            speed = self.told(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
+        else:
+            speed = self._fastest(-1.0 if query.functional.startswith("least") else 1.0)
+        if query.functional != "greatest kinetic energy":
+            return speed
+        energy = HALF * fields.mass * Power(speed, 2)
+        return self.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, latex("J"))
+
+    def _farthest(self) -> Symbol:
+        """Where the displacement is square to the velocity."""
+        time = self.book.fresh("t")
+        parts = [self.motion.moved(axis, time) for axis in (0, 1)]
+        rates = [self.motion.rate(axis, time) for axis in (0, 1)]
+        kept = [part * rate for part, rate in zip(parts, rates, strict=True) if part != ZERO]
+        if len(kept) == 1:
+            raise UnsolvedError("it moves to and fro on a line")
+        self._turned(time, parts, 1.0, kept[0] + kept[1], "displacement is square to its velocity")
+        return self.told("extremum", "There the distance is", self.book.fresh("d"), Root(_square(parts)), METRES)
+
+    def _fastest(self, sign: float) -> Symbol:
+        """Where the forces that do work do none: the magnetic one never does."""
+        time, drive = self.book.fresh("t"), self.fields.drive
+        rates = [self.motion.rate(axis, time) for axis in (0, 1)]
+        near = self._sampled(time, rates, sign)
+        if drive is None:
+            raise UnsolvedError("the medium only slows it")
+        pull = drive.at(time, lambda axis: self.motion.moved(axis, time))
+        at = {**self.book.values, time.name: near}
+        if self.fields.damping is not None:
+            work = pull * rates[drive.axis] - self.fields.damping * _square(rates)
+            self._turned(time, rates, sign, work, "electric force and the medium do no work together")
+        elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
+            halves = round(drive.frequency.value(at).real * near / np.pi - 0.5)
+            said = "Its speed is extreme when the electric force passes through zero, at"
+            self.told("extremum", said, time, Number(halves + 0.5) * PI / drive.frequency, SECONDS)
+        else:
+            slow = abs(rates[drive.axis].value(at)) < 0.05 * float(_square(rates).value(at).real) ** 0.5
+            along = "velocity along the electric field is zero" if slow else "electric force is zero"
+            if not slow and drive.growth is not None:
+                step = self.book.open("extremum")
+                law = step.law(pull, ZERO)
+                found = step.result(time, -(drive.strength / drive.growth), SECONDS)
+                step.say(f"It is extreme where the {along}: {law}, so {found}.")
+                step.close()
+            else:
+                self._turned(time, rates, sign, rates[drive.axis] if slow else pull, along)
+        return self.told("extremum", "The speed is then", self.book.fresh("v"), Root(_square(rates)), SPEED)
+
+    def _turned(self, time: Symbol, parts: list[Expression], sign: float, residual: Expression, said: str) -> None:
+        """When something vanishes, near where a vector is longest or shortest."""
+        start = self._sampled(time, parts, sign)
+        near = NumericRoot(residual, time.name, start).value(self.book.values).real
+        step = self.book.open("extremum")
+        law = step.law(residual, ZERO)
+        found = step.result(time, NumericRoot(residual, time.name, near), SECONDS)
+        step.say(f"It is extreme where the {said}: {law}. Found numerically, {found}.")
+        step.close()
+
+    def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:
+        """When the size of a vector is about greatest or least."""
+        square = _square(parts)
+        times: list[float] = np.linspace(0.0, self.setting.time, SAMPLES).tolist()
+        return max(times, key=lambda t: sign * square.value({**self.book.values, name.name: t}).real)
+
+
+def _square(parts: list[Expression]) -> Expression:
+    """Of the length of a vector."""
+    found: Expression = ZERO
+    for part in parts:
+        found = found + Power(part, 2) if part != ZERO else found
+    return found

@@ -1,0 +1,242 @@
+"""How a charged body moves in a plane in fields whose equations of motion are linear, as functions of time."""
+
+from abc import ABC, abstractmethod
+from functools import cached_property
+
+from sim2reason.solutions.book import UnsolvedError, latex
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.fields import AXES, RATE, TURNS, Drive, Fields
+from sim2reason.solutions.functions import Call, Power, Root
+
+HALF, SIXTH = Number(0.5), Number(1.0 / 6.0)
+SPEED = latex("m/s")
+
+
+class FieldMotion(ABC):
+    """Displacement and velocity since a start with a known velocity."""
+
+    def __init__(self, fields: Fields, launch: list[Expression]) -> None:
+        """`launch` is the velocity at the start, along x and y."""
+        self.fields, self.launch, self.book = fields, launch, fields.book
+
+    @abstractmethod
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """The displacement along an axis after a time."""
+
+    @abstractmethod
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """The velocity along an axis after a time."""
+
+    def told(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:
+        """A constant of the motion, by a name unless it is zero or a name already."""
+        if formula == ZERO or isinstance(formula, Symbol):
+            return formula
+        step, name = self.book.open("motion"), self.book.fresh(base, mark)
+        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
+
+def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
+    """The motion in some fields; UnsolvedError where it has no closed form here."""
+    if fields.turning is not None:
+        return Turning(fields, launch)
+    if fields.damping is not None:
+        raise UnsolvedError("a resistance without a magnetic field")
+    return Driven(fields, launch)
+
+
+class Driven(FieldMotion):
+    """An electric field alone."""
+
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """Integrated twice."""
+        drive, plain = self.fields.drive, self.launch[axis] * time
+        if drive is None or drive.axis != axis:
+            return plain
+        if drive.frequency is not None:
+            swing = ONE - Call("cos", drive.frequency * time)
+            return plain + drive.strength / Power(drive.frequency, 2) * swing
+        if drive.slope is not None and drive.along == axis:
+            return self._center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
+        third = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
+        found = plain + HALF * drive.strength * Power(time, 2)
+        return found + SIXTH * third * Power(time, 3) if third is not None else found
+
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """Integrated once."""
+        drive, plain = self.fields.drive, self.launch[axis]
+        if drive is None or drive.axis != axis:
+            return plain
+        if drive.frequency is not None:
+            return plain + drive.strength / drive.frequency * Call("sin", drive.frequency * time)
+        if drive.slope is not None and drive.along == axis:
+            return plain * self._even(time) + drive.strength * self._odd(time)
+        second = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
+        found = plain + drive.strength * time
+        return found + HALF * second * Power(time, 2) if second is not None else found
+
+    # ---- a field that grows along its own direction
+
+    @property
+    def _drive(self) -> Drive:
+        assert self.fields.drive is not None
+        return self.fields.drive
+
+    @cached_property
+    def _swings(self) -> bool:
+        slope = self._drive.slope
+        assert slope is not None
+        return self.book.value(slope) < 0.0
+
+    @cached_property
+    def _frequency(self) -> Expression:
+        slope = self._drive.slope
+        assert slope is not None
+        along = AXES[self._drive.axis]
+        if self._swings:
+            said = f"Along {along} that is a harmonic oscillation with the angular frequency"
+            return self.told(said, r"\omega", "", Root(-slope), latex("rad/s"))
+        said = f"Along {along} the departure from where the force is zero grows or decays exponentially, at the rate"
+        return self.told(said, r"\lambda", "", Root(slope), RATE)
+
+    @cached_property
+    def _center(self) -> Expression:
+        slope = self._drive.slope
+        assert slope is not None
+        along = AXES[self._drive.axis]
+        return self.told(
+            f"The force is zero at {along} equal to", along, "c", -(self._drive.strength / slope), latex("m")
+        )
+
+    def _even(self, time: Expression) -> Expression:
+        """The cosine, or the hyperbolic one."""
+        phase = self._frequency * time
+        return Call("cos", phase) if self._swings else HALF * (Call("exp", phase) + Call("exp", -phase))
+
+    def _odd(self, time: Expression) -> Expression:
+        """The sine, or the hyperbolic one, over the frequency."""
+        phase = self._frequency * time
+        if self._swings:
+            return Call("sin", phase) / self._frequency
+        return (Call("exp", phase) - Call("exp", -phase)) / (2.0 * self._frequency)
+
+
+class Turning(FieldMotion):
+    """A uniform magnetic field, perhaps with a uniform electric one and with a medium that resists in proportion.
+
+    The velocity is one that the fields keep up, such as the drift E/B, and one that turns at the rate Ω, and decays.
+    """
+
+    def __init__(self, fields: Fields, launch: list[Expression]) -> None:
+        """UnsolvedError where the electric field depends on the place."""
+        super().__init__(fields, launch)
+        turning, drive = fields.turning, fields.drive
+        assert turning is not None
+        changing = drive is not None and (drive.growth is not None or drive.frequency is not None)
+        if drive is not None and (drive.slope is not None or (changing and fields.damping is not None)):
+            raise UnsolvedError("a magnetic field with an electric one that depends on the place")
+        self.turning: Symbol = turning
+        self.drive = drive
+
+    @cached_property
+    def _drift(self) -> list[Expression]:
+        """What a uniform electric field keeps up, along x and y; of one that oscillates, the amplitudes."""
+        found: list[Expression] = [ZERO, ZERO]
+        drive = self.drive
+        if drive is None:
+            return found
+        i, j, f, turns = drive.axis, 1 - drive.axis, drive.strength, self.turning
+        along, across = AXES[i], AXES[j]
+        if self.fields.damping is not None:
+            both = Power(self.fields.damping, 2) + Power(turns, 2)
+            found[i] = self.told(
+                f"In the end it drifts along {along} with", "u", along, self.fields.damping * f / both, SPEED
+            )
+            said = f"Along {across} it drifts with"
+            found[j] = self.told(said, "u", across, -(turns * f / both) * TURNS[i], SPEED)
+        elif drive.frequency is not None:
+            gap = Power(drive.frequency, 2) - Power(turns, 2)
+            said = f"The electric field keeps up a velocity along {along} as the sine of its phase, with the amplitude"
+            found[i] = self.told(said, "u", along, f * drive.frequency / gap, SPEED)
+            said = f"With it goes one along {across} as the cosine, with the amplitude"
+            found[j] = self.told(said, "u", across, f * turns / gap * TURNS[i], SPEED)
+        else:
+            first = "" if drive.growth is None else " at first"
+            said = f"Electric and magnetic force cancel{first} for a drift along {across} with"
+            found[j] = self.told(said, "u", across, -(f / turns) * TURNS[i], SPEED)
+            if drive.growth is not None:
+                said = f"As the drift grows, there is one along {along}, too, with"
+                found[i] = self.told(said, "u", along, drive.growth / Power(turns, 2), SPEED)
+        return found
+
+    @cached_property
+    def _turned(self) -> list[Expression]:
+        """What of the velocity turns, at the start."""
+        still = [self._kept(axis, None) for axis in (0, 1)]
+        found: list[Expression] = []
+        for axis, begins in enumerate(self.launch):
+            said = f"What turns of the velocity is at first, along {AXES[axis]},"
+            found.append(self.told(said, "w", AXES[axis], begins - still[axis], SPEED))
+        return found
+
+    def _kept(self, axis: int, time: Expression | None) -> Expression:
+        """The velocity that the fields keep up; at the start without a time."""
+        drive, drift = self.drive, self._drift[axis]
+        if drive is None:
+            return ZERO
+        if drive.frequency is not None:
+            if time is None:
+                return ZERO if axis == drive.axis else drift
+            return drift * Call("sin" if axis == drive.axis else "cos", drive.frequency * time)
+        if drive.growth is not None and axis != drive.axis and time is not None:
+            return drift - drive.growth / self.turning * time * TURNS[drive.axis]
+        return drift
+
+    def carried(self, axis: int, time: Expression) -> Expression:
+        """How far the velocity that is kept up leads."""
+        drive, drift = self.drive, self._drift[axis]
+        if drive is None:
+            return ZERO
+        if drive.frequency is not None:
+            phase = drive.frequency * time
+            part = ONE - Call("cos", phase) if axis == drive.axis else Call("sin", phase)
+            return drift / drive.frequency * part
+        found = drift * time
+        if drive.growth is not None and axis != drive.axis:
+            found = found - HALF * drive.growth / self.turning * Power(time, 2) * TURNS[drive.axis]
+        return found
+
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """What is kept up, and what turns."""
+        here, other = self._turned[axis], self._turned[1 - axis] * TURNS[axis]
+        phase = self.turning * time
+        turned = here * Call("cos", phase) + other * Call("sin", phase)
+        if self.fields.damping is not None:
+            turned = Call("exp", -(self.fields.damping * time)) * turned
+        return self._kept(axis, time) + turned
+
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """The integral of that."""
+        here, other = self._turned[axis], self._turned[1 - axis] * TURNS[axis]
+        turns, damping, phase = self.turning, self.fields.damping, self.turning * time
+        sine, cosine = Call("sin", phase), Call("cos", phase)
+        if damping is None:
+            return self.carried(axis, time) + (here * sine + other * (ONE - cosine)) / turns
+        left, both = Call("exp", -(damping * time)), Power(damping, 2) + Power(turns, 2)
+        even = damping - left * (damping * cosine - turns * sine)
+        odd = turns - left * (turns * cosine + damping * sine)
+        return self.carried(axis, time) + (here * even + other * odd) / both
+
+    def extreme(self, *, least: bool) -> tuple[str, str, Symbol, Expression]:
+        """The greatest or the least speed in uniform fields: what turns is then along the drift, or against it."""
+        sizes: list[Expression] = []
+        for parts in (self._drift, self._turned):
+            kept = [part for part in parts if part != ZERO]
+            square = Power(parts[0], 2) + Power(parts[1], 2)
+            size = kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
+            sizes.append(size if len(kept) == 1 else Root(square))
+        one, other = sizes if self.book.value(sizes[0]) >= self.book.value(sizes[1]) else sizes[::-1]
+        said = "What turns is in turn along the drift and against it, so that the "
+        said += "least speed is" if least else "greatest speed is"
+        return "extremum", said, self.book.fresh("v"), one - other if least else one + other

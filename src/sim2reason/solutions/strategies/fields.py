@@ -1,0 +1,189 @@
+"""Fields: a charged body in electric and magnetic fields whose equations of motion have solutions in closed form."""
+
+from collections.abc import Callable
+from functools import cached_property
+
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.field_moment import FieldMoment
+from sim2reason.solutions.field_motion import FieldMotion, Turning
+from sim2reason.solutions.fields import AXES, Fields
+from sim2reason.solutions.functions import PI, Power
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.way import Way
+
+METRES, SECONDS = latex("m"), latex("s")
+UNITS = {"s": METRES, "v": latex("m/s"), "a": latex("m/s^2")}
+NOUNS = {"s": "displacement", "v": "velocity", "a": "acceleration"}
+MOMENTS = (AtStart, AtTime, Away, Stopped)
+QUANTITIES = (
+    *("displacement", "velocity", "acceleration", "net force", "momentum", "kinetic energy"),
+    "electric potential energy",
+)
+FUNCTIONALS = ("greatest speed", "least speed", "greatest displacement", "greatest kinetic energy")
+TWO, HALF = Number(2.0), Number(0.5)
+SAMPLES = 400
+
+
+@strategy
+class FieldsStrategy(Strategy):
+    """A charged body in a plane, alone in fields without an end, that are uniform or change linearly or as a cosine."""
+
+    name = "motion in fields"
+    cost = 1.0
+    kinds = frozenset({"start", "state", "event", "time_to_event", "extremum", "period"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        m = setting.mechanism
+        moving = [body for body in m.bodies if body.coordinates]
+        other = m.lines or m.faces or m.attractions or m.burns or m.meetings or m.feet
+        if not m.forces or len(moving) != 1 or len(m.coordinates) != 2 or other:
+            return "no lone body moves in fields"
+        if any(abs(c.axis[2]) > 1e-9 or c.kind != "slide" for c in m.coordinates):
+            return "it does not move in a level plane"
+        if any(force.region is not None for force in m.forces):
+            return "the fields have an end"
+        return _unasked(setting)
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """What acts, how it moves, and what is asked."""
+        return _InFields(setting, book).write().name
+
+
+def _unasked(setting: Setting) -> str:
+    """What of the query no way leads to."""
+    query = setting.query
+    if isinstance(query, PeriodQuery):
+        return "small oscillations are asked about" if query.small else ""
+    if isinstance(query, StretchQuery):
+        return "" if query.functional in FUNCTIONALS else f"no way to the {query.functional}"
+    if not isinstance(query.moment, MOMENTS):
+        return f"no way to the moment {type(query.moment).__name__}"
+    quantity = query.target.quantity if query.target is not None else ""
+    return "" if quantity in ("", *QUANTITIES) else f"no way to the quantity {quantity}"
+
+
+class _InFields(Way):
+    """What is asked of a body in fields."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnsolvedError where there is no closed form."""
+        super().__init__(setting, book)
+        self.body = next(body.name for body in self.mechanism.bodies if body.coordinates)
+        self.fields = Fields(setting, book, self.body, start=isinstance(setting.query.moment, AtStart))
+        self._names: dict[tuple[str, int], Expression] = {}
+
+    def write(self) -> Symbol:
+        """By the kind of the query."""
+        if isinstance(self.query, PeriodQuery):
+            return self._period(self.query)
+        if isinstance(self.query, StretchQuery):
+            return self.moment.extreme(self.query)
+        if self.target is None:
+            return self.time
+        if self.target.quantity == "electric potential energy":
+            return self._potential()
+        return GOALS[self.target.quantity].write(self.target, self)
+
+    @cached_property
+    def moment(self) -> FieldMoment:
+        """When it is asked about, and where its speed or distance is extreme."""
+        return FieldMoment(self.setting, self.book, self.fields)
+
+    @property
+    def time(self) -> Symbol:
+        """When the moment is."""
+        return self.moment.time
+
+    @property
+    def motion(self) -> FieldMotion:
+        """As functions of time."""
+        return self.moment.motion
+
+    # ---- what is asked
+
+    def _period(self, query: PeriodQuery) -> Symbol:
+        """Of a circle."""
+        turns = self.fields.turning
+        if turns is None or self.fields.drive is not None or self.fields.damping is not None:
+            raise UnsolvedError("it does not go round a circle")
+        size = turns if self.book.value(turns) > 0.0 else -turns
+        if query.measure == "frequency":
+            return self.moment.told("period", "The frequency is", self.book.fresh("f"), size / (TWO * PI), latex("Hz"))
+        return self.moment.told("period", "One turn takes", self.book.fresh("T"), TWO * PI / size, SECONDS)
+
+    def _potential(self) -> Symbol:
+        """Minus the work of the electric force."""
+        drive = self.fields.drive
+        assert drive is not None
+        moved = self.rate("s", self.fields.coordinates[drive.axis]).expression()
+        work = self.fields.mass * drive.strength * moved
+        if drive.slope is not None:
+            if drive.along != drive.axis:
+                raise UnsolvedError("the field has no potential")
+            work = work + HALF * self.fields.mass * drive.slope * Power(moved, 2)
+        said = "The potential energy changes by minus the work of the electric force,"
+        return self.moment.told("energy", said, self.book.fresh("U"), -work, latex("J"))
+
+    # ---- for goals
+
+    def _pull(
+        self, axis: int, time: Expression, rate: Callable[[int], Expression], moved: Callable[[int], Expression]
+    ) -> Expression:
+        return self.fields.acceleration(axis, time, rate, moved)
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """A component of a displacement, velocity or acceleration."""
+        axis = self.fields.coordinates.index(k)
+        known = self._names.get((kind, axis))
+        if known is None:
+            known = self._names[kind, axis] = self._written(kind, axis)
+        return Polynomial.of(known) if known != ZERO else Polynomial({})
+
+    def _written(self, kind: str, axis: int) -> Expression:
+        if isinstance(self.query.moment, AtStart):
+            if kind != "a":
+                raise UnsolvedError("only the acceleration at the start is to be found")
+            formula = self._pull(axis, ZERO, lambda n: self.fields.launch[n], lambda _: ZERO)
+        elif kind == "a":
+            formula = self._pull(axis, self.time, self._component("v"), self._component("s"))
+        else:
+            law = self.motion.moved if kind == "s" else self.motion.rate
+            if isinstance(self.query.moment, Stopped) and isinstance(self.motion, Turning) and kind == "s":
+                law = self.motion.carried  # what turns has come round again
+            formula = law(axis, self.time)
+        if isinstance(self.query.moment, Away) and kind == "s" and self.motion.moved(1 - axis, self.time) == ZERO:
+            distance = Symbol(next(name for name in self.book.stated if name != self.time.name))
+            return distance if self.book.value(formula) > 0.0 else -distance
+        if formula == ZERO or isinstance(formula, Symbol):
+            return formula
+        said = f"Its {NOUNS[kind]} along {AXES[axis]} is"
+        return self.moment.told("component", said, self.book.fresh(kind, AXES[axis]), formula, UNITS[kind])
+
+    def _component(self, kind: str) -> Callable[[int], Expression]:
+        return lambda axis: self.rate(kind, self.fields.coordinates[axis]).expression()
+
+    def mass(self, body: str) -> Polynomial:
+        """The mass of the body."""
+        del body
+        return Polynomial.of(self.fields.mass)
+
+    @property
+    def newton(self) -> Newton:
+        """None is needed."""
+        raise UnsolvedError("the forces are those of fields")
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """None."""
+        raise UnsolvedError(f"no {kind} of {name}")
