@@ -151,8 +151,11 @@ class Book:
         self.stated[name] = f"{value:g}{unit}"
 
     def value(self, held: Expression) -> float:
-        """What a formula comes to."""
-        found = held.value(self.values)
+        """What a formula comes to; UnsolvedError where it has no value."""
+        try:
+            found = held.value(self.values)
+        except (ValueError, ArithmeticError) as error:  # the root of what is negative, a division by zero
+            raise UnsolvedError(f"{held.latex()} has no value") from error
         assert not isinstance(found, complex)
         return found
 

@@ -1,17 +1,11 @@
 """A swing at one moment: at which angle, and how fast."""
 
 from functools import cached_property
-from math import atan2, hypot, pi
+from math import atan2, cos, hypot
 
 import numpy as np
 
 from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.moments.deflected import Deflected
-from sim2reason.questions.moments.highest_point import HighestPoint
-from sim2reason.questions.moments.lowest_point import LowestPoint
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.moments.turned_through import TurnedThrough
-from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.solutions.book import DEGREES, Book
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
@@ -19,12 +13,10 @@ from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.pendulum import geometry, pivot, place
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import SPEED
-
-MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
-SLOW = 1e-5  # of its greatest speed: none
+from sim2reason.solutions.swing_angle import SwingAngle
 
 
-class SwingState:
+class SwingState(SwingAngle):
     """The angle and the speed of a swing at the moment that is asked about, written as they are needed.
 
     Angles are counted from the downward vertical, positive on the side on which it begins.
@@ -32,7 +24,7 @@ class SwingState:
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """UnreadError if its length or its start are no simple numbers."""
-        self.setting, self.book = setting, book
+        super().__init__(setting, book)
         found = pivot(setting.mechanism)
         assert found is not None
         self.body, self.line, _ = found
@@ -45,6 +37,7 @@ class SwingState:
         masses = (lexicon.mechanism.body[self.body].mass, lexicon.twin.body[self.body].mass)
         self.mass = lexicon.read(Both(*masses)).expression()
         self.began, self.now, self.turning = here[1], *self._seen()
+        self.turned = self.now - self.began
 
     def _seen(self) -> tuple[float, float]:
         """The angle and its rate at the moment, for signs alone."""
@@ -63,53 +56,11 @@ class SwingState:
 
     # ---- the angle and the speed
 
-    @cached_property
-    def angle(self) -> Expression:
-        """The angle at the moment."""
-        moment = self.setting.query.moment
-        if isinstance(moment, AtStart | LowestPoint):
-            return self.first if isinstance(moment, AtStart) else ZERO
-        if isinstance(moment, Deflected):
-            given = self._given(moment.value)
-            return given if self.now >= 0.0 else -given
-        if isinstance(moment, TurnedThrough):
-            given = self._given(moment.value)
-            return added(self.first, given if self.now > self.began else -given)
-        if isinstance(moment, WentSlack):
-            return self._slack()
-        if abs(self.turning) > SLOW:
-            return Number(pi)  # over the top
-        return self._turned()
-
-    def _given(self, degrees: float) -> Symbol:
-        name = self.book.fresh(r"\phi")
-        self.book.know(name.name, np.radians(degrees), DEGREES)
-        self.book.stated[name.name] = rf"{degrees:g}{DEGREES}"
-        return name
-
     @property
-    def cosine_first(self) -> Expression:
-        """The cosine of the angle at the start."""
-        return Call("cos", self.first) if self.first != ZERO else ONE
-
-    @property
-    def cosine(self) -> Expression:
-        """The cosine of the angle at the moment."""
-        if self.angle == ZERO:
-            return ONE
-        if isinstance(self.angle, Number):
-            return Number(-1.0)
-        plain = -self.angle if self.angle.latex().startswith("-") else self.angle
-        return Call("cos", plain)
-
-    @property
-    def sine(self) -> Expression:
-        """The sine of the angle, of its size."""
-        if isinstance(self.angle, Number):
-            return ZERO
-        negative = self.angle.latex().startswith("-")
-        sine = Call("sin", -self.angle if negative else self.angle)
-        return sine if self.book.value(sine) >= 0.0 else -sine
+    def goes_round(self) -> bool:
+        """Whether it is still moving at the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, the string being ignored."""
+        g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, self.launch))
+        return v**2 > 2.0 * g * ell * (1.0 + cos(self.began))
 
     def _turned(self) -> Expression:
         """Where it turns back: all energy is of height."""
@@ -123,7 +74,8 @@ class SwingState:
         said = f"{capital(self.who)} turns back where all its energy is of height"
         step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
         step.close()
-        return name if self.now >= 0.0 else -name
+        beyond = self.now < 0.0 if not self.extreme else True
+        return -name if beyond else name
 
     def _slack(self) -> Expression:
         """Where weight alone bends the path: m v²/ℓ = −m g cos φ, with the energy."""
@@ -156,7 +108,7 @@ class SwingState:
         moment = self.setting.query.moment
         if isinstance(moment, AtStart):
             return Power(self.launch, 2) if self.launch != ZERO else ZERO
-        if isinstance(moment, HighestPoint | Stopped) and abs(self.turning) <= SLOW:
+        if self.still:
             return ZERO
         there = self.cosine
         step, name = self.book.open("energy"), self.book.fresh("v")

@@ -8,7 +8,8 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
 from sim2reason.solutions.stage import METRES, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swing_state import MOMENTS, SwingState
+from sim2reason.solutions.swing_angle import asked, unasked
+from sim2reason.solutions.swing_state import SwingState
 
 JOULES = r"\ \text{J}"
 UP = (0.0, 0.0, 1.0)
@@ -20,15 +21,14 @@ class Swing(Strategy):
 
     name = "energy and circular motion"
     cost = 1.0
+    kinds = Strategy.kinds | {"extremum"}
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         if pivot(setting.mechanism) is None:
             return "it is no small body that swings about a fixed point"
-        if setting.query.target is None or not isinstance(setting.query.moment, MOMENTS):
-            return "only integration gives the time"
-        if setting.query.target.quantity not in _Angular.WAYS:
-            return f"no way to the quantity {setting.query.target.quantity}"
+        if unknown := unasked(setting, _Angular.WAYS):
+            return unknown
         kinds = {event.kind for event in setting.motion.events if event.time < setting.time * (1.0 - 1e-9)}
         return "it leaves its circle" if kinds & {"slack", "taut"} else ""
 
@@ -42,13 +42,13 @@ class _Angular(SwingState):
 
     def write(self) -> Symbol:
         """By the quantity."""
-        target = self.setting.query.target
-        assert target is not None
-        if target.sense is not None and target.sense.vector != UP and any(target.sense.vector):
+        quantity, target = asked(self.setting), self.setting.query.target
+        sense = target.sense if target is not None else None
+        if sense is not None and sense.vector != UP and any(sense.vector):
             raise UnsolvedError("a component along a direction that is not vertical")
-        kind, base, unit, why = self.WAYS[target.quantity]
+        kind, base, unit, why = self.WAYS[quantity]
         formula: Expression = getattr(self, kind)()
-        if target.sense is None and self.book.value(formula) < 0.0:
+        if sense is None and self.book.value(formula) < 0.0:
             formula = -formula
         if isinstance(formula, Symbol):
             return formula
@@ -110,14 +110,15 @@ class _Angular(SwingState):
         return -self.angle if self.angle.latex().startswith("-") else self.angle
 
     def _between(self) -> Expression:
-        """The angle from the start."""
-        found = added(self.angle, -self.first)
-        return found if self.book.value(found) >= 0.0 else -found
+        return self.between
+
+    def _height(self) -> Expression:
+        return multiplied(self.length, added(self.cosine_first, -self.cosine))
 
     def _chord(self) -> Expression:
         if self._vertical:
             return multiplied(self.length, added(self.cosine_first, -self.cosine))
-        half = ratio(self._between(), Number(2.0))
+        half = ratio(self.between, Number(2.0))
         return multiplied(multiplied(Number(2.0), self.length), Call("sin", half))
 
     WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit
@@ -158,5 +159,6 @@ class _Angular(SwingState):
         ),
         "deflection": ("_deflection", r"\phi", DEGREES, ""),
         "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
+        "height": ("_height", "h", METRES, "It is higher than at first by"),
         "displacement": ("_chord", "s", METRES, "The chord between the two places is"),
     }

@@ -1,0 +1,199 @@
+"""A rigid body on a horizontal axle, made of pieces: where each is, its moment of inertia, and those of all together."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from math import atan2, hypot
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.triples import applied, minus, product
+from sim2reason.dsl.vectors import Vector
+from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.functions import Call, Power
+from sim2reason.solutions.lexicon import Both, UnreadError
+from sim2reason.solutions.mass_spread import candidates, mass_spread
+from sim2reason.solutions.setting import Setting, capital
+
+SAME = 1e-9  # relative
+INERTIA, MOMENT, METRES = latex("kg m^2"), latex("kg m"), latex("m")
+
+
+def lone_axle(m: Mechanism) -> str:
+    """The body that turns about a fixed horizontal axle and carries all others, which are fixed to it; else empty."""
+    if len(m.coordinates) != 1 or m.coordinates[0].kind != "hinge" or abs(m.coordinates[0].axis[2]) > SAME:
+        return ""
+    other = m.lines or m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
+    carrier = m.coordinates[0].body
+    riding = all(body.name == carrier or body.parent == carrier for body in m.bodies)
+    return carrier if riding and m.body[carrier].parent is None and not other else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One body on the axle: its mass, and how far its centre of mass is from the axle, negative beyond it."""
+
+    body: str
+    mass: Expression
+    place: Expression
+    inertia: Expression  # about its own centre of mass
+
+
+class Arm:
+    """The pieces, in the symbols of the text, written as they are needed."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError where a number is no simple function of those in the text."""
+        self.setting, self.book, self.carrier = setting, book, lone_axle(setting.mechanism)
+        self.axis: Vector = setting.mechanism.coordinates[0].axis
+        self.bodies = [body.name for body in setting.mechanism.bodies if body.mass]
+        self._pieces: dict[str, Piece] = {}
+
+    def _told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
+        step = self.book.open(kind)
+        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
+    def _read(self, number: Callable[[Mechanism], float]) -> Expression:
+        lexicon = self.setting.lexicon
+        return lexicon.read(Both(number(lexicon.mechanism), number(lexicon.twin))).expression()
+
+    # ---- where the arm points
+
+    def way(self, m: Mechanism) -> Vector:
+        """Along the arm at the start, to the side of the first piece."""
+        frames = start(m)
+        first = next(body for body in m.bodies if body.mass)
+        apart = minus(frames[first.name].origin, frames[self.carrier].origin)
+        if hypot(*apart) < SAME:
+            apart = minus(frames.center(first.name).place, frames[self.carrier].origin)
+        x, y, z = (float(part) / hypot(*apart) for part in apart)
+        return x, y, z
+
+    def _deflection(self, m: Mechanism) -> float:
+        x, _, z = self.way(m)
+        return abs(atan2(x, -z))
+
+    @cached_property
+    def first(self) -> Expression:
+        """The angle that it makes with the downward vertical at the start."""
+        return self._read(self._deflection)
+
+    @cached_property
+    def launch(self) -> Expression:
+        """The angular speed at the start."""
+        return self._read(lambda m: abs(m.coordinates[0].speed))
+
+    @cached_property
+    def gravity(self) -> Expression:
+        """The acceleration of free fall."""
+        return self._read(lambda m: -m.gravity[2])
+
+    # ---- one piece
+
+    def piece(self, body: str) -> Piece:
+        """What of a piece matters."""
+        if body not in self._pieces:
+            mass = self._read(lambda m: m.body[body].mass)
+            self._pieces[body] = Piece(body, mass, self._place(body), self._own(body, mass))
+        return self._pieces[body]
+
+    def _size(self, body: str) -> Callable[[str], Expression]:
+        """The symbols of the parameters of a body."""
+
+        def size(field: str) -> Expression:
+            given = self.setting.given(f"{body}.{field}")
+            if given is None:
+                raise UnreadError(f"the {field} of {body} is not said")
+            return Symbol(given.symbol)
+
+        return size
+
+    def _shape(self, body: str) -> Shape | None:
+        found = self.setting.scene.bodies.get(body)
+        return found if isinstance(found, Shape) else None
+
+    def _place(self, body: str) -> Expression:
+        """Along the arm, from the axle to its centre of mass."""
+
+        def origin(m: Mechanism) -> float:
+            frames = start(m)
+            return float(product(minus(frames[body].origin, frames[self.carrier].origin), self.way(m)))
+
+        def center(m: Mechanism) -> float:
+            frames = start(m)
+            return float(product(minus(frames.center(body).place, frames[self.carrier].origin), self.way(m)))
+
+        plain = self._read(origin)
+        here, aside = center(self.setting.mechanism), center(self.setting.mechanism) - origin(self.setting.mechanism)
+        if abs(aside) <= SAME:
+            return plain
+        shape = self._shape(body)
+        spread = mass_spread(shape, self._size(body)) if shape is not None else None
+        if spread is None:
+            raise UnreadError(f"the centre of mass of {self.setting.called(body)} is in no table")
+        name = self.book.fresh("c", self.setting.mark(body))
+        said = f"The centre of mass of {self.setting.called(body)} is from the centre that the text speaks of"
+        shift: Expression = self._told("table", said, name, spread.center, METRES)
+        shift = shift if aside * self.book.value(shift) > 0.0 else -shift
+        whole = self.book.fresh("r", self.setting.mark(body))
+        self._told("place", "From the axle, along the arm, it is", whole, plain + shift, METRES)
+        if abs(self.book.value(whole) - here) > SAME:
+            raise UnreadError(f"the centre of mass of {self.setting.called(body)} is beside the arm")
+        return whole
+
+    def _own(self, body: str, mass: Expression) -> Expression:
+        """The moment of inertia about a line through its centre of mass along the axle."""
+        held = self.setting.mechanism.body[body]
+        actual = float(product(self.axis, applied(held.inertia, self.axis)))
+        if actual <= 0.0:
+            return ZERO
+        shape = self._shape(body)
+        spread = mass_spread(shape, self._size(body)) if shape is not None else None
+        found = candidates(spread) if spread is not None else []
+        angles = [Symbol(given.symbol) for given in self.setting.lexicon.givens.values() if given.angle]
+        for angle in angles:
+            along, across = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
+            found += [found[0] * along + found[1] * across] if len(found) >= 2 else []  # noqa: PLR2004 - a tilted axis
+        for formula in found:
+            if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
+                said = f"About its centre of mass, {self.setting.called(body)} has the moment of inertia"
+                name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
+                return self._told("table", said, name, mass * formula, INERTIA)
+        raise UnreadError(f"the moment of inertia of {self.setting.called(body)} is in no table")
+
+    # ---- all together
+
+    @cached_property
+    def inertia(self) -> Symbol:
+        """The moment of inertia about the axle: Steiner's theorem, piece by piece."""
+        total: Expression = ZERO
+        for body in self.bodies:
+            piece = self.piece(body)
+            total = total + piece.inertia + piece.mass * _squared(piece.place)
+        said = "About the axle, by the parallel-axis theorem, the moment of inertia is"
+        return self._told("inertia", said, self.book.fresh("I"), total, INERTIA)
+
+    @cached_property
+    def moment(self) -> Expression:
+        """Σ m r: the torque of gravity is g sin φ times this."""
+        parts = [self.piece(body) for body in self.bodies]
+        total: Expression = ZERO
+        for piece in parts:
+            total = total + piece.mass * piece.place
+        if len(parts) == 1:
+            return total
+        said = "The masses times their distances from the axle, counted along the arm, add up to"
+        return self._told("moment", said, self.book.fresh("S"), total, MOMENT)
+
+    def noun(self) -> str:
+        """What turns, with a capital."""
+        lone = self.bodies[0] if len(self.bodies) == 1 else self.carrier
+        return capital(self.setting.called(lone if lone in self.setting.words.mentions else self.bodies[0]))
+
+
+def _squared(held: Expression) -> Expression:
+    return Power(-held if held.latex().startswith("-") else held, 2)

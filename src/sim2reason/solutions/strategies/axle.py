@@ -1,0 +1,278 @@
+"""Axle: a rigid body that swings about a fixed horizontal axle; torque and moment of inertia, and its energy."""
+
+from functools import cached_property
+from math import atan2, cos, pi
+
+import numpy as np
+
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.arm import Arm, Piece, lone_axle
+from sim2reason.solutions.book import DEGREES, Book, UnsolvedError, latex
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swing_angle import SwingAngle, asked, unasked
+
+HALF, TWO = Number(0.5), Number(2.0)
+UP = (0.0, 0.0, 1.0)
+JOULES, RATE = latex("J"), latex("rad/s")
+
+
+@strategy
+class Axle(Strategy):
+    """Bodies fixed together that turn about one axle, at the start or where the angle is known or follows."""
+
+    name = "energy and torque about an axle"
+    cost = 1.1
+    kinds = Strategy.kinds | {"extremum", "period"}
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if not lone_axle(setting.mechanism):
+            return "nothing turns about a fixed axle by itself"
+        if isinstance(setting.query, PeriodQuery):
+            return "" if setting.query.small else "only integration gives the period of large swings"
+        return unasked(setting, _Turning.WAYS)
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The moment of inertia, the angle, the angular speed, and what is asked."""
+        return _Turning(setting, book).write().name
+
+
+class _Turning(SwingAngle):
+    """What is asked of a rigid body on an axle."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError where a number is no simple function of those in the text."""
+        super().__init__(setting, book)
+        self.arm = Arm(setting, book)
+        self.first, self.launch, self.gravity = self.arm.first, self.arm.launch, self.arm.gravity
+        self.began = book.value(self.first)
+        self.now, self.turned, self.turning = self._seen()
+
+    def _seen(self) -> tuple[float, float, float]:
+        """The angle, that from the start, and its rate at the moment, for signs alone."""
+        moment, m = self.setting.query.moment, self.setting.mechanism
+        if moment is None:
+            return 0.0, 0.0, 0.0
+        state = self.setting.study.trace.sample(np.array([moment.side(self.setting.time)]))
+        way = self.arm.way(m)
+        side = 1.0 if way[0] >= 0.0 else -1.0
+        sense = -side * self.arm.axis[1]  # about y, what points to the right goes down
+        turned = sense * float(state.q[0, 0])
+        angle = side * atan2(way[0], -way[2]) + turned
+        return (angle + pi) % (2.0 * pi) - pi, turned, sense * float(state.v[0, 0])
+
+    # ---- what is asked
+
+    def write(self) -> Symbol:
+        """By the quantity."""
+        if isinstance(self.setting.query, PeriodQuery):
+            return self._period(self.setting.query)
+        quantity, target = asked(self.setting), self.setting.query.target
+        sense = target.sense if target is not None else None
+        if sense is not None and sense.vector != UP and any(sense.vector):
+            raise UnsolvedError("a component along a direction that is not vertical")
+        kind, base, unit, why = self.WAYS[quantity]
+        formula: Expression = getattr(self, kind)()
+        if sense is None and self.book.value(formula) < 0.0:
+            formula = -formula
+        if isinstance(formula, Symbol):
+            return formula
+        return self._told("answer", why or "So", self.book.fresh(base), formula, unit)
+
+    def _told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
+        step = self.book.open(kind)
+        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
+    @property
+    def _vertical(self) -> bool:
+        target = self.setting.query.target
+        return target is not None and target.sense is not None and target.sense.vector == UP
+
+    @cached_property
+    def piece(self) -> Piece:
+        """What is asked about."""
+        return self.arm.piece(self.setting.query.subject)
+
+    @property
+    def size(self) -> Expression:
+        """How far its centre of mass is from the axle."""
+        place = self.piece.place
+        return place if self.book.value(place) > 0.0 else -place
+
+    # ---- the laws
+
+    @property
+    def falls(self) -> bool:  # type: ignore[override]
+        """Whether the centre of mass of all is on the side of the first piece."""
+        return self.book.value(self.arm.moment) > 0.0
+
+    @property
+    def goes_round(self) -> bool:
+        """½ I ω₀² against the height of the top."""
+        inertia, moment, g, rate = (
+            self.book.value(part) for part in (self.arm.inertia, self.arm.moment, self.gravity, self.launch)
+        )
+        lift = abs(moment) + moment * cos(self.began)
+        return 0.5 * inertia * rate**2 > g * lift
+
+    def _turned(self) -> Expression:
+        """Where it turns back."""
+        arm, g, rate = self.arm, self.gravity, self.launch
+        if rate == ZERO:
+            return -self.first  # as far on the other side
+        name, step = self.book.fresh(r"\phi"), self.book.open("energy")
+        inertia, moment = arm.inertia, arm.moment
+        law = step.law(HALF * inertia * Power(rate, 2), moment * g * (self.cosine_first - Call("cos", name)))
+        formula = Call("arccos", self.cosine_first - inertia * Power(rate, 2) / (2.0 * moment * g))
+        step.say(f"{arm.noun()} turns back where the energy of its rotation has all become one of height: {law}, so")
+        step.say(f"{step.result(name, formula, DEGREES)}.")
+        step.close()
+        return -name if self.extreme or self.now < 0.0 else name
+
+    @cached_property
+    def rate(self) -> Expression:
+        """The angular speed at the moment."""
+        if isinstance(self.setting.query.moment, AtStart) and not self.extreme:
+            return self.launch
+        if self.still:
+            return ZERO
+        arm, there = self.arm, self.cosine
+        inertia, moment = arm.inertia, arm.moment
+        step, name = self.book.open("energy"), self.book.fresh(r"\omega")
+        energy = HALF * inertia * Power(self.launch, 2) if self.launch != ZERO else ZERO
+        gained = moment * self.gravity * (there - self.cosine_first)
+        law = step.law(HALF * inertia * Power(name, 2), energy + gained)
+        square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
+        square = Power(self.launch, 2) + square if self.launch != ZERO else square
+        step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), RATE)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def growth(self) -> Expression:
+        """The angular acceleration, of its size: torque over moment of inertia."""
+        if self.sine == ZERO:
+            return ZERO
+        moment = self.arm.moment
+        size = moment if self.book.value(moment) > 0.0 else -moment
+        formula = size * self.gravity * self.sine / self.arm.inertia
+        said = "The torque of gravity over the moment of inertia is the angular acceleration"
+        return self._told("torque", said, self.book.fresh(r"\alpha"), formula, latex("rad/s^2"))
+
+    def _period(self, query: PeriodQuery) -> Symbol:
+        """Small oscillations: ω² = S g/I."""
+        moment = self.arm.moment
+        size = moment if self.book.value(moment) > 0.0 else -moment
+        said = "Near the equilibrium the sine of a small angle is the angle itself, so that the oscillation is harmonic "
+        said += "with the angular frequency"
+        formula = Root(size * self.gravity / self.arm.inertia)
+        rate = self._told("oscillation", said, self.book.fresh(r"\omega"), formula, RATE)
+        if query.measure == "angular frequency":
+            return rate
+        if query.measure == "frequency":
+            return self._told("period", "The frequency is", self.book.fresh("f"), rate / (TWO * PI), latex("Hz"))
+        return self._told("period", "The period is", self.book.fresh("T"), TWO * PI / rate, latex("s"))
+
+    # ---- quantities
+
+    def _velocity(self) -> Expression:
+        speed = self.size * self.rate
+        if not self._vertical:
+            return speed
+        rises = self.now * self.turning * self.book.value(self.piece.place) >= 0.0
+        return (speed if rises else -speed) * self.sine
+
+    def _acceleration(self) -> Expression:
+        inward = self.size * Power(self.rate, 2) if self.rate != ZERO else ZERO
+        along = self.size * self.growth
+        if self._vertical:
+            sign = 1.0 if self.book.value(self.piece.place) > 0.0 else -1.0
+            falls = sign * (1.0 if self.falls else -1.0)
+            return sign * inward * self.cosine - falls * along * self.sine
+        if ZERO in (inward, along):
+            return inward + along
+        return Root(Power(inward, 2) + Power(along, 2))
+
+    def _force(self) -> Expression:
+        return self.piece.mass * self._acceleration()
+
+    def _momentum(self) -> Expression:
+        return self.piece.mass * self._velocity()
+
+    def _moving(self) -> Expression:
+        return HALF * self.piece.mass * Power(self.size * self.rate, 2)
+
+    def _spinning(self) -> Expression:
+        return HALF * self.piece.inertia * Power(self.rate, 2)
+
+    def _kinetic(self) -> Expression:
+        piece = self.piece
+        about = piece.mass * Power(self.size, 2) + piece.inertia
+        return HALF * about * Power(self.rate, 2)
+
+    def _potential(self) -> Expression:
+        return self.piece.mass * self.gravity * self._rise()
+
+    def _rise(self) -> Expression:
+        return self.piece.place * (self.cosine_first - self.cosine)
+
+    def _chord(self) -> Expression:
+        if self._vertical:
+            return self._rise()
+        return 2.0 * self.size * Call("sin", self.between / TWO)
+
+    def _own(self) -> Expression:
+        return self.piece.inertia
+
+    def _angular_momentum(self) -> Expression:
+        return self.piece.inertia * self.rate
+
+    def _torque(self) -> Expression:
+        return self.piece.inertia * self.growth
+
+    def _rate(self) -> Expression:
+        return self.rate
+
+    def _growth(self) -> Expression:
+        return self.growth
+
+    def _deflection(self) -> Expression:
+        if isinstance(self.angle, Number):
+            raise UnsolvedError("the angle is that of the lowest or highest point")
+        return -self.angle if self.angle.latex().startswith("-") else self.angle
+
+    def _between(self) -> Expression:
+        return self.between
+
+    WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit
+        "velocity": ("_velocity", "v", latex("m/s"), "The speed is the angular speed times the distance:"),
+        "acceleration": (
+            "_acceleration",
+            "a",
+            latex("m/s^2"),
+            "Towards the axle and along the circle together,",
+        ),
+        "net force": ("_force", "F", latex("N"), "Mass times acceleration, towards the axle and along the circle:"),
+        "momentum": ("_momentum", "p", latex("kg m/s"), "Mass times velocity is"),
+        "kinetic energy": ("_kinetic", "K", JOULES, "By its moment of inertia about the axle its kinetic energy is"),
+        "translational kinetic energy": ("_moving", "K", JOULES, "By the speed of its centre of mass that is"),
+        "rotational kinetic energy": ("_spinning", "K", JOULES, "By its moment of inertia about its centre that is"),
+        "potential energy": ("_potential", "U", JOULES, "Its centre of mass is higher or lower than at first, so"),
+        "angular momentum": ("_angular_momentum", "L", latex("kg m^2/s"), "About its centre of mass that is"),
+        "moment of inertia": ("_own", "I", latex("kg m^2"), ""),
+        "torque": ("_torque", "M", latex("N m"), "About its centre of mass that is"),
+        "angular velocity": ("_rate", r"\omega", RATE, ""),
+        "angular acceleration": ("_growth", r"\alpha", latex("rad/s^2"), ""),
+        "deflection": ("_deflection", r"\phi", DEGREES, ""),
+        "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
+        "displacement": ("_chord", "s", latex("m"), "The chord between the two places is"),
+        "height": ("_rise", "h", latex("m"), "It is higher than at first by"),
+    }
+
+

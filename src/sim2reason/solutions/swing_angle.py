@@ -1,0 +1,173 @@
+"""At which angle something that swings about a fixed axle is, at the moment that is asked about."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Collection
+from functools import cached_property
+from math import pi
+
+import numpy as np
+
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.went_slack import WentSlack
+from sim2reason.solutions.book import DEGREES, Book, UnsolvedError
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added
+from sim2reason.solutions.functions import Call
+from sim2reason.solutions.setting import Setting
+
+MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
+EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is extreme at rest or where it is fastest
+    "greatest speed": ("velocity", "fastest"),
+    "greatest angular speed": ("angular velocity", "fastest"),
+    "greatest kinetic energy": ("kinetic energy", "fastest"),
+    "greatest tension": ("tension", "fastest"),
+    "greatest rod force": ("rod force", "fastest"),
+    "greatest acceleration": ("acceleration", "fastest"),
+    "least tension": ("tension", "slowest"),
+    "least speed": ("velocity", "slowest"),
+    "greatest deflection": ("deflection", "slowest"),
+    "greatest height": ("height", "slowest"),
+    "greatest displacement": ("displacement", "slowest"),
+}
+SLOW = 1e-5  # of its greatest speed: none
+STRAIGHT = 1e-6  # rad
+
+
+def asked(setting: Setting) -> str:
+    """The quantity that is asked about."""
+    query = setting.query
+    if isinstance(query, StretchQuery):
+        return EXTREMES[query.functional][0]
+    return query.target.quantity if query.target is not None else ""
+
+
+def unasked(setting: Setting, quantities: Collection[str]) -> str:
+    """What of a query no way leads to; empty if one does."""
+    query = setting.query
+    if isinstance(query, StretchQuery):
+        if query.functional not in EXTREMES or asked(setting) not in quantities:
+            return f"no way to the {query.functional}"
+        return ""
+    if query.target is None or not isinstance(query.moment, MOMENTS):
+        return "only integration gives the time"
+    return "" if asked(setting) in quantities else f"no way to the quantity {asked(setting)}"
+
+
+class SwingAngle(ABC):
+    """The angle from the downward vertical, positive on the side on which it begins, written as it is needed.
+
+    Who makes one sets `first`, the angle at the start, `began`, its value, and `now` and `turning`, the angle at the
+    moment and its rate, and `turned`, by how much it has turned, for signs alone.
+    """
+
+    first: Expression
+    began: float
+    now: float
+    turned: float
+    turning: float
+    falls = True  # its centre of mass is on the side to which the angle is counted
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Nothing is written yet."""
+        self.setting, self.book = setting, book
+
+    @property
+    def extreme(self) -> str:
+        """Where a quantity is extreme, if that is asked: fastest or slowest; else empty."""
+        query = self.setting.query
+        return EXTREMES[query.functional][1] if isinstance(query, StretchQuery) else ""
+
+    @property
+    def still(self) -> bool:
+        """Whether it is at rest then, be it for an instant."""
+        moment = self.setting.query.moment
+        if self.extreme:
+            return self.extreme == "slowest" and not self.goes_round
+        return isinstance(moment, HighestPoint | Stopped) and abs(self.turning) <= SLOW
+
+    @property
+    @abstractmethod
+    def goes_round(self) -> bool:
+        """Whether it has the energy for whole turns."""
+
+    @cached_property
+    def angle(self) -> Expression:
+        """The angle at the moment."""
+        moment = self.setting.query.moment
+        if self.extreme:
+            return self._at_extreme()
+        if isinstance(moment, AtStart):
+            return self.first
+        if isinstance(moment, Deflected):
+            given = self._given(moment.value)
+            return given if self.now >= 0.0 else -given
+        if isinstance(moment, TurnedThrough):
+            given = self._given(moment.value)
+            return added(self.first, given if self.turned > 0.0 else -given)
+        if isinstance(moment, WentSlack):
+            return self._slack()
+        if self.still:
+            return self._turned()
+        if abs(self.now) < STRAIGHT:
+            return ZERO
+        if abs(abs(self.now) - pi) > STRAIGHT:
+            raise UnsolvedError("the angle at that moment is not known")
+        return Number(pi)
+
+    def _at_extreme(self) -> Expression:
+        if self.extreme == "fastest":
+            return ZERO if self.falls else Number(pi)
+        if self.goes_round:
+            return Number(pi) if self.falls else ZERO
+        return self._turned()
+
+    def _given(self, degrees: float) -> Symbol:
+        name = self.book.fresh(r"\phi")
+        self.book.know(name.name, np.radians(degrees), DEGREES)
+        self.book.stated[name.name] = rf"{degrees:g}{DEGREES}"
+        return name
+
+    @abstractmethod
+    def _turned(self) -> Expression:
+        """Write where it turns back."""
+
+    def _slack(self) -> Expression:
+        """Write where a string goes slack."""
+        raise UnsolvedError("it hangs on no string")
+
+    # ---- sines and cosines
+
+    @property
+    def cosine_first(self) -> Expression:
+        """The cosine of the angle at the start."""
+        return Call("cos", self.first) if self.first != ZERO else ONE
+
+    @property
+    def cosine(self) -> Expression:
+        """The cosine of the angle at the moment."""
+        if self.angle == ZERO:
+            return ONE
+        if isinstance(self.angle, Number):
+            return Number(-1.0)
+        plain = -self.angle if self.angle.latex().startswith("-") else self.angle
+        return Call("cos", plain)
+
+    @property
+    def sine(self) -> Expression:
+        """The sine of the angle, of its size."""
+        if isinstance(self.angle, Number):
+            return ZERO
+        negative = self.angle.latex().startswith("-")
+        sine = Call("sin", -self.angle if negative else self.angle)
+        return sine if self.book.value(sine) >= 0.0 else -sine
+
+    @property
+    def between(self) -> Expression:
+        """The angle from the start, of its size."""
+        found = added(self.angle, -self.first)
+        return found if self.book.value(found) >= 0.0 else -found
