@@ -1,4 +1,4 @@
-"""A rigid body on a horizontal axle, made of pieces: where each is, its moment of inertia, and those of all together."""
+"""A rigid body on a horizontal axle, made of pieces: where each is, and its moment of inertia, and those of all."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.triples import applied, minus, product
 from sim2reason.dsl.vectors import Vector
-from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.book import Book, latex
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power
 from sim2reason.solutions.lexicon import Both, UnreadError
@@ -27,7 +27,7 @@ def lone_axle(m: Mechanism) -> str:
         return ""
     other = m.lines or m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
     carrier = m.coordinates[0].body
-    riding = all(body.name == carrier or body.parent == carrier for body in m.bodies)
+    riding = all(carrier in (body.name, body.parent) for body in m.bodies)
     return carrier if riding and m.body[carrier].parent is None and not other else ""
 
 
@@ -157,7 +157,7 @@ class Arm:
         angles = [Symbol(given.symbol) for given in self.setting.lexicon.givens.values() if given.angle]
         for angle in angles:
             along, across = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
-            found += [found[0] * along + found[1] * across] if len(found) >= 2 else []  # noqa: PLR2004 - a tilted axis
+            found += [found[0] * along + found[1] * across] if len(found) >= 2 else []
         for formula in found:
             if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
                 said = f"About its centre of mass, {self.setting.called(body)} has the moment of inertia"

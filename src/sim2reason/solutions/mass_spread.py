@@ -162,5 +162,3 @@ def candidates(spread: MassSpread) -> list[Expression]:
     """The moment of inertia over the mass about each of its own axes, and across it."""
     x, y, z = spread.xx, spread.yy_or_xx, spread.zz
     return [x + z, x + y, y + z]
-
-

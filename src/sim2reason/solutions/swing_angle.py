@@ -88,7 +88,7 @@ class SwingAngle(ABC):
         moment = self.setting.query.moment
         if self.extreme:
             return self.extreme == "slowest" and not self.goes_round
-        return isinstance(moment, HighestPoint | Stopped) and abs(self.turning) <= SLOW
+        return isinstance(moment, HighestPoint | LowestPoint | Stopped) and abs(self.turning) <= SLOW
 
     @property
     @abstractmethod
@@ -103,16 +103,16 @@ class SwingAngle(ABC):
             return self._at_extreme()
         if isinstance(moment, AtStart):
             return self.first
-        if isinstance(moment, Deflected):
-            given = self._given(moment.value)
-            return given if self.now >= 0.0 else -given
-        if isinstance(moment, TurnedThrough):
-            given = self._given(moment.value)
-            return added(self.first, given if self.turned > 0.0 else -given)
+        if isinstance(moment, Deflected | TurnedThrough):
+            given, turns = self._given(moment.value), isinstance(moment, TurnedThrough)
+            signed = given if (self.turned > 0.0 if turns else self.now >= 0.0) else -given
+            return added(self.first, signed) if turns else signed
         if isinstance(moment, WentSlack):
             return self._slack()
-        if self.still:
-            return self._turned()
+        return self._turned() if self.still else self._upright()
+
+    def _upright(self) -> Expression:
+        """Straight down or straight up."""
         if abs(self.now) < STRAIGHT:
             return ZERO
         if abs(abs(self.now) - pi) > STRAIGHT:

@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import DEGREES, Book
-from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.pendulum import geometry, pivot, place

@@ -169,7 +169,9 @@ class _Turning(SwingAngle):
         """Small oscillations: ω² = S g/I."""
         moment = self.arm.moment
         size = moment if self.book.value(moment) > 0.0 else -moment
-        said = "Near the equilibrium the sine of a small angle is the angle itself, so that the oscillation is harmonic "
+        said = (
+            "Near the equilibrium the sine of a small angle is the angle itself, so that the oscillation is harmonic "
+        )
         said += "with the angular frequency"
         formula = Root(size * self.gravity / self.arm.inertia)
         rate = self._told("oscillation", said, self.book.fresh(r"\omega"), formula, RATE)
@@ -274,5 +276,3 @@ class _Turning(SwingAngle):
         "displacement": ("_chord", "s", latex("m"), "The chord between the two places is"),
         "height": ("_rise", "h", latex("m"), "It is higher than at first by"),
     }
-
-
