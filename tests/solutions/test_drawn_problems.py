@@ -9,7 +9,7 @@ import pytest
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.check import WORDS, faults, words
 from sim2reason.solutions.reading import read
-from worked import problems
+from worked import ANSWERED, problems
 
 COVERED = ("pulley", "incline", "hybrid", "box", "projectile")
 DIFFICULTIES = ("easy", "medium", "hard")
@@ -24,6 +24,37 @@ def test_every_problem_of_a_covered_recipe_is_solved_without_a_fault(recipe: str
         assert solution.answer is not None, solution.reason
         assert setting.answer is not None
         assert not faults(solution, setting.answer), solution.text
+
+
+@pytest.mark.parametrize(
+    ("recipe", "difficulty"), [("orbital", "easy"), ("orbital", "medium"), ("electromagnetic", "easy")]
+)
+def test_what_a_strategy_covers_of_the_curved_recipes(recipe: str, difficulty: str) -> None:
+    for kinds in (ANSWERED, ("extremum", "period")):
+        for setting in problems(recipe, difficulty, 4, kinds=kinds):
+            solution = solve(setting)
+            assert solution.answer is not None, solution.reason
+            assert setting.answer is not None
+            assert not faults(solution, setting.answer), solution.text
+            assert words(solution.text) <= WORDS[difficulty]
+
+
+@pytest.mark.parametrize("recipe", ["pendulum", "rotation", "rolling", "electromagnetic", "orbital"])
+def test_a_curved_motion_is_solved_without_a_fault_or_says_why_not(recipe: str) -> None:
+    solved = 0
+    for difficulty in ("medium", "hard"):
+        for setting in problems(recipe, difficulty, 6, kinds=("start", "event", "extremum")):
+            solution = solve(setting)
+            if solution.answer is None:
+                assert solution.reason.startswith("no strategy applies: ")
+                continue
+            assert setting.answer is not None
+            assert not faults(solution, setting.answer), solution.text
+            reading = read(solution.text)
+            assert not reading.unread
+            assert not reading.broken, reading.broken
+            solved += 1
+    assert solved >= 4
 
 
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)

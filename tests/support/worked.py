@@ -1,7 +1,7 @@
 """Settings of worked solutions: of drawn problems, and of questions about plain scenes."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
@@ -29,20 +29,22 @@ def asked(scene: Scene, question: str | Query) -> Setting:
     return setting_of(search, query)
 
 
-def problems(recipe: str, difficulty: str, count: int, seed: int = 3) -> Iterator[Setting]:
+def problems(
+    recipe: str, difficulty: str, count: int, seed: int = 3, kinds: Sequence[str] = ANSWERED
+) -> Iterator[Setting]:
     """Drawn problems that pass every filter, of each kind that strategies answer in turn."""
     for index in range(count):
-        found = _problem(recipe, difficulty, seed, index)
+        found = _problem(recipe, difficulty, seed, index, kinds)
         if found is not None:
             yield found
 
 
-def _problem(recipe: str, difficulty: str, seed: int, index: int) -> Setting | None:
+def _problem(recipe: str, difficulty: str, seed: int, index: int, kinds: Sequence[str]) -> Setting | None:
     for attempt in range(TRIES):
         rng = generator("worked", recipe, difficulty, seed, index, attempt)
         try:
             search = QuestionSearch(RECIPES[recipe](known(difficulty), rng), int(rng.random() * 2**31))
-            kind = ANSWERED[index % len(ANSWERED)]
+            kind = kinds[index % len(kinds)]
             found = search.ask(MODES["numeric"], rng, Counter[str](), kind)
         except (SceneError, SimulationError, UnsupportedError):
             continue

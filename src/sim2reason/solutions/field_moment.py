@@ -12,7 +12,7 @@ from sim2reason.solutions.book import Book, UnsolvedError, latex
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.field_motion import FieldMotion, Turning, motion_in
 from sim2reason.solutions.fields import Fields
-from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.worked import NumericRoot
 
@@ -85,7 +85,7 @@ class FieldMoment:
 
     def _distance(self, time: Symbol) -> Expression:
         """Of the distance from the start."""
-        return _square([self.motion.moved(axis, time) for axis in (0, 1)])
+        return squares([self.motion.moved(axis, time) for axis in (0, 1)])
 
     @cached_property
     def _circle(self) -> Symbol:
@@ -142,7 +142,7 @@ class FieldMoment:
         if len(kept) == 1:
             raise UnsolvedError("it moves to and fro on a line")
         self._turned(time, parts, 1.0, kept[0] + kept[1], "displacement is square to its velocity")
-        return self.told("extremum", "There the distance is", self.book.fresh("d"), Root(_square(parts)), METRES)
+        return self.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
 
     def _fastest(self, sign: float) -> Symbol:
         """Where the forces that do work do none: the magnetic one never does."""
@@ -154,14 +154,14 @@ class FieldMoment:
         pull = drive.at(time, lambda axis: self.motion.moved(axis, time))
         at = {**self.book.values, time.name: near}
         if self.fields.damping is not None:
-            work = pull * rates[drive.axis] - self.fields.damping * _square(rates)
+            work = pull * rates[drive.axis] - self.fields.damping * squares(rates)
             self._turned(time, rates, sign, work, "electric force and the medium do no work together")
         elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
             halves = round(drive.frequency.value(at).real * near / np.pi - 0.5)
             said = "Its speed is extreme when the electric force passes through zero, at"
             self.told("extremum", said, time, Number(halves + 0.5) * PI / drive.frequency, SECONDS)
         else:
-            slow = abs(rates[drive.axis].value(at)) < 0.05 * float(_square(rates).value(at).real) ** 0.5
+            slow = abs(rates[drive.axis].value(at)) < 0.05 * float(squares(rates).value(at).real) ** 0.5
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
             if not slow and drive.growth is not None:
                 step = self.book.open("extremum")
@@ -171,7 +171,7 @@ class FieldMoment:
                 step.close()
             else:
                 self._turned(time, rates, sign, rates[drive.axis] if slow else pull, along)
-        return self.told("extremum", "The speed is then", self.book.fresh("v"), Root(_square(rates)), SPEED)
+        return self.told("extremum", "The speed is then", self.book.fresh("v"), Root(squares(rates)), SPEED)
 
     def _turned(self, time: Symbol, parts: list[Expression], sign: float, residual: Expression, said: str) -> None:
         """When something vanishes, near where a vector is longest or shortest."""
@@ -185,14 +185,6 @@ class FieldMoment:
 
     def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:
         """When the size of a vector is about greatest or least."""
-        square = _square(parts)
+        square = squares(parts)
         times: list[float] = np.linspace(0.0, self.setting.time, SAMPLES).tolist()
         return max(times, key=lambda t: sign * square.value({**self.book.values, name.name: t}).real)
-
-
-def _square(parts: list[Expression]) -> Expression:
-    """Of the length of a vector."""
-    found: Expression = ZERO
-    for part in parts:
-        found = found + Power(part, 2) if part != ZERO else found
-    return found

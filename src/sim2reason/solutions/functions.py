@@ -2,11 +2,11 @@
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from sim2reason.solutions.expressions import Expression, Number, Scalar, Symbol, Values, parenthesized
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Scalar, Symbol, Values, parenthesized
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,3 +130,11 @@ class Pi(Expression):
 
 
 PI = Pi()
+
+
+def squares(parts: Iterable[Expression]) -> Expression:
+    """The sum of the squares, without those of zeros."""
+    found: Expression = ZERO
+    for part in parts:
+        found = found + Power(part, 2) if part != ZERO else found
+    return found

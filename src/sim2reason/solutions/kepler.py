@@ -13,7 +13,7 @@ from sim2reason.dsl.frames import start
 from sim2reason.dsl.triples import minus
 from sim2reason.solutions.book import Book, UnsolvedError, latex
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import gravitational_constant
@@ -65,14 +65,14 @@ class KeplerOrbit:
     @cached_property
     def radius(self) -> Symbol:
         """How far away it is at the start."""
-        formula = Root(Power(self.place[0], 2) + Power(self.place[1], 2))
+        formula = Root(squares(self.place))
         said = f"At first the distance of {self.setting.called(self.body)} is"
         return self.result("distance", said, self.named("r", "0"), formula, METRES)
 
     @cached_property
     def axis(self) -> Symbol:
         """The semi-major axis, from the energy; UnsolvedError if it does not return."""
-        square = Power(self.rate[0], 2) + Power(self.rate[1], 2)
+        square = squares(self.rate)
         formula = ONE / (TWO / self.radius - square / self.parameter)
         if self.book.value(formula) <= 0.0:
             raise UnsolvedError("its orbit is no ellipse")
@@ -88,7 +88,7 @@ class KeplerOrbit:
 
     @cached_property
     def mean_motion(self) -> Symbol:
-        """N = √(µ/a³)."""
+        """The mean angular velocity, √(µ/a³)."""
         formula = Root(self.parameter / Power(self.axis, 3))
         return self.result("mean motion", "The mean motion is", self.named("n"), formula, latex("rad/s"))
 
@@ -106,13 +106,15 @@ class KeplerOrbit:
 
     @cached_property
     def along(self) -> Symbol:
-        """E cos E₀."""
+        """Of the product e cos E₀, the value."""
         said = r"Of the eccentric anomaly $E$ at the start, $e \cos E$ is"
         return self.result("anomaly", said, self.named("p"), ONE - self.radius / self.axis)
 
     @cached_property
-    def across(self) -> Symbol:
-        """E sin E₀."""
+    def across(self) -> Expression:
+        """Of the product e sin E₀, the value."""
+        if self.dot == ZERO:
+            return ZERO  # it begins at an apsis
         formula = self.dot / Root(self.parameter * self.axis)
         return self.result(
             "anomaly", r"Of the eccentric anomaly $E$ at the start, $e \sin E$ is", self.named("q"), formula
@@ -147,14 +149,22 @@ class KeplerOrbit:
 
     def time(self, grown: Expression) -> Symbol:
         """When it has grown so far."""
+        if grown == TWO * PI:
+            return self.period
+        if grown == PI:
+            said = "From one apsis to the other it takes half of that,"
+            return self.result("time", said, self.named("t"), HALF * self.period, SECONDS)
         formula = self._grown(grown) / self.mean_motion
         return self.result("time", "By Kepler's equation that takes", self.named("t"), formula, SECONDS)
 
     def _grown(self, angle: Expression) -> Expression:
         return angle - self.along * Call("sin", angle) + self.across * (ONE - Call("cos", angle))
 
-    def to_apsis(self, *, far: bool) -> Symbol:
+    def to_apsis(self, *, far: bool) -> Expression:
         """By how much it has grown at the next perihelion or aphelion."""
+        if self.dot == ZERO:
+            begins_far = self._at(self.along) < 0.0
+            return TWO * PI if begins_far == far else PI
         size = Call("arccos", self.along / Root(Power(self.along, 2) + Power(self.across, 2)))
         inward = self._at(self.across) < 0.0
         turn = {(True, False): None, (True, True): PI, (False, True): PI, (False, False): TWO * PI}[inward, far]
@@ -182,6 +192,9 @@ class KeplerOrbit:
     def farthest(self) -> Symbol:
         """The greatest distance from where it began, at which its velocity is square to the way there."""
         name, angle = self.named("d"), self.named(r"\eta")
+        if self.dot == ZERO:
+            said = "It begins at an end of the major axis, from which the other end is farthest:"
+            return self.result("distance", said, name, TWO * self.axis, METRES)
         sine, cosine = Call("sin", angle), Call("cos", angle)
         turned = (self.radius / self.axis * cosine + self.across * sine) / self.mean_motion
         less, more = self.weights(angle)

@@ -210,6 +210,8 @@ class Turned(OrbitPlace):
         here = ONE - self.radius / orbit.axis
         first, last = (Call("arccos", part / orbit.eccentricity) for part in (orbit.along, here))
         begins = first if orbit.book.value(orbit.across) >= 0.0 else -first
+        if orbit.dot == ZERO:  # it begins at an apsis
+            begins = ZERO if orbit.book.value(orbit.along) > 0.0 else PI
         ends = last if orbit.book.value(self._outward_now) >= 0.0 else -last
         formula = ends - begins
         if orbit.book.value(formula) <= 0.0:

@@ -145,14 +145,22 @@ class _Turning(SwingAngle):
         arm, there = self.arm, self.cosine
         inertia, moment = arm.inertia, arm.moment
         step, name = self.book.open("energy"), self.book.fresh(r"\omega")
-        energy = HALF * inertia * Power(self.launch, 2) if self.launch != ZERO else ZERO
-        gained = moment * self.gravity * (there - self.cosine_first)
-        law = step.law(HALF * inertia * Power(name, 2), energy + gained)
+        law = step.law(HALF * inertia * Power(name, 2), self._energy(there))
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
         square = Power(self.launch, 2) + square if self.launch != ZERO else square
         step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), RATE)}.")
         step.close()
         return name
+
+    @property
+    def _swinging(self) -> bool:
+        """Whether its energy gives its speed."""
+        return not self.still and not isinstance(self.setting.query.moment, AtStart)
+
+    def _energy(self, there: Expression) -> Expression:
+        """Of motion, at an angle by its cosine."""
+        gained = self.arm.moment * self.gravity * (there - self.cosine_first)
+        return HALF * self.arm.inertia * Power(self.launch, 2) + gained if self.launch != ZERO else gained
 
     @cached_property
     def growth(self) -> Expression:
@@ -214,6 +222,8 @@ class _Turning(SwingAngle):
         return HALF * self.piece.inertia * Power(self.rate, 2)
 
     def _kinetic(self) -> Expression:
+        if len(self.arm.bodies) == 1 and self._swinging:
+            return self._energy(self.cosine)  # that of all is its own
         piece = self.piece
         about = piece.mass * Power(self.size, 2) + piece.inertia
         return HALF * about * Power(self.rate, 2)
@@ -262,7 +272,7 @@ class _Turning(SwingAngle):
         ),
         "net force": ("_force", "F", latex("N"), "Mass times acceleration, towards the axle and along the circle:"),
         "momentum": ("_momentum", "p", latex("kg m/s"), "Mass times velocity is"),
-        "kinetic energy": ("_kinetic", "K", JOULES, "By its moment of inertia about the axle its kinetic energy is"),
+        "kinetic energy": ("_kinetic", "K", JOULES, "The energy of the motion about the axle is"),
         "translational kinetic energy": ("_moving", "K", JOULES, "By the speed of its centre of mass that is"),
         "rotational kinetic energy": ("_spinning", "K", JOULES, "By its moment of inertia about its centre that is"),
         "potential energy": ("_potential", "U", JOULES, "Its centre of mass is higher or lower than at first, so"),

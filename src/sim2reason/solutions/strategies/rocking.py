@@ -1,0 +1,241 @@
+"""Rocking: a round body whose centre of mass lies beside its axis rolls without slipping; torque about its contact."""
+
+from collections.abc import Callable
+from functools import cached_property
+from math import hypot, inf
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.triples import applied, product
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.book import DEGREES, Book, UnsolvedError, latex
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.lexicon import Both, UnreadError
+from sim2reason.solutions.mass_spread import candidates, mass_spread
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.strategies import Strategy, strategy
+
+SAME = 1e-9
+TWO = Number(2.0)
+QUANTITIES = ("acceleration", "angular acceleration", "net force", "friction force", "normal force", "torque")
+
+
+@strategy
+class Rocking(Strategy):
+    """The forces at the start, and small oscillations about the equilibrium."""
+
+    name = "rocking without slipping"
+    cost = 1.1
+    kinds = frozenset({"start", "period"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        m, query = setting.mechanism, setting.query
+        other = m.lines or m.forces or m.attractions or m.burns or m.meetings or m.feet
+        kinds = sorted(c.kind for c in m.coordinates)
+        if len(m.bodies) != 1 or kinds != ["hinge", "slide"] or len(m.faces) != 1 or other:
+            return "no lone body rolls"
+        if m.faces[0].friction != inf or not any(m.bodies[0].center):
+            return "it may slip, or its centre of mass lies on its axis"
+        if isinstance(query, PeriodQuery):
+            return "" if query.small else "only integration gives the period of large swings"
+        if not isinstance(query.moment, AtStart) or query.target is None:
+            return "it is not about the start"
+        return "" if query.target.quantity in QUANTITIES else f"no way to the quantity {query.target.quantity}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Where the centre of mass is, the moment of inertia about the contact, and what is asked."""
+        return _Rocking(setting, book).write().name
+
+
+class _Rocking:
+    """A body that rocks, written as it is needed; x points to the right, z up, and it rolls clockwise to the right."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError where a number is no simple function of those in the text."""
+        self.setting, self.book = setting, book
+        self.body = setting.mechanism.bodies[0].name
+        self.mass = self._read(lambda m: m.bodies[0].mass)
+        self.gravity = self._read(lambda m: -m.gravity[2])
+        self.radius = self._size("radius")
+        self.aside = [self._read(lambda m, n=n: m.bodies[0].center[n] / hypot(*m.bodies[0].center)) for n in (0, 2)]
+        self.uphill = [self._read(lambda m, n=n: _slide(m)[n]) for n in (0, 2)]
+        speed = self._read(lambda m: sum(c.speed for c in m.coordinates if c.kind == "slide"))
+        self.launch = speed / self.radius
+
+    def _read(self, number: Callable[[Mechanism], float]) -> Expression:
+        lexicon = self.setting.lexicon
+        return lexicon.read(Both(float(number(lexicon.mechanism)), float(number(lexicon.twin)))).expression()
+
+    def _size(self, field: str) -> Expression:
+        given = self.setting.given(f"{self.body}.{field}")
+        if given is None:
+            raise UnreadError(f"the {field} is not said")
+        return Symbol(given.symbol)
+
+    def _told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
+        step = self.book.open(kind)
+        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
+    # ---- the body
+
+    @cached_property
+    def _spread(self) -> tuple[Expression, Expression]:
+        """How far the centre of mass is from the axis, and the moment of inertia about it over the mass."""
+        held, shape = self.setting.mechanism.bodies[0], self.setting.scene.bodies.get(self.body)
+        spread = mass_spread(shape, self._size) if isinstance(shape, Shape) else None
+        if spread is None:
+            raise UnreadError(f"{self.setting.called(self.body)} is in no table")
+        axis = next(c.axis for c in self.setting.mechanism.coordinates if c.kind == "hinge")
+        actual = float(product(axis, applied(held.inertia, axis)))
+        for formula in candidates(spread):
+            if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
+                positive = self.book.value(spread.center) > 0.0
+                return spread.center if positive else -spread.center, formula
+        raise UnreadError(f"the moment of inertia of {self.setting.called(self.body)} is in no table")
+
+    @cached_property
+    def offset(self) -> Symbol:
+        """Of the centre of mass from the axis."""
+        said = "As the hole lacks on one side, the centre of mass lies on the other, from the axis at a distance of"
+        return self._told("table", said, self.book.fresh("c"), self._spread[0], latex("m"))
+
+    @cached_property
+    def own(self) -> Symbol:
+        """The moment of inertia about the centre of mass."""
+        _ = self.offset
+        said = "About its centre of mass the moment of inertia is, the whole body less the hole,"
+        return self._told("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], latex("kg m^2"))
+
+    @cached_property
+    def about(self) -> Symbol:
+        """The moment of inertia about the line of contact, at the start."""
+        (ex, ez), (ux, uz) = self.aside, self.uphill
+        across = ez * ux - ex * uz
+        square = Power(self.radius, 2) + Power(self.offset, 2) + TWO * self.radius * self.offset * across
+        said = "About the line of contact it is, by the parallel-axis theorem and the cosine rule,"
+        return self._told("inertia", said, self.book.fresh("I"), self.own + self.mass * square, latex("kg m^2"))
+
+    @cached_property
+    def growth(self) -> Symbol:
+        """The angular acceleration, positive where it begins to roll to the right."""
+        (ex, ez), (ux, uz) = self.aside, self.uphill
+        lever = self.offset * ex - self.radius * uz
+        torque = self.mass * self.gravity * lever
+        if self.launch != ZERO:
+            along = ex * ux + ez * uz
+            torque = torque + self.mass * self.radius * self.offset * along * Power(self.launch, 2)
+        said = "The torque of gravity about the line of contact, clockwise, over that is the angular acceleration"
+        if self.launch != ZERO:
+            said = (
+                "The torque about the line of contact, clockwise, with what the circling of the centre of mass adds, "
+            )
+            said += "over that is the angular acceleration"
+        return self._told("torque", said, self.book.fresh(r"\alpha"), torque / self.about, latex("rad/s^2"))
+
+    @cached_property
+    def acceleration(self) -> list[Expression]:
+        """Of the centre of mass, to the right and up: that of the axis, and what turning adds."""
+        (ex, ez), (ux, uz) = self.aside, self.uphill
+        grown = self.growth
+        found: list[Expression] = []
+        square = Power(self.launch, 2) if self.launch != ZERO else ZERO
+        for label, along, turned, inward in (("x", ux, ez, ex), ("z", uz, -ex, ez)):
+            formula = self.radius * grown * along + self.offset * grown * turned - self.offset * square * inward
+            way = "to the right" if label == "x" else "upward"
+            said = f"The centre of mass is accelerated {way} with the axis and by the turning:"
+            found.append(self._told("acceleration", said, self.book.fresh("a", label), formula, latex("m/s^2")))
+        return found
+
+    # ---- what is asked
+
+    def write(self) -> Symbol:
+        """By the quantity."""
+        query = self.setting.query
+        if isinstance(query, PeriodQuery):
+            return self._period(query)
+        assert query.target is not None
+        quantity, sense = query.target.quantity, query.target.sense
+        if quantity in ("acceleration", "net force"):
+            return self._accelerated(quantity, sense.vector if sense is not None else None)
+        if sense is not None and any(sense.vector):
+            raise UnsolvedError("a component of that is not known")
+        if quantity in ("angular acceleration", "torque"):
+            size = self.growth if self.book.value(self.growth) > 0.0 else -self.growth
+            if quantity == "torque":
+                return self._told(
+                    "answer", "About its centre that is", self.book.fresh("M"), self.own * size, latex("N m")
+                )
+            return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", latex("rad/s^2"))
+        return self._contact(quantity)
+
+    def _sized(self, formula: Expression, base: str, unit: str) -> Symbol:
+        return self._told("answer", "Its size is", self.book.fresh(base), formula, unit)
+
+    def _accelerated(self, quantity: str, way: tuple[float, float, float] | None) -> Symbol:
+        if way is None:
+            x, z = self.acceleration
+            formula: Expression = Root(Power(x, 2) + Power(z, 2))
+        else:
+            found = [n for n in (0, 2) if abs(abs(way[n]) - 1.0) < SAME]
+            if not found:
+                raise UnsolvedError("a component along the slope")
+            part = self.acceleration[found[0] // 2]
+            formula = part if way[found[0]] > 0.0 else -part
+        if quantity == "net force":
+            return self._told(
+                "answer", "Mass times acceleration:", self.book.fresh("F"), self.mass * formula, latex("N")
+            )
+        return formula if isinstance(formula, Symbol) else self._sized(formula, "a", latex("m/s^2"))
+
+    def _contact(self, quantity: str) -> Symbol:
+        """Friction along the plane or the normal force: what is left of mass times acceleration without the weight."""
+        (x, z), (ux, uz) = self.acceleration, self.uphill
+        along = quantity == "friction force"
+        part = x * ux + (z + self.gravity) * uz if along else (z + self.gravity) * ux - x * uz
+        formula = self.mass * part
+        formula = formula if self.book.value(formula) > 0.0 else -formula
+        said = f"Newton's second law {'along' if along else 'square to'} the plane gives the {quantity}"
+        return self._told("newton", said, self.book.fresh("f" if along else "N"), formula, latex("N"))
+
+    def _period(self, query: PeriodQuery) -> Symbol:
+        """About where the centre of mass is above the contact: ω² = m g c cos ψ/I."""
+        cosine, uz = self.uphill
+        level = uz == ZERO
+        tilt: Expression = ZERO
+        if not level:
+            name, step = self.book.fresh(r"\psi"), self.book.open("equilibrium")
+            law = step.law(self.offset * Call("sin", name), self.radius * uz)
+            formula = Call("arcsin", self.radius * uz / self.offset)
+            step.say(
+                "In equilibrium the centre of mass is straight above the contact; the line to it from the axis makes"
+            )
+            step.say(f"with the downward vertical an angle with {law}, so {step.result(name, formula, DEGREES)}.")
+            step.close()
+            tilt = name
+        deep = self.offset if level else self.offset * Call("cos", tilt)
+        high = self.radius - deep if level else self.radius * cosine - deep
+        said = f"{capital(self.setting.called(self.body))} then has about the line of contact the moment of inertia"
+        about = self._told(
+            "inertia", said, self.book.fresh("I"), self.own + self.mass * Power(high, 2), latex("kg m^2")
+        )
+        said = (
+            "Turned by a small angle from there it feels a torque in proportion to that angle, and oscillates with the "
+        )
+        said += "angular frequency"
+        formula = Root(self.mass * self.gravity * deep / about)
+        rate = self._told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
+        if query.measure == "angular frequency":
+            return rate
+        if query.measure == "frequency":
+            return self._told("period", "The frequency is", self.book.fresh("f"), rate / (TWO * PI), latex("Hz"))
+        return self._told("period", "The period is", self.book.fresh("T"), TWO * PI / rate, latex("s"))
+
+
+def _slide(m: Mechanism) -> tuple[float, float, float]:
+    """The direction in which it rolls, uphill or to the right."""
+    return next(c.axis for c in m.coordinates if c.kind == "slide")

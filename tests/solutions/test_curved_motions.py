@@ -1,0 +1,236 @@
+"""Orbits, charges in fields, bodies on axles and rocking ones: textbooks' closed forms, written down independently."""
+
+from math import acos, asin, cos, degrees, pi, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+from sim2reason.bodies.bored_cylinder import BoredCylinder
+from sim2reason.bodies.charge import ChargedBead, Launched
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.star import Planet, Star
+from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.dsl.entity import Entity, Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.em_entity import EmEntity
+from sim2reason.entities.parts.fields import ElectricField
+from sim2reason.entities.parts.fields.oscillating_electric import OscillatingElectric
+from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
+from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.entities.parts.pieces import AxialPiece
+from sim2reason.entities.parts.rolling import Hole, NoSlipping
+from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.solar_system import SolarSystem
+from sim2reason.questions import Query, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.closest import Closest
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.farthest import Farthest
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.whole_motion import WholeMotion
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions import solve
+from sim2reason.solutions.check import faults
+from sim2reason.solutions.reading import read
+from worked import asked
+
+G = 9.8
+GM = 4.0 * pi**2  # au³/yr²
+PLANET, BEAD, ROD = "system.planets.0", "fields.particle", "arm.pieces.0.body"
+PAIR = f"{PLANET} & system.star"
+
+
+def answer(name: str, entity: Entity, query: Query) -> float:
+    setting = asked(Scene(entities=(Named(name=name, entity=entity),)), query)
+    found = solve(setting)
+    assert found.answer is not None, found.reason
+    assert setting.answer is not None
+    assert not faults(found, setting.answer), found.text
+    reading = read(found.text)
+    assert not reading.unread
+    assert not reading.broken, reading.broken
+    return found.answer
+
+
+def at(quantity: str, subject: str, moment: Moment, kind: str = "event") -> Query:
+    return Query(kind, Target(quantity, subject), moment)
+
+
+# ---- orbits
+
+
+def orbit(query: Query, vy: float = 7.5) -> float:
+    """From x = 1 au, perihelion: with v² = GM(1 + e)/r; 2π au/yr is a circle."""
+    planet = Planet(x=1.0, y=0.0, vx=0.0, vy=vy)
+    return answer("system", SolarSystem(star=Star(mass=1.0), planets=(planet,)), query)
+
+
+E = 7.5**2 / GM - 1.0  # the eccentricity
+A = 1.0 / (1.0 - E)
+
+
+def test_the_period_is_by_keplers_third_law() -> None:
+    assert orbit(PeriodQuery("period", of=(PLANET,))) == pytest.approx(A**1.5)
+
+
+def test_the_aphelion_comes_after_half_a_period_and_is_slowest() -> None:
+    assert orbit(Query("time_to_event", None, Farthest(PAIR))) == pytest.approx(A**1.5 / 2.0)
+    assert orbit(at("velocity", PLANET, Farthest(PAIR))) == pytest.approx(7.5 * (1.0 - E) / (1.0 + E))
+    assert orbit(at("distance", PAIR, AtTime(A**1.5 / 2.0), "state")) == pytest.approx(A * (1.0 + E))
+
+
+def test_a_quarter_of_the_way_round_it_is_at_the_semi_latus_rectum() -> None:
+    """With ν = 90°: r = ℓ = a(1 − e²), v² = GM(2/r − 1/a), time by E = arccos e and E − e sin E."""
+    late = acos(E) - E * sin(acos(E))
+    assert orbit(Query("time_to_event", None, Orbited(PAIR, 90))) == pytest.approx(late * A**1.5 / (2.0 * pi))
+    parameter = A * (1.0 - E**2)
+    assert orbit(at("velocity", PLANET, Orbited(PAIR, 90))) == pytest.approx(sqrt(GM * (2.0 / parameter - 1.0 / A)))
+
+
+def test_the_area_swept_out_in_half_an_orbit_is_half_the_ellipse() -> None:
+    query = StretchQuery("sum", None, Farthest(PAIR), "area swept", PAIR)
+    assert orbit(query) == pytest.approx(pi * A**2 * sqrt(1.0 - E**2) / 2.0)
+
+
+def test_the_least_distance_and_the_greatest_displacement() -> None:
+    inward = 5.0  # begun at the aphelion
+    e = 1.0 - inward**2 / GM
+    a = 1.0 / (1.0 + e)
+    query = StretchQuery("extremum", None, WholeMotion(), "least distance", PAIR)
+    assert orbit(query, inward) == pytest.approx(a * (1.0 - e))
+    assert orbit(Query("time_to_event", None, Closest(PAIR)), inward) == pytest.approx(a**1.5 / 2.0)
+    query = StretchQuery("extremum", None, WholeMotion(), "greatest displacement", PLANET)
+    assert orbit(query, inward) == pytest.approx(2.0 * a)
+
+
+def test_it_is_away_from_its_start_when_keplers_equation_says_so() -> None:
+    """With x = a (cos E − e), y = b sin E from the perihelion: distances sampled along the ellipse."""
+    angles = np.linspace(0.0, 1.5, 400001)
+    apart = np.hypot(A * (np.cos(angles) - 1.0), A * sqrt(1.0 - E**2) * np.sin(angles))
+    grown = float(np.interp(0.5, apart, angles))
+    expected = (grown - E * sin(grown)) * A**1.5 / (2.0 * pi)
+    assert orbit(Query("time_to_event", None, Away(PLANET, 0.5))) == pytest.approx(expected, rel=1e-8)
+
+
+# ---- charges in fields
+
+BEAD_MASS, CHARGE, SPEED = 2e-3, 3e-3, 2.0
+B, FIELD = 0.8, 1.1
+TURNS = CHARGE * B / BEAD_MASS
+
+
+def charged(query: Query, magnetic: UniformMagnetic | None = None, electric: ElectricField | None = None) -> float:
+    particle = ChargedBead(mass=2.0, charge=3.0, sign="positive")
+    start = Launched(speed=SPEED, angle=0.0)
+    return answer("fields", EmEntity(magnetic=magnetic, electric=electric, particle=particle, start=start), query)
+
+
+MAGNETIC = UniformMagnetic(strength=B, way="positive z")
+ELECTRIC = UniformElectric(strength=FIELD, way="positive y")
+
+
+def test_a_magnetic_field_leads_round_a_circle() -> None:
+    assert charged(PeriodQuery("period", of=(BEAD,)), magnetic=MAGNETIC) == pytest.approx(2.0 * pi / TURNS)
+    radius = SPEED / TURNS
+    time = charged(Query("time_to_event", None, Away(BEAD, 1.0)), magnetic=MAGNETIC)
+    assert time == pytest.approx(2.0 / TURNS * asin(1.0 / (2.0 * radius)))
+
+
+def test_an_electric_field_alone_gives_a_parabola() -> None:
+    """With a = qE/m across: v² = v₀² + (a t)²."""
+    speed = charged(at("velocity", BEAD, AtTime(1.5), "state"), electric=ELECTRIC)
+    assert speed == pytest.approx(sqrt(SPEED**2 + (CHARGE * FIELD / BEAD_MASS * 1.5) ** 2))
+
+
+def test_crossed_fields_add_a_drift() -> None:
+    """The velocity of drift E/B to the right, and what turns about it: v between their difference and sum."""
+    query = StretchQuery("extremum", None, AtTime(5.0), "least speed", BEAD)
+    assert charged(query, MAGNETIC, ELECTRIC) == pytest.approx(abs(2.0 * FIELD / B - SPEED))
+    place = charged(Query("state", Target("displacement", BEAD), AtTime(1.0)), MAGNETIC, ELECTRIC)
+    drift, turns = FIELD / B, SPEED - FIELD / B
+    x, y = drift + turns * sin(TURNS) / TURNS, -turns * (1.0 - cos(TURNS)) / TURNS
+    assert place == pytest.approx(sqrt(x**2 + y**2))
+
+
+def test_a_field_that_oscillates() -> None:
+    """With v_y = qE/(mν) sin νt."""
+    field = OscillatingElectric(strength=FIELD, way="positive y", frequency=3.0)
+    speed = charged(at("velocity", BEAD, AtTime(0.7), "state"), electric=field)
+    across = CHARGE * FIELD / BEAD_MASS / 3.0 * sin(3.0 * 0.7)
+    assert speed == pytest.approx(sqrt(SPEED**2 + across**2))
+
+
+# ---- bodies on an axle
+
+MASS, LENGTH, PLACE, ANGLE = 2.0, 0.9, 0.3, 60.0
+ABOUT = MASS * (LENGTH**2 / 12.0 + PLACE**2)
+
+
+def swung(query: Query) -> float:
+    rod = AxialPiece(distance=PLACE, body=UniformRod(mass=MASS, length=LENGTH), axis="along the arm")
+    return answer("arm", RotationEntity(pieces=(rod,), angle=ANGLE), query)
+
+
+def test_a_rod_let_go_at_an_angle() -> None:
+    grown = swung(at("angular acceleration", ROD, AtStart(), "start"))
+    assert grown == pytest.approx(MASS * G * PLACE * sin(radians(ANGLE)) / ABOUT)
+
+
+@pytest.mark.parametrize(("moment", "angle"), [(LowestPoint(ROD), 0.0), (Deflected("arm.arm", 25.0), 25.0)])
+def test_a_rod_that_swings_keeps_its_energy(moment: Moment, angle: float) -> None:
+    rate = sqrt(2.0 * MASS * G * PLACE * (cos(radians(angle)) - cos(radians(ANGLE))) / ABOUT)
+    assert swung(at("velocity", ROD, moment)) == pytest.approx(PLACE * rate)
+    assert swung(at("kinetic energy", ROD, moment)) == pytest.approx(ABOUT * rate**2 / 2.0)
+
+
+def test_the_greatest_angular_speed_and_the_period_of_small_oscillations() -> None:
+    query = StretchQuery("extremum", None, WholeMotion(), "greatest angular speed", "arm.arm")
+    assert swung(query) == pytest.approx(sqrt(2.0 * MASS * G * PLACE * (1.0 - cos(radians(ANGLE))) / ABOUT))
+    period = swung(PeriodQuery("period", small=True, of=("arm.arm",)))
+    assert period == pytest.approx(2.0 * pi * sqrt(ABOUT / (MASS * G * PLACE)))
+
+
+# ---- a body that rocks
+
+RADIUS, HOLE, OFFSET = 0.2, 0.08, 0.1
+ASIDE = HOLE**2 * OFFSET / (RADIUS**2 - HOLE**2)  # of the centre of mass, from the axis
+DISC = MASS / (RADIUS**2 - HOLE**2)  # per unit of the square of a radius
+OWN = DISC * (RADIUS**4 / 2.0 - HOLE**4 / 2.0 - HOLE**2 * OFFSET**2) - MASS * ASIDE**2
+
+
+def rocked(query: Query, angle: float = 0.0) -> float:
+    body = BoredCylinder(mass=MASS, radius=RADIUS, hole=HOLE, offset=OFFSET)
+    hole = Hole(bearing=70.0, towards="right" if angle == 0.0 else "downhill")
+    return answer("roller", RollingEntity(body=body, plane=Incline(angle=angle), hole=hole, grip=NoSlipping()), query)
+
+
+def test_a_bored_cylinder_rocks_on_a_level_plane() -> None:
+    """T = 2π √(I/(m g c)), I about the line of contact, the hole on top."""
+    about = OWN + MASS * (RADIUS - ASIDE) ** 2
+    period = rocked(PeriodQuery("period", small=True, of=("roller.body",)))
+    assert period == pytest.approx(2.0 * pi * sqrt(about / (MASS * G * ASIDE)))
+
+
+def test_a_bored_cylinder_begins_to_roll() -> None:
+    """The centre of mass is c sin 70° to the left of the contact and R − c cos 70° above it."""
+    lever, high = ASIDE * sin(radians(70.0)), RADIUS - ASIDE * cos(radians(70.0))
+    grown = MASS * G * lever / (OWN + MASS * (lever**2 + high**2))
+    assert rocked(at("angular acceleration", "roller.body", AtStart(), "start")) == pytest.approx(grown)
+    friction = rocked(at("friction force", "roller.body", AtStart(), "start"))
+    assert friction == pytest.approx(MASS * grown * high)
+
+
+def test_on_a_slope_its_centre_of_mass_comes_to_rest_above_the_contact() -> None:
+    """With sin ψ = (R/c) sin β, at which it is R cos β − c cos ψ above the contact."""
+    tilt = radians(3.0)
+    psi = asin(RADIUS * sin(tilt) / ASIDE)
+    about = OWN + MASS * (RADIUS * cos(tilt) - ASIDE * cos(psi)) ** 2
+    period = rocked(PeriodQuery("period", small=True, of=("roller.body",)), 3.0)
+    assert degrees(psi) > 3.0
+    assert period == pytest.approx(2.0 * pi * sqrt(about / (MASS * G * ASIDE * cos(psi))))
