@@ -5,9 +5,11 @@ from math import acos, asin, cos, degrees, pi, radians, sin, sqrt
 import numpy as np
 import pytest
 
+from sim2reason.bodies.block import Block
 from sim2reason.bodies.bored_cylinder import BoredCylinder
 from sim2reason.bodies.charge import ChargedBead, Launched
 from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.spring import NailedSpring
 from sim2reason.bodies.star import Planet, Star
 from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.entity import Entity, Named
@@ -22,6 +24,7 @@ from sim2reason.entities.parts.rolling import Hole, NoSlipping
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.solar_system import SolarSystem
+from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
@@ -194,6 +197,28 @@ def test_the_greatest_angular_speed_and_the_period_of_small_oscillations() -> No
     assert swung(query) == pytest.approx(sqrt(2.0 * MASS * G * PLACE * (1.0 - cos(radians(ANGLE))) / ABOUT))
     period = swung(PeriodQuery("period", small=True, of=("arm.arm",)))
     assert period == pytest.approx(2.0 * pi * sqrt(ABOUT / (MASS * G * PLACE)))
+
+
+# ---- a body on a spring
+
+STIFF, FREE = 50.0, 0.4
+
+
+def sprung(query: Query) -> float:
+    """Let go 0.5 m from the nail, along a line of slope 3:4: x(t) = 0.1 cos √(k/m) t."""
+    spring = NailedSpring(stiffness=STIFF, length=FREE, x=0.1, y=0.1)
+    entity = SpringBlock(block=Block(mass=MASS), springs=(spring,), x=0.4, y=0.5)
+    return answer("springs", entity, query)
+
+
+def test_a_block_oscillates_along_its_spring() -> None:
+    rate, block = sqrt(STIFF / MASS), "springs.block"
+    speed = sprung(at("velocity", block, AtTime(0.25), "state"))
+    assert speed == pytest.approx(0.1 * rate * abs(sin(0.25 * rate)))
+    assert sprung(PeriodQuery("period", of=(block,))) == pytest.approx(2.0 * pi / rate)
+    assert sprung(Query("time_to_event", None, Away(block, 0.15))) == pytest.approx(acos(1.0 - 1.5) / rate)
+    query = StretchQuery("extremum", None, WholeMotion(), "greatest kinetic energy", block)
+    assert sprung(query) == pytest.approx(STIFF * 0.1**2 / 2.0)
 
 
 # ---- a body that rocks

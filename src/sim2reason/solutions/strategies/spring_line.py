@@ -1,0 +1,288 @@
+"""Spring along a line: a body that one spring pulls from rest oscillates harmonically along that spring."""
+
+from functools import cached_property
+from math import acos, hypot, sqrt
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.dsl.triples import minus
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.strategies import Strategy, strategy
+
+HALF, TWO = Number(0.5), Number(2.0)
+METRES, SECONDS, RADIANS = latex("m"), latex("s"), latex("rad")
+MOMENTS = (AtTime, Away, MostCompressed, MostStretched, NaturalLength, Stopped)
+
+
+@strategy
+class SpringLine(Strategy):
+    """A body on a level table, let go where a single spring without friction is strained."""
+
+    name = "oscillation along a spring"
+    cost = 1.0
+    kinds = frozenset({"state", "event", "time_to_event", "extremum", "period"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        m, query = setting.mechanism, setting.query
+        if not _lone_spring(m):
+            return "no lone body is let go on a single spring"
+        if _reaches_its_end(setting):
+            return "it passes through the fixed end of the spring"
+        if isinstance(query, PeriodQuery):
+            return ""
+        if isinstance(query, StretchQuery):
+            return "" if query.functional in _Oscillating.GREATEST else f"no way to the {query.functional}"
+        if not isinstance(query.moment, MOMENTS):
+            return f"no way to the moment {type(query.moment).__name__}"
+        quantity = query.target.quantity if query.target is not None else ""
+        return "" if quantity in ("", *_Oscillating.WAYS) else f"no way to the quantity {quantity}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The amplitude and the angular frequency, the phase, and what is asked."""
+        return _Oscillating(setting, book).write().name
+
+
+def _lone_spring(m: Mechanism) -> bool:
+    """Whether a single spring from a fixed point acts on a single body, which begins at rest."""
+    springs = [line for line in m.lines if isinstance(line.law, Elastic)]
+    other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
+    slides = all(c.kind == "slide" and not c.speed and abs(c.axis[2]) < 1e-9 for c in m.coordinates)
+    if len(springs) != 1 or len(m.lines) != 1 or len(m.bodies) != 1 or len(m.coordinates) != 2 or other or not slides:
+        return False
+    law, ends = springs[0].law, [m.site[site].body for site in springs[0].through]
+    assert isinstance(law, Elastic)
+    return len(ends) == 2 and None in ends and not law.damping and not law.side
+
+
+def _reaches_its_end(setting: Setting) -> bool:
+    """Whether the body comes to the fixed point by the moment, where the force turns round."""
+    m, query = setting.mechanism, setting.query
+    law = m.lines[0].law
+    assert isinstance(law, Elastic)
+    strain = _length(m) - law.length
+    if strain < law.length or isinstance(query.moment, NaturalLength):
+        return False
+    if isinstance(query, StretchQuery):
+        return query.functional not in ("greatest speed", "greatest kinetic energy")
+    if not isinstance(query.moment, AtTime | Away):
+        return True
+    return setting.time * sqrt(law.stiffness / m.bodies[0].mass) > acos(-law.length / strain)
+
+
+def _ends(m: Mechanism) -> tuple[float, float]:
+    """From the fixed end of the spring to the body at the start, along the coordinates."""
+    frames, through = start(m), m.lines[0].through
+    fixed, free = sorted(through, key=lambda site: m.site[site].body is not None)
+    apart = minus(frames.site(free).place, frames.site(fixed).place)
+    x, y = (sum(a * b for a, b in zip(apart, c.axis, strict=True)) for c in m.coordinates)
+    return float(x), float(y)
+
+
+def _length(m: Mechanism) -> float:
+    return hypot(*_ends(m))
+
+
+class _Oscillating:
+    """What is asked of it: the extension is x₀ cos ωt."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError where a number is no simple function of those in the text."""
+        self.setting, self.book = setting, book
+        lexicon = setting.lexicon
+        sides = (lexicon.mechanism, lexicon.twin)
+        pairs = zip(*(_ends(m) for m in sides), strict=True)
+        self.apart = [lexicon.read(Both(*pair)).expression() for pair in pairs]
+        laws = [m.lines[0].law for m in sides]
+        here, there = laws
+        assert isinstance(here, Elastic)
+        assert isinstance(there, Elastic)
+        self.stiffness = lexicon.read(Both(here.stiffness, there.stiffness)).expression()
+        self.natural = lexicon.read(Both(here.length, there.length)).expression()
+        self.mass = lexicon.read(Both(sides[0].bodies[0].mass, sides[1].bodies[0].mass)).expression()
+
+    def _told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
+        step = self.book.open(kind)
+        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def length(self) -> Symbol:
+        """At the start."""
+        formula = Root(squares(self.apart))
+        return self._told("length", "At first the spring is as long as", self.book.fresh(r"\ell", "1"), formula, METRES)
+
+    @cached_property
+    def strain(self) -> Symbol:
+        """The extension at the start: the amplitude, up to a sign."""
+        said = "It is let go at rest, so that the extension oscillates as a cosine, beginning with"
+        return self._told("strain", said, self.book.fresh("x", "0"), self.length - self.natural, METRES)
+
+    @property
+    def amplitude(self) -> Expression:
+        """Of the oscillation."""
+        return self.strain if self.book.value(self.strain) > 0.0 else -self.strain
+
+    @cached_property
+    def rate(self) -> Symbol:
+        """ω = √(k/m)."""
+        said = "Along the spring the force is in proportion to its extension; the angular frequency is"
+        formula = Root(self.stiffness / self.mass)
+        return self._told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
+
+    @cached_property
+    def phase(self) -> Expression:
+        """The angle ωt at the moment."""
+        moment = self.setting.query.moment
+        if isinstance(moment, AtTime):
+            time = self.book.fresh("t")
+            self.book.say_given(time.name, moment.after, SECONDS)
+            return self._told("phase", "The phase is then", self.book.fresh(r"\phi"), self.rate * time, RADIANS)
+        if isinstance(moment, NaturalLength):
+            return HALF * PI
+        if isinstance(moment, Stopped):
+            return PI
+        if isinstance(moment, Away):
+            name = self.book.fresh("d")
+            self.book.say_given(name.name, moment.value, METRES)
+            formula = Call("arccos", ONE - name / self.amplitude)
+            who = capital(self.setting.called(self.setting.mechanism.bodies[0].name))
+            said = f"{who} has come so far when the extension has changed by as much, at the phase"
+            return self._told("phase", said, self.book.fresh(r"\phi"), formula, RADIANS)
+        stretched = self.book.value(self.strain) > 0.0
+        return TWO * PI if isinstance(moment, MostStretched) == stretched else PI
+
+    def _trig(self, function: str) -> Expression:
+        """The cosine or the sine of the phase, as a number where it is one."""
+        plain = {HALF * PI: (ZERO, ONE), PI: (Number(-1.0), ZERO), TWO * PI: (ONE, ZERO)}.get(self.phase)
+        if plain is not None:
+            return plain[0] if function == "cos" else plain[1]
+        return Call("cos", self.phase) if function == "cos" else Call("sin", self.phase)
+
+    # ---- what is asked
+
+    def write(self) -> Symbol:
+        """By the kind of the query."""
+        query = self.setting.query
+        if isinstance(query, PeriodQuery):
+            return self._period(query)
+        if isinstance(query, StretchQuery):
+            kind, base, unit, said = self.GREATEST[query.functional]
+            formula: Expression = getattr(self, kind)()
+            return (
+                formula
+                if isinstance(formula, Symbol)
+                else self._told("answer", said, self.book.fresh(base), formula, unit)
+            )
+        if query.target is None:
+            formula = self.phase / self.rate
+            return self._told("time", "At this phase the time is", self.book.fresh("t"), formula, SECONDS)
+        kind, base, unit, said = self.WAYS[query.target.quantity]
+        formula = getattr(self, kind)()
+        sense = query.target.sense
+        if sense is not None and any(sense.vector):
+            formula = formula * self._along(sense.vector)
+        elif query.target.quantity != "extension" and self.book.value(formula) < 0.0:
+            formula = -formula
+        return (
+            formula if isinstance(formula, Symbol) else self._told("answer", said, self.book.fresh(base), formula, unit)
+        )
+
+    def _along(self, way: tuple[float, float, float]) -> Expression:
+        """The component of the direction from the fixed end to the body."""
+        for number, coordinate in enumerate(self.setting.mechanism.coordinates):
+            part = sum(a * b for a, b in zip(coordinate.axis, way, strict=True))
+            if abs(abs(part) - 1.0) < 1e-9:
+                return self.apart[number] * part / self.length
+        raise UnsolvedError("a component along neither axis")
+
+    def _period(self, query: PeriodQuery) -> Symbol:
+        if query.small and query.modes > 1:
+            raise UnsolvedError("there are several modes")
+        if query.measure == "angular frequency":
+            return self.rate
+        if query.measure == "frequency":
+            return self._told("period", "The frequency is", self.book.fresh("f"), self.rate / (TWO * PI), latex("Hz"))
+        return self._told("period", "The period is", self.book.fresh("T"), TWO * PI / self.rate, SECONDS)
+
+    def _extension(self) -> Expression:
+        return self.strain * self._trig("cos")
+
+    def _current_length(self) -> Expression:
+        return self.natural + self._extension()
+
+    def _pull(self) -> Expression:
+        return self.stiffness * self._extension()
+
+    def _stored(self) -> Expression:
+        return HALF * self.stiffness * Power(self._extension(), 2)
+
+    def _speed(self) -> Expression:
+        return -(self.strain * self.rate * self._trig("sin"))
+
+    def _momentum(self) -> Expression:
+        return self.mass * self._speed()
+
+    def _kinetic(self) -> Expression:
+        return HALF * self.mass * Power(self._speed(), 2)
+
+    def _force(self) -> Expression:
+        return -self._pull()
+
+    def _acceleration(self) -> Expression:
+        return self._force() / self.mass
+
+    def _moved(self) -> Expression:
+        return self.strain * (self._trig("cos") - ONE)
+
+    def _amplitude(self) -> Expression:
+        return self.amplitude
+
+    def _fastest(self) -> Expression:
+        return self.amplitude * self.rate
+
+    def _farthest(self) -> Expression:
+        return TWO * self.amplitude
+
+    def _whole(self) -> Expression:
+        return HALF * self.stiffness * Power(self.strain, 2)
+
+    GREATEST = {  # noqa: RUF012 - by functional: which formula, its letter, its unit, what is said
+        "greatest speed": ("_fastest", "v", latex("m/s"), "It is fastest at the natural length:"),
+        "greatest kinetic energy": (
+            "_whole",
+            "K",
+            latex("J"),
+            "It has all the energy of the spring at its natural length:",
+        ),
+        "greatest extension": ("_amplitude", "x", METRES, "That is the amplitude,"),
+        "greatest compression": ("_amplitude", "x", METRES, "That is the amplitude,"),
+        "greatest spring energy": ("_whole", "U", latex("J"), "At either end of the oscillation it is the same:"),
+        "greatest displacement": ("_farthest", "d", METRES, "The other end of the oscillation is away by"),
+    }
+    WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit, what is said
+        "extension": ("_extension", "x", METRES, "The extension is"),
+        "spring length": ("_current_length", r"\ell", METRES, "The natural length and the extension are"),
+        "spring force": ("_pull", "F", latex("N"), "The spring pulls or pushes with"),
+        "spring energy": ("_stored", "U", latex("J"), "It stores"),
+        "extension rate": ("_speed", "v", latex("m/s"), "The extension changes at the rate"),
+        "velocity": ("_speed", "v", latex("m/s"), "The velocity is the rate of change of the extension:"),
+        "momentum": ("_momentum", "p", latex("kg m/s"), "Mass times velocity:"),
+        "kinetic energy": ("_kinetic", "K", latex("J"), "The kinetic energy is"),
+        "net force": ("_force", "F", latex("N"), "The force of the spring is"),
+        "acceleration": ("_acceleration", "a", latex("m/s^2"), "The force of the spring over the mass:"),
+        "displacement": ("_moved", "s", METRES, "It has come as far as the extension has changed:"),
+    }
