@@ -15,9 +15,7 @@ from sim2reason.entities.parts.fields import (
     force_field,
 )
 
-Growth = Annotated[
-    float, LEAST, Le(1e6), Measure("growth", "N/(C s)", "k", called="rate of growth"), Range(0.1, 0.8)
-]
+Growth = Annotated[float, LEAST, Le(1e6), Measure("growth", "N/(C s)", "k", called="rate of growth"), Range(0.1, 0.8)]
 
 
 @force_field
