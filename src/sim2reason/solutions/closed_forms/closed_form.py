@@ -6,11 +6,8 @@ from fractions import Fraction
 
 from sim2reason.solutions.book import Solution
 from sim2reason.solutions.closed_forms.rewriting import shortest
-from sim2reason.solutions.expressions import (
-    Expression,
-    Number,
-    Symbol,
-)
+from sim2reason.solutions.expressions import Expression, Number, Symbol
+from sim2reason.solutions.functions import Pi
 from sim2reason.solutions.worked import Worked
 
 SIMPLE = 60  # the largest denominator of a number that is no accident
@@ -88,6 +85,8 @@ class Substitution:
                 found = self.named(held.name)
             case Number():
                 found = _simple(held)
+            case Pi():
+                found = held
             case Worked():
                 found = self.of(held.inner)
             case _ if held.parts:

@@ -27,7 +27,7 @@ from sim2reason.solutions.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.functions import Call, Pi, Power, Root
 from sim2reason.solutions.polynomials import Monomial, Polynomial, written_order
 
 SHORT = 60  # characters: what is no longer needs no more looking at
@@ -100,6 +100,8 @@ class RationalFunctions:
             fraction = Fraction(held.x).limit_denominator(10**6)
             return self._field(fraction.numerator) / self._field(fraction.denominator)
         parts = [self.of(part) for part in held.parts]
+        if isinstance(held, Pi):
+            return self._atom(held, self._field(1))
         if isinstance(held, Root | Call):
             return self._atom(held, self.reduced(parts[0]))
         if isinstance(held, Power):
@@ -114,13 +116,13 @@ class RationalFunctions:
             raise TooLongError
         return found
 
-    def _atom(self, held: Root | Call, inner: Any) -> Any:
-        """A function of something, as one more generator."""
-        function = held.function if isinstance(held, Call) else "sqrt"
+    def _atom(self, held: Root | Call | Pi, inner: Any) -> Any:
+        """A function of something, as one more generator; so is π, a function of nothing."""
+        function = held.function if isinstance(held, Call) else held.latex() if isinstance(held, Pi) else "sqrt"
         if (function, inner) not in self._met:
             place = len(self._atoms)
             self._met[function, inner] = self._spare[len(self._met)]
-            self._atoms.append(held.built_of([min(self.written(inner), key=length)]))
+            self._atoms.append(held if isinstance(held, Pi) else held.built_of([min(self.written(inner), key=length)]))
             if isinstance(held, Root):
                 self._squares[place] = inner
         return self._met[function, inner]
@@ -188,7 +190,7 @@ class RationalFunctions:
 
 def _functions(held: Expression) -> Iterator[str]:
     """The roots and sines in a formula, as they are written."""
-    if isinstance(held, Root | Call):
+    if isinstance(held, Root | Call | Pi):
         yield held.latex()
     for part in held.parts:
         yield from _functions(part)
