@@ -16,8 +16,10 @@ from sim2reason.recipes import RECIPES, Difficulty, known
 SCENES = 60  # drawn for one item, at most
 TOGETHER = 3  # of them are asked for the first kind before another one has its turn
 TRIES = 2  # questions of one kind about one scene
+BARREN = 15  # scenes that offer nothing at all, after which none is expected to
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, BARREN
+NOTHING = "nothing to ask"
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -43,7 +45,8 @@ class ItemSearch:
         for turn, first in enumerate(range(0, SCENES, TOGETHER)):
             begin = turn % len(self._kinds)
             found = self._among(range(first, first + TOGETHER), (*self._kinds[begin:], *self._kinds[:begin]))
-            if found is not None:
+            barren = not self.wanted and self.rejected[NOTHING] >= BARREN
+            if found is not None or barren:
                 return found
         return None
 
@@ -90,7 +93,7 @@ class ItemSearch:
             if kind in search.kinds:
                 self.wanted = self.wanted or kind
                 return found
-        self.rejected["nothing to ask"] += 1
+        self.rejected[NOTHING] += 1
         return None
 
     def _asked(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:

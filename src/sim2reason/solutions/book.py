@@ -70,6 +70,7 @@ class Solution:
     unit: str = ""
     reason: str = ""
     stated: tuple[str, ...] = ()  # the names of the numbers that the question itself says
+    constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # that no scene may change
 
     @property
     def text(self) -> str:
@@ -115,6 +116,7 @@ class Book:
         self.steps: list[Step] = []
         self.observed: dict[str, float] = {}  # what the engine has for names that cancel, to check relations by
         self.stated: dict[str, str] = {}  # numbers that the question says, as they are written
+        self.constants: dict[str, Expression] = {}  # those among them that are of nature
         self._taken: set[str] = set()
         self._source: dict[str, int] = {}
 

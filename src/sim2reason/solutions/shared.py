@@ -4,7 +4,8 @@ from dataclasses import dataclass
 from math import isclose, pi
 
 from sim2reason.solutions.book import Book
-from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.expressions import Number, Product, Symbol
+from sim2reason.solutions.functions import PI, Power
 from sim2reason.solutions.newton import Row
 
 NEWTONS, PER_SQUARE_SECOND = r"\ \text{N}", r"\ \text{m/s}^2"
@@ -53,5 +54,7 @@ def gravitational_constant(book: Book, value: float) -> Symbol:
         book.know("G", value)
         mantissa, _, power = f"{value:.8g}".partition("e")
         said = rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
-        book.stated["G"] = r"4 \pi^{2}" if isclose(value, 4.0 * pi**2) else said
+        plain = isclose(value, 4.0 * pi**2)
+        book.stated["G"] = r"4 \pi^{2}" if plain else said
+        book.constants["G"] = Product((Number(4.0), Power(PI, 2))) if plain else Number(value)
     return Symbol("G")

@@ -56,7 +56,9 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     answer = degrees(book.values[goal]) if unit == DEGREES else book.values[goal]
     if setting.answer is None or abs(answer - setting.answer) > SAME * abs(setting.answer):
         return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")
-    return Solution(strategy.name, steps, book.observed | book.values, goal, answer, unit, stated=tuple(book.stated))
+    stated = tuple(name for name in book.stated if name not in book.constants)
+    values = book.observed | book.values
+    return Solution(strategy.name, steps, values, goal, answer, unit, stated=stated, constants=book.constants)
 
 
 def solve_prompt(prompt: str) -> tuple[Solution, Setting]:

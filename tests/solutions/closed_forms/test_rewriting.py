@@ -1,6 +1,7 @@
 """Formulas made shorter keep their value, and numbers found on the way are no formulas."""
 
-from math import isclose
+from dataclasses import replace
+from math import isclose, pi
 
 import pytest
 
@@ -8,7 +9,7 @@ from sim2reason.solutions.book import Relation, Solution, Step
 from sim2reason.solutions.closed_forms import ClosedFormError, closed_form
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.expressions import Expression, Number, Product, Quotient, Sum, Symbol
-from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.worked import NumericRoot, Worked
 
 a, b, c, t = (Symbol(name) for name in ("p", "q", "s", r"\theta"))
@@ -37,6 +38,21 @@ def test_what_cancels_is_gone() -> None:
     assert shortest(Quotient(a * b + a * c, a * b)).latex() == r"\frac{q + s}{q}"
     assert shortest(Root(a + b) * Root(a + b)).latex() == "p + q"
     assert shortest(Quotient(a * a - b * b, a - b)).latex() == "p + q"
+
+
+def test_squares_of_sine_and_cosine_add_up() -> None:
+    squares = Power(Product((a, Call("sin", t))), 2) + Power(Product((a, Call("cos", t))), 2)
+    assert shortest(Quotient(squares + b, c)).latex() == r"\frac{p^{2} + q}{s}"
+    assert shortest(Root(squares)).latex() in (r"\sqrt{p^{2}}", "p")
+
+
+def test_pi_and_constants_of_nature_stay_as_they_are() -> None:
+    assert shortest(Quotient(Product((Number(2.0), PI, a, b)), b)).latex() == r"2\,\pi p"
+    found = closed_form(
+        replace(solution(("x", Symbol("G") * a)), constants={"G": Product((Number(4.0), Power(PI, 2)))})
+    )
+    assert found.expression.value(AT) == pytest.approx(4.0 * pi**2 * AT["p"])
+    assert found.symbols == ("p",)
 
 
 def solution(*definitions: tuple[str, Expression]) -> Solution:

@@ -42,16 +42,15 @@ def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
     """
     if solution.answer is None:
         raise ClosedFormError(solution.reason)
-    definitions = {
+    definitions = dict(solution.constants) | {
         relation.left.latex(): relation.right
         for step in solution.steps
         for relation in step.relations
         if relation.left.latex() in step.gives and relation.role in ("result", "law")
     }
     renamed = dict(zip(solution.stated, own, strict=False))
-    given = {
-        relation.left.latex() for step in solution.steps for relation in step.relations if relation.role == "given"
-    }
+    every = (relation for step in solution.steps for relation in step.relations if relation.role == "given")
+    given = {relation.left.latex() for relation in every} - solution.constants.keys()
     whole = Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
     found = shortest(whole)
     latex = found.latex()

@@ -71,6 +71,9 @@ def _over_one(held: Expression) -> Iterator[Expression]:
         field = RationalFunctions(names, len(set(_functions(held))))
         found = field.reduced(field.of(held))
         yield from field.written(found)
+        plainer = field.without_sines_squared(found)
+        if plainer != found:
+            yield from field.written(plainer)
     except (TooLongError, ZeroDivisionError):
         return
 
@@ -103,7 +106,8 @@ class RationalFunctions:
         if isinstance(held, Pi):
             return self._atom(held, self._field(1))
         if isinstance(held, Root | Call):
-            return self._atom(held, self.reduced(parts[0]))
+            inner = self.reduced(parts[0])
+            return self._atom(held, min(inner, self.without_sines_squared(inner), key=_terms))
         if isinstance(held, Power):
             return self._sized(parts[0] ** held.exponent)
         operation = next((does for kind, does in OPERATIONS if isinstance(held, kind)), None)
@@ -134,6 +138,16 @@ class RationalFunctions:
                 if any(monomial[place] > 1 for monomial in side):
                     found = self._rooted(found.numer, place, inside) / self._rooted(found.denom, place, inside)
                     break
+        return self._sized(found)
+
+    def without_sines_squared(self, found: Any) -> Any:
+        """With 1 − cos² in place of the square of each sine whose cosine is there, too."""
+        for (function, inner), sine in self._met.items():
+            cosine = self._met.get(("cos", inner))
+            if function == "sin" and cosine is not None:
+                place = self._spare.index(sine) + len(self._symbols)
+                above, below = (self._rooted(side, place, 1 - cosine**2) for side in (found.numer, found.denom))
+                found = above / below
         return self._sized(found)
 
     def _rooted(self, side: Any, place: int, inside: Any) -> Any:
@@ -186,6 +200,10 @@ class RationalFunctions:
                 rest = Polynomial({m: part for m, part in whole.terms.items() if (atom, 1) not in m})
                 options.append(rest.expression() + Product((atom, inside.factored())))
         return min(options, key=length)
+
+
+def _terms(found: Any) -> int:
+    return len(found.numer) + len(found.denom)
 
 
 def _functions(held: Expression) -> Iterator[str]:
