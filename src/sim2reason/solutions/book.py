@@ -120,6 +120,13 @@ class Book:
         self._taken: set[str] = set()
         self._source: dict[str, int] = {}
 
+    def copy(self) -> "Book":
+        """Another with the same names known, and no steps, for a draft."""
+        found = Book(self._units)
+        found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
+        found.reserve(*self._taken)
+        return found
+
     def reserve(self, *names: str) -> None:
         """Keep names from being given to something else."""
         self._taken.update(names)

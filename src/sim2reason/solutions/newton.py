@@ -61,7 +61,8 @@ class Newton:
         (here, frames), (there, others) = self._sides
         return Both(float(number(here, frames)), float(number(there, others)))
 
-    def _read(self, number: Callable[[Mechanism, Frames], float]) -> Polynomial:
+    def read(self, number: Callable[[Mechanism, Frames], float]) -> Polynomial:
+        """A number of the mechanism and its geometry at the start, in symbols."""
         return self.lexicon.read(self._both(number))
 
     @cached_property
@@ -82,11 +83,11 @@ class Newton:
     @cached_property
     def gravity(self) -> Polynomial:
         """g, or zero."""
-        return self._read(lambda m, _: -m.gravity[2])
+        return self.read(lambda m, _: -m.gravity[2])
 
     @cached_property
     def _masses(self) -> list[Polynomial]:
-        return [self._read(lambda m, _, n=n: m.bodies[n].mass) for n in range(len(self.mechanism.bodies))]
+        return [self.read(lambda m, _, n=n: m.bodies[n].mass) for n in range(len(self.mechanism.bodies))]
 
     def mass(self, body: str) -> Polynomial:
         """The mass of a body."""
@@ -99,7 +100,7 @@ class Newton:
 
     def along(self, body: str, k: int, way: tuple[float, float, float]) -> Polynomial:
         """How much of the motion along coordinate k goes along a direction of the room."""
-        return self._read(lambda _, f: product(f.center(body).gradient[k], way))
+        return self.read(lambda _, f: product(f.center(body).gradient[k], way))
 
     # ---- laws
 
@@ -120,7 +121,7 @@ class Newton:
     def _dot(self, body: str, k: int, j: int) -> Polynomial:
         if k == j:
             return Polynomial.of(1.0)
-        return self._read(lambda _, f: product(f.center(body).gradient[k], f.center(body).gradient[j]))
+        return self.read(lambda _, f: product(f.center(body).gradient[k], f.center(body).gradient[j]))
 
     def _turning(self, k: int) -> list[Polynomial]:
         """I/r² times the acceleration of the rim, of what turns about its own axis."""
@@ -148,7 +149,7 @@ class Newton:
     def tension(self, number: int, line: Line) -> Polynomial:
         """The tension of a line: unknown, or that of a hand; none if it is slack."""
         if isinstance(line.law, Drawn):
-            return self._read(lambda m, _: getattr(m.lines[number].law, "force", 0.0))
+            return self.read(lambda m, _: getattr(m.lines[number].law, "force", 0.0))
         if not line.law.row:
             raise UnreadError("there is a spring")
         place = self.lines.index(line)
@@ -209,7 +210,7 @@ class Newton:
 
     def coefficient(self, face: int) -> Polynomial:
         """µ of a face."""
-        return self._read(lambda m, _: m.faces[face].friction)
+        return self.read(lambda m, _: m.faces[face].friction)
 
     def _rubbing(self, k: int) -> list[Polynomial]:
         found = [(self.friction(face), self.slip(face)) for face in self.rough]
@@ -224,14 +225,14 @@ class Newton:
                 continue
             mass = self._masses[number]
             for j in self.moved(body.name):
-                part = self._read(
+                part = self.read(
                     lambda _, f, b=body.name, j=j: product(f.center(b).lift[face], f.center(b).gradient[j])
                 )
                 inertia.append(mass * part * symbol("q", j))
-            down = self._read(lambda _, f, b=body.name: -float(f.center(b).lift[face][2]))
+            down = self.read(lambda _, f, b=body.name: -float(f.center(b).lift[face][2]))
             forces.append(mass * self.gravity * down)
         for number, line in enumerate(self.mechanism.lines):
-            lifted = self._read(lambda m, f, n=number: sum(float(p.lift.get(face, 0.0)) for p in f.pieces(m.lines[n])))
+            lifted = self.read(lambda m, f, n=number: sum(float(p.lift.get(face, 0.0)) for p in f.pieces(m.lines[n])))
             if lifted:
                 forces.append((self.tension(number, line) * lifted).scaled(-1.0))
         return Row("normal", face, total(forces), total(inertia))

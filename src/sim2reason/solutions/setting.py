@@ -8,7 +8,8 @@ from sim2reason.dsl.mechanism import Drawn, Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vectors import Vector
 from sim2reason.quantities.subjects.lines import line_phrases, pulleys
-from sim2reason.questions import KINDS, Query, Study, Words
+from sim2reason.questions import KINDS, Query, Study, Target, Words
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.solutions.lexicon import Lexicon, StatedNumber
@@ -32,6 +33,13 @@ class Setting:
     def mechanism(self) -> Mechanism:
         """What moves."""
         return self.scene.mechanism
+
+    @property
+    def target(self) -> Target | None:
+        """The quantity that is asked for; what a stretch of motion adds up to, by the name of the functional."""
+        if isinstance(self.query, StretchQuery):
+            return Target(self.query.functional, self.query.name)
+        return self.query.target
 
     @cached_property
     def lexicon(self) -> Lexicon:

@@ -9,7 +9,7 @@ from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient,
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.shared import Shared
+from sim2reason.solutions.shared import STILL, Shared
 from sim2reason.solutions.written_dynamics import WrittenDynamics
 
 SECONDS, METRES, SPEED = r"\ \text{s}", r"\ \text{m}", r"\ \text{m/s}"
@@ -95,6 +95,42 @@ class Stage:
                 raise UnsolvedError("a coordinate that keeps its speed without a law")
             return before
         return before + self._travelled(shared).scaled(float(shared.sense[k]))
+
+    def gain(self, k: int) -> Polynomial:
+        """How far a coordinate has come in this stage alone."""
+        if self.uniform:
+            return self._glided(k, NIL)
+        shared = self._shared(k)
+        if shared is None and k == self.end.coordinate and self.end.distance is not None:
+            return self.end.distance
+        if shared is None and self.speeds.get(k, NIL) and k not in self.dynamics.frozen:
+            raise UnsolvedError("a coordinate that keeps its speed without a law")
+        return self._travelled(shared).scaled(float(shared.sense[k])) if shared is not None else NIL
+
+    def gained(self, k: int) -> Polynomial:
+        """The same, relative to what carries the body."""
+        if k not in self.dynamics.carried:
+            return self.gain(k)
+        j, sign = self.dynamics.carried[k]
+        return self.gain(k) - self.gain(j).scaled(sign)
+
+    def path(self, k: int) -> Expression:
+        """How far a coordinate has come to and fro, without a sign."""
+        shared = None if self.uniform else self._shared(k)
+        if shared is None or (self._ends(shared) and self.end.distance is not None):  # it ends on its way there
+            return self._size(self.gain(k).expression())
+        begun, late = self._begun(shared), self._value(shared, moved=False)
+        early = self.book.value(begun.expression())
+        if not early or early * late >= -STILL * abs(early):
+            return self._size(self._travelled(shared).expression())
+        step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+        formula = -Quotient(Power(begun.factored(), 2), multiplied(Number(2.0), shared.symbol))
+        step.say(f"It turns back where its velocity is zero, at {step.result(name, formula, METRES, law=True)}.")
+        step.close()
+        return added(self._size(name), self._size(self._travelled(shared).expression() - name))
+
+    def _size(self, held: Expression) -> Expression:
+        return held if self.book.value(held) >= 0.0 else -held
 
     def _glided(self, k: int, before: Polynomial) -> Polynomial:
         """How far it has come at a constant velocity."""

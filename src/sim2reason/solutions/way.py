@@ -11,7 +11,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.goals import AXES, GOALS, Components, Goal
+from sim2reason.solutions.goals import AXES, GOALS, Components, Goal, Stretch, Struck
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
@@ -28,7 +28,7 @@ class Way(ABC):
         """Nothing is written yet."""
         self.setting, self.book = setting, book
         self.mechanism, self.query = setting.mechanism, setting.query
-        self.target: Target | None = setting.query.target
+        self.target: Target | None = setting.target
 
     @property
     @abstractmethod
@@ -72,7 +72,14 @@ class Way(ABC):
             return []
         bodies = list(self.goal.bodies(self.target))
         hinges = [k for body in bodies if self.goal.turns and (k := self.hinge(body)) is not None]
-        return sorted({*self.moving(bodies), *hinges})
+        drawn = [k for name in self.goal.lines(self.target) for k in self.stretching(name)]
+        return sorted({*self.moving(bodies), *hinges, *drawn})
+
+    def stretching(self, line: str) -> list[int]:
+        """The coordinates with which the length of a line changes."""
+        newton = Newton(self.setting.lexicon, self.setting.motion.segments[0])
+        number = self.mechanism.lines.index(self.mechanism.line[line])
+        return [k for k in range(len(self.mechanism.coordinates)) if newton.stretch(number, k)]
 
     def hinge(self, body: str) -> int | None:
         """The coordinate that turns a body about its own centre; None if there is none."""
@@ -91,12 +98,19 @@ class Way(ABC):
         return {k: lexicon.read(speed * scale[k] if scale else speed) for k, speed in speeds.items()}
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """Along a direction of the room, or the line of the body's own motion.
+        """Along a direction of the room, or the line of the body's own motion; ``u`` is the velocity at the start."""
+        if kind == "u":
+            moving = [k for k in self.moving([body]) if k in self.first_speeds]
+            return self.projected(body, way, {k: self.first_speeds[k] for k in moving})
+        return self.projected(body, way, {k: self.rate(kind, k) for k in self.own(body)})
+
+    def projected(self, body: str, way: Vector, rates: Mapping[int, Polynomial]) -> Polynomial:
+        """The component of what moves a body, by coordinate.
 
         A slanted sense holds the scene's own numbers, so that the twin's could not be read along it.
         """
         parts: list[Polynomial] = []
-        for k in self.own(body):
+        for k, rate in rates.items():
             along = product(self._start.center(body).gradient[k], way)
             if abs(along) < STILL:
                 continue
@@ -106,17 +120,25 @@ class Way(ABC):
                 factor = self.newton.along(body, k, (way[0], way[1], way[2]))
             else:
                 raise UnsolvedError("a component along a direction that is neither the room's nor the body's own")
-            parts.append(factor * self.rate(kind, k) if factor else NIL)
+            parts.append(factor * rate if factor else NIL)
         return total(parts)
 
     def vector(self, kind: str, body: str) -> Components:
         """All three components, along the axes that the text gives the body, else those of the room."""
         own = self._own(body)
         if own:
-            parts = [*(self.rate(kind, k) for k in own), NIL]
+            rates = self.first_speeds if kind == "u" else {k: self.rate(kind, k) for k in own}
+            parts = [*(rates.get(k, NIL) for k in own), NIL]
             return parts[0], parts[1], parts[2]
         x, y, z = (self.component(kind, body, way) for way in ROOM)
         return x, y, z
+
+    def lone(self, kind: str, body: str) -> Polynomial | None:
+        """Along the only line on which a body moves; None if it has several."""
+        own = self.own(body)
+        if len(own) != 1 or self.moving([body]) != own:
+            return None
+        return self.first_speeds.get(own[0], NIL) if kind == "u" else self.rate(kind, own[0])
 
     def _own(self, body: str) -> list[int]:
         """The coordinates of a body that has axes of its own in the text, at right angles."""
@@ -159,6 +181,16 @@ class Way(ABC):
         """What the text calls the room's directions for a body."""
         own = [self.mechanism.coordinates[k].label for k in self._own(body)]
         return (*own, "") if own else AXES
+
+    @property
+    def stretches(self) -> Sequence[Stretch]:
+        """The parts of the motion; by default it has none."""
+        raise UnsolvedError("no way to what adds up over a motion")
+
+    @property
+    def impacts(self) -> Sequence[Struck]:
+        """The collisions up to the moment; by default it has none."""
+        raise UnsolvedError("there are no collisions")
 
     def mass(self, body: str) -> Polynomial:
         """The mass of a body."""

@@ -20,6 +20,49 @@ WAYS = ("to the right", "away from us", "upward")
 AXES = ("x", "y", "z")
 
 
+class Stretch(Protocol):
+    """A part of a motion in which no force changes."""
+
+    @property
+    def time(self) -> Symbol:
+        """How long it takes."""
+        ...
+
+    def force(self, kind: str, name: str) -> Polynomial:
+        """A tension, or the friction on a body that slides: zero where there is none."""
+        ...
+
+    def moved(self, body: str, line: str) -> Polynomial:
+        """How far a body moves along a line that is tied to it, away from where that is tied."""
+        ...
+
+    def slipped(self, body: str) -> Polynomial:
+        """How far a body slips on its face."""
+        ...
+
+    def drawn(self, line: str) -> Polynomial:
+        """By how much a line grows shorter."""
+        ...
+
+    def path(self, body: str) -> Expression:
+        """How far a body travels along its line, to and fro."""
+        ...
+
+
+class Struck(Protocol):
+    """A collision of a motion."""
+
+    @property
+    def lost(self) -> Expression:
+        """The kinetic energy that is lost in it."""
+        ...
+
+    @property
+    def push(self) -> Expression:
+        """The size of its impulse."""
+        ...
+
+
 class Known(Protocol):
     """What a strategy can tell of the motion at the moment that is asked about; it writes the steps that lead there."""
 
@@ -34,7 +77,7 @@ class Known(Protocol):
         ...
 
     def vector(self, kind: str, body: str) -> Components:
-        """The acceleration ``a``, velocity ``v`` or displacement ``s`` of a body, in room components."""
+        """The acceleration ``a``, velocity ``v`` (``u`` at the start) or displacement ``s`` of a body, in components."""
         ...
 
     def apart(self, one: str, other: str) -> Components:
@@ -47,6 +90,10 @@ class Known(Protocol):
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
         """The component of one of these along a direction of the room, or along the line of the body's own motion."""
+        ...
+
+    def lone(self, kind: str, body: str) -> Polynomial | None:
+        """One of these along the only line on which a body moves; None if it has several."""
         ...
 
     def rim(self, kind: str, body: str) -> Polynomial:
@@ -67,6 +114,16 @@ class Known(Protocol):
 
     def mass(self, body: str) -> Polynomial:
         """The mass of a body."""
+        ...
+
+    @property
+    def stretches(self) -> Sequence[Stretch]:
+        """The parts of the motion, in order."""
+        ...
+
+    @property
+    def impacts(self) -> Sequence[Struck]:
+        """The collisions that the question is about, in order."""
         ...
 
     @property
@@ -98,9 +155,19 @@ class Goal(ABC):
         """Whether it hangs on how a body turns about its own axis; by default it does not."""
         return False
 
+    @property
+    def throughout(self) -> bool:
+        """Whether it hangs on forces all the while; by default on those at the end alone."""
+        return False
+
     def bodies(self, target: Target) -> Sequence[str]:
         """The bodies whose motion it needs; by default its subject."""
         return (target.subject,)
+
+    def lines(self, target: Target) -> Sequence[str]:
+        """The lines whose length it needs; by default none."""
+        del target
+        return ()
 
     def force(self, target: Target, setting: Setting) -> str:
         """The force that it is, such as ``T2``; by default none."""

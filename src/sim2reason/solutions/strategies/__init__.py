@@ -45,7 +45,7 @@ def no_goal(setting: Setting, moments: tuple[type[Moment], ...]) -> str:
     """What of a query no way leads to: its moment, if it is none of `moments`, or its quantity; else empty."""
     if not isinstance(setting.query.moment, moments):
         return f"no way to the moment {type(setting.query.moment).__name__}"
-    target = setting.query.target
+    target = setting.target
     if target is None or target.quantity in GOALS:
         return ""
     return f"no way to the quantity {target.quantity}"

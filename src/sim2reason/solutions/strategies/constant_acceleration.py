@@ -1,6 +1,7 @@
 """Constant acceleration: Newton's laws for what matters, then v = v₀ + a t and its kin, stage by stage."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from functools import cached_property
 
 import numpy as np
@@ -19,6 +20,7 @@ from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import NEWTONS
 from sim2reason.solutions.stage import METRES, SECONDS, End, Stage
+from sim2reason.solutions.stage_part import StagePart
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.way import STILL, Way
 
@@ -31,6 +33,7 @@ class ConstantAcceleration(Strategy):
 
     name = "constant acceleration"
     cost = 1.0
+    kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "extremum"})
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
@@ -43,12 +46,29 @@ class ConstantAcceleration(Strategy):
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Newton's laws, then the kinematics."""
-        return _Staged(setting, book).write()
+        """Newton's laws, then the kinematics; of what adds up, only the accelerations that a first draft used."""
+        way = _Staged(setting, book)
+        if way.goal is not None and way.goal.throughout:
+            draft = _Staged(setting, book.copy())
+            draft.write()
+            way.spared = draft.unused
+        return way.write()
 
 
 class _Staged(Way):
-    """Stages of constant accelerations."""
+    """Stages of constant accelerations; `spared` are coordinates whose accelerations nothing uses, by stage."""
+
+    spared: Sequence[AbstractSet[int]] = ()
+
+    @property
+    def unused(self) -> list[AbstractSet[int]]:
+        """The coordinates whose accelerations were found in each stage, and not used."""
+        moved = [step for step in self.book.steps if step.kind in ("time", "velocity", "distance", "answer")]
+        used = {name for step in moved for relation in step.relations for name in relation.symbols()}
+        return [
+            {k for s in stage.dynamics.shared if s.symbol.name not in used and len(s.sense) == 1 for k in s.sense}
+            for stage in self.stages
+        ]
 
     def write(self) -> str:
         """All stages that matter, then the goal."""
@@ -66,6 +86,11 @@ class _Staged(Way):
         """At the end of the last stage."""
         stage = self.stages[-1]
         return {"a": stage.acceleration, "v": stage.velocity, "s": stage.place}[kind](k)
+
+    @property
+    def stretches(self) -> Sequence[StagePart]:
+        """The stages."""
+        return [StagePart(self, stage, stage.dynamics) for stage in self.stages]
 
     def force(self, kind: str, name: str) -> Symbol:
         """By its symbol."""
@@ -85,11 +110,21 @@ class _Staged(Way):
     @cached_property
     def _force(self) -> tuple[str, str]:
         """The force that is asked for, and the unknown that gives it: of sliding friction the normal force."""
+        return self._force_in(self.segments[-1])
+
+    def _force_in(self, segment: Segment) -> tuple[str, str]:
         if self.goal is None or self.target is None:
             return "", ""
         asked = self.goal.force(self.target, self.setting)
-        slides = asked[:1] == "f" and Newton(self.setting.lexicon, self.segments[-1]).rough[int(asked[1:])] != 0
+        slides = asked[:1] == "f" and Newton(self.setting.lexicon, segment).rough[int(asked[1:])] != 0
+        if self.goal.throughout and asked[:1] == "f" and not slides:
+            return asked, ""  # what sticks dissipates nothing
         return asked, f"N{asked[1:]}" if slides else asked
+
+    def _goal_of(self, segment: Segment, *, last: bool) -> list[str]:
+        """The force that a stage must give."""
+        found = self._force_in(segment)[1] if last or (self.goal is not None and self.goal.throughout) else ""
+        return [found] if found else []
 
     # ---- stages
 
@@ -114,9 +149,17 @@ class _Staged(Way):
             return all_of_them[-1:]
         found = all_of_them[:1]
         for segment in all_of_them[1:]:
-            if any(abs(segment.a[k] - found[-1].a[k]) > STILL for k in self.wanted):
+            moved = any(abs(segment.a[k] - found[-1].a[k]) > STILL for k in self.wanted)
+            if moved or self._pulls(segment) != self._pulls(found[-1]):
                 found.append(segment)
         return found
+
+    def _pulls(self, segment: Segment) -> tuple[str, float]:
+        """The force that counts all the while, and how large it is."""
+        if self.goal is None or not self.goal.throughout:
+            return "", 0.0
+        name = self._force_in(segment)[1]
+        return name, round(Newton(self.setting.lexicon, segment).values[name], 9) if name else 0.0
 
     @cached_property
     def stages(self) -> list[Stage]:
@@ -135,10 +178,12 @@ class _Staged(Way):
             end = self._end(found, places) if last else stops[number]
             stage = Stage(self.setting, self.book, segment, until - segment.start, end, speeds, places)
             spare = set[int]() if not last else {*self.wanted} - {*self._enough(stage)}
+            spare |= {*(self.spared[number] if self.spared else ())}
             goals = [f"q{k}" for k in sorted(({*handed} - spare) | {*end.slip})]
-            resting = not self._force[1] and all(abs(segment.found.a[k]) < STILL for k in speeds)
+            forces = self._goal_of(segment, last=last)
+            resting = not forces and all(abs(segment.found.a[k]) < STILL for k in speeds)
             stage.uniform = resting and before is not None and not stage.dynamics.carried
-            stage.reach([*goals, self._force[1]] if last and self._force[1] else goals)
+            stage.reach([*goals, *forces])
             found.append(stage)
         return found
 
@@ -152,7 +197,8 @@ class _Staged(Way):
         found += self._slipping(moment.name) if isinstance(moment, StoppedSlipping) else []
         for body in bodies:
             found += stage.dynamics.enough(self.moving([body]))
-        return found
+        lines = self.goal.lines(self.target) if self.goal is not None and self.target is not None else ()
+        return [*found, *(k for name in lines for k in self.stretching(name))]
 
     def own(self, body: str) -> list[int]:
         """Without those of its carrier where it is counted by itself."""

@@ -1,18 +1,22 @@
 """Constraint: strings that do not stretch, and a centre of mass that stays, say how far a body moves with another."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.dynamics import Dynamics
+from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.goals import GOALS, Stretch
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import Measure
 from sim2reason.solutions.stage import METRES
+from sim2reason.solutions.stage_part import StagePart
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.written_dynamics import WrittenDynamics
@@ -24,10 +28,11 @@ class Constraint(Strategy):
 
     name = "constraint"
     cost = 0.5
+    kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        target, moment = setting.query.target, setting.query.moment
+        target, moment = setting.target, setting.query.moment
         if not isinstance(moment, Moved) or target is None:
             return "no distance is stated"
         if target.quantity not in GOALS or GOALS[target.quantity].uses != "s":
@@ -44,11 +49,27 @@ class Constraint(Strategy):
 class _Proportions(Way):
     """Displacements that laws without forces bind to each other."""
 
+    def size(self, k: int) -> Expression:
+        """How far a coordinate comes, without a sign: from rest nothing turns back."""
+        held = self.rate("s", k).expression()
+        return held if self.book.value(held) >= 0.0 else -held
+
+    @cached_property
+    def loaded(self) -> WrittenDynamics:
+        """The laws that give the force of what adds up."""
+        return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0])
+
     def write(self) -> str:
         """The laws, then the goal."""
         assert self.target is not None
         assert self.goal is not None
         self.dynamics.reach([f"q{k}" for k in self.asked()])
+        force = self.goal.force(self.target, self.setting) if self.goal.throughout else ""
+        if force:
+            sliding = force[0] == "f" and self.loaded.newton.rough[int(force[1:])]
+            self.loaded.reach([f"N{force[1:]}" if sliding else force])
+            if self.loaded.shared:
+                raise UnsolvedError("the force hangs on accelerations")
         return self.goal.write(self.target, self).name
 
     @cached_property
@@ -64,6 +85,11 @@ class _Proportions(Way):
         return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0], measure)
 
     @property
+    def stretches(self) -> Sequence[Stretch]:
+        """The whole motion."""
+        return [StagePart(self, _Course(self), self.loaded)]
+
+    @property
     def newton(self) -> Newton:
         """Those of the motion's only segment."""
         return self.dynamics.newton
@@ -76,3 +102,32 @@ class _Proportions(Way):
     def force(self, kind: str, name: str) -> Symbol:
         """None."""
         raise UnsolvedError(f"no {kind} of {name} without Newton's laws")
+
+
+@dataclass(frozen=True, slots=True)
+class _Course:
+    """The whole motion, as its only part."""
+
+    way: _Proportions
+
+    @property
+    def dynamics(self) -> Dynamics:
+        """The laws of displacements."""
+        return self.way.dynamics
+
+    @property
+    def time(self) -> Symbol:
+        """It needs forces."""
+        raise UnsolvedError("no time without Newton's laws")
+
+    def gain(self, k: int) -> Polynomial:
+        """Its displacement."""
+        return self.way.rate("s", k)
+
+    def gained(self, k: int) -> Polynomial:
+        """Relative to what carries it, as laws without forces count it anyhow."""
+        return self.way.rate("s", k)
+
+    def path(self, k: int) -> Expression:
+        """Its displacement without a sign."""
+        return self.way.size(k)

@@ -1,0 +1,204 @@
+"""What adds up over a motion: works, impulses, heat and paths, part by part."""
+
+from abc import abstractmethod
+from collections.abc import Sequence
+from typing import ClassVar
+
+from sim2reason.questions import Target
+from sim2reason.solutions.book import UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added, multiplied
+from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Stretch, VectorName, finish, magnitude
+from sim2reason.solutions.goals.kinematics import METRES, SPEED
+from sim2reason.solutions.setting import Setting
+
+NEWTON_SECONDS = r"\ \text{N s}"
+WORK = VectorName("W", r"\ \text{J}", "work")
+HEAT = VectorName("Q", r"\ \text{J}", "energy")
+IMPULSE = VectorName("J", NEWTON_SECONDS, "impulse")
+
+
+class SumGoal(Goal):
+    """One term for each part of the motion."""
+
+    noun: ClassVar[VectorName]
+
+    @property
+    def uses(self) -> str:
+        """Where everything is when each part ends."""
+        return "s"
+
+    @property
+    def throughout(self) -> bool:
+        """All the while."""
+        return True
+
+    @abstractmethod
+    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+        """What a part of the motion contributes."""
+
+    @abstractmethod
+    def said(self, target: Target, setting: Setting) -> str:
+        """What it is, in words."""
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """The sum."""
+        whole: Expression = ZERO
+        for part in known.stretches:
+            whole = added(whole, self.term(target, known.setting, part))
+        return finish(known, whole, self.noun, "", self.said(target, known.setting))
+
+
+class TensionImpulse(SumGoal):
+    """T t."""
+
+    noun = IMPULSE
+
+    def bodies(self, target: Target) -> Sequence[str]:
+        """None by themselves."""
+        del target
+        return ()
+
+    def force(self, target: Target, setting: Setting) -> str:
+        """The tension."""
+        return tension(target.subject, setting)
+
+    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+        """Tension times time."""
+        del setting
+        return multiplied(part.force("T", target.subject).expression(), part.time)
+
+    def said(self, target: Target, setting: Setting) -> str:
+        """Of a tension."""
+        return f"the impulse of the tension in {setting.lines.get(target.subject, 'the string')}"
+
+
+class TensionWork(SumGoal):
+    """T s along the string."""
+
+    noun = WORK
+
+    def force(self, target: Target, setting: Setting) -> str:
+        """The tension of the string that is tied to the body."""
+        return tension(_tied(target.subject, setting), setting)
+
+    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+        """Tension times displacement along the string."""
+        name = _tied(target.subject, setting)
+        return multiplied(part.force("T", name).expression(), part.moved(target.subject, name).expression())
+
+    def said(self, target: Target, setting: Setting) -> str:
+        """Of a tension, on a body."""
+        return f"the work of the tension on {setting.called(target.subject)}"
+
+
+class FrictionHeat(SumGoal):
+    """The friction times the distance of slip, without a sign."""
+
+    noun = HEAT
+
+    def force(self, target: Target, setting: Setting) -> str:
+        """The friction."""
+        names = [face.subject for face in setting.mechanism.faces]
+        return f"f{names.index(target.subject)}"
+
+    def bodies(self, target: Target) -> Sequence[str]:
+        """The one that slips."""
+        return (target.subject,)
+
+    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+        """Friction times slip."""
+        del setting
+        friction = part.force("f", target.subject)
+        return multiplied(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
+
+    def said(self, target: Target, setting: Setting) -> str:
+        """Of what slips."""
+        return f"the energy that friction on {setting.called(target.subject)} dissipates"
+
+
+class HandWork(SumGoal):
+    """The force of the hand times what it draws in."""
+
+    noun = WORK
+
+    def bodies(self, target: Target) -> Sequence[str]:
+        """None by themselves: those that the string moves, see `lines`."""
+        del target
+        return ()
+
+    def lines(self, target: Target) -> Sequence[str]:
+        """The string that is drawn in."""
+        return (target.subject,)
+
+    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+        """Force times length."""
+        del setting
+        return multiplied(part.force("T", target.subject).expression(), part.drawn(target.subject).expression())
+
+    def said(self, target: Target, setting: Setting) -> str:
+        """Of a hand."""
+        del target, setting
+        return "the work of the hand"
+
+
+class PathLength(SumGoal):
+    """The distances between turning points."""
+
+    noun = VectorName("d", METRES.unit, "distance")
+
+    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+        """How far it travels in a part."""
+        del setting
+        return part.path(target.subject)
+
+    def said(self, target: Target, setting: Setting) -> str:
+        """Of a body."""
+        return f"the distance that {setting.called(target.subject)} travels"
+
+
+class NetImpulse(Goal):
+    """The change of momentum."""
+
+    @property
+    def uses(self) -> str:
+        """The velocity at the end."""
+        return "v"
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """M times the change of the velocity."""
+        body = target.subject
+        lone = known.lone("v", body), known.lone("u", body)
+        if lone[0] is not None and lone[1] is not None:
+            change = (lone[0] - lone[1]).expression()
+            size = change if known.book.value(change) >= 0.0 else -change
+        else:
+            end, begin = known.vector("v", body), known.vector("u", body)
+            parts: Components = (end[0] - begin[0], end[1] - begin[1], end[2] - begin[2])
+            size = magnitude(parts, known, VectorName("w", SPEED.unit, "change in the velocity"), body)
+        formula = multiplied(known.mass(body).expression(), size)
+        return finish(known, formula, IMPULSE, "", f"the impulse, by which the momentum of {known.setting.called(body)} changes")
+
+
+def tension(line: str, setting: Setting) -> str:
+    """The unknown that stands for the tension of a string."""
+    names = [held.name for held in setting.mechanism.constraints]
+    if line not in names:
+        raise UnsolvedError("it has no tension of its own")
+    return f"T{names.index(line)}"
+
+
+def _tied(body: str, setting: Setting) -> str:
+    """The only string at a body."""
+    m = setting.mechanism
+    found = [line.name for line in m.strings if any(m.site[site].body == body for site in line.through)]
+    if len(found) != 1:
+        raise UnsolvedError("the body has no string of its own")
+    return found[0]
+
+
+GOALS.add("impulse of a tension", TensionImpulse())
+GOALS.add("work of a tension", TensionWork())
+GOALS.add("energy dissipated by friction", FrictionHeat())
+GOALS.add("work of a hand", HandWork())
+GOALS.add("distance travelled", PathLength())
+GOALS.add("impulse of the net force", NetImpulse())
