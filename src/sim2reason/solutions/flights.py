@@ -62,6 +62,7 @@ class FreeFlights(ABC):
         self.relative: dict[
             int, tuple[list[Expression], list[Expression], Symbol | None, list[str]]
         ] = {}  # of discs that meet
+        self.approaches: dict[int, tuple[dict[str, Symbol], Symbol]] = {}
 
     # ---- numbers
 
@@ -212,9 +213,8 @@ class FreeFlights(ABC):
         if not formula.names():
             return NIL
         step, name = self.book.open("distance"), self.book.fresh("s", self.mark(body, k))
-        says = f"By then {self.setting.called(body)} has moved by"
-        axis = self._axis(k)
-        step.say(f"{says} {step.result(name, formula.expression(), METRES, law=True)}{axis}.")
+        says = f"Until then {self.setting.called(body)} moves by"
+        step.say(f"{says} {step.result(name, formula.expression(), METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
 

@@ -132,6 +132,17 @@ class Impacts(FreeFlights, ABC):
         here, there = self.setting.lexicon.mechanism.meetings[number], self.setting.lexicon.twin.meetings[number]
         return self.setting.lexicon.read(Both(here.restitution, there.restitution))
 
+    def closing(self, impact: Impact) -> Expression:
+        """Along the normal, how fast the two approach just before, of either sign."""
+        ways = self.ways(self.mechanism.meetings[impact.meeting])
+        speeds = [self.just_before(impact, body, k).scaled(sense) for body, (k, sense) in ways.items()]
+        return (speeds[0] - speeds[1] if len(speeds) > 1 else speeds[0]).expression()
+
+    def inertia(self, impact: Impact) -> Expression:
+        """What counts as the mass of an impact: m of a body at a wall, m m′/(m + m′) of two."""
+        masses = [self.mass(body).expression() for body in impact.bodies]
+        return masses[0] if len(masses) == 1 else ratio(multiplied(*masses), added(*masses))
+
     def _rebound(self, impact: Impact) -> dict[int, Polynomial]:
         body = impact.bodies[0]
         k, _ = self.ways(self.mechanism.meetings[impact.meeting])[body]

@@ -22,6 +22,18 @@ class Flights(Impacts):
         """When their centres are as far apart as the radii say."""
         return _meet(self, impact)
 
+    def approach(self, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
+        """Along which line two discs touch, and how fast they approach along it; written once."""
+        if impact.number not in self.approaches:
+            self.approaches[impact.number] = _approach(self, impact)
+        return self.approaches[impact.number]
+
+    def closing(self, impact: Impact) -> Expression:
+        """Along the normal, how fast the two approach just before."""
+        if self.mechanism.meetings[impact.meeting].normal is None:
+            return self.approach(impact)[1]
+        return super().closing(impact)
+
     def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
         """What momentum and restitution along the line of centres leave."""
         return _part(self, impact)
@@ -109,15 +121,14 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
     return X, u, since, labels
 
 
-def _part(flights: Impacts, impact: Impact) -> dict[int, Polynomial]:
-    """The velocities just after: each changes along the line of centres alone."""
+def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
+    """The direction of the line of centres, by axis, and how fast the discs approach along it, with a minus sign."""
     book, time = flights.book, flights.when(impact)
     X, u, since, labels = flights.relative[impact.number]
     span = time if since is None else flights.passed(since, time)
     distance = _distance(flights, impact)
     step, n = book.open("normal"), dict[str, Symbol]()
     said: list[str] = []
-    one, other = impact.bodies
     for label, x, w in zip(labels, X, u, strict=True):
         n[label] = book.fresh("n", label)
         said.append(step.result(n[label], ratio(added(x, multiplied(w, span)), distance), "", law=True))
@@ -126,6 +137,13 @@ def _part(flights: Impacts, impact: Impact) -> dict[int, Polynomial]:
     along = _sum(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
     step.say(f"Along it they approach with {step.result(approach, along, SPEED, law=True)}.")
     step.close()
+    return n, approach
+
+
+def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
+    """The velocities just after: each changes along the line of centres alone."""
+    book, (n, approach) = flights.book, flights.approach(impact)
+    one, other = impact.bodies
     m, k = (flights.mass(body).expression() for body in impact.bodies)
     e = flights.restitution(impact.meeting).expression()
     step, push = book.open("impulse"), book.fresh("J")
@@ -143,8 +161,7 @@ def _part(flights: Impacts, impact: Impact) -> dict[int, Polynomial]:
             step, name = book.open("after"), book.fresh("v", flights.mark(body, number))
             change = multiplied(Number(sign), multiplied(ratio(push, mass), n[label]))
             formula = added(before.expression(), change)
-            who = f"After it, {flights.setting.called(body)} has along {label}"
-            step.say(f"{who} {step.result(name, formula, SPEED, law=True)}.")
+            step.say(f"After it, {step.result(name, formula, SPEED, law=True)}.")
             step.close()
             found[number] = Polynomial.of(name)
     return found

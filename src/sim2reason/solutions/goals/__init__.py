@@ -53,6 +53,16 @@ class Struck(Protocol):
     """A collision of a motion."""
 
     @property
+    def bodies(self) -> tuple[str, ...]:
+        """Whose it is."""
+        ...
+
+    @property
+    def told(self) -> str:
+        """It in words, as a sentence without its point."""
+        ...
+
+    @property
     def lost(self) -> Expression:
         """The kinetic energy that is lost in it."""
         ...

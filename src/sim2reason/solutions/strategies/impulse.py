@@ -1,5 +1,6 @@
 """Impulse: bodies that fly freely and collide; momentum and restitution at each impact that matters."""
 
+from collections.abc import Sequence
 from functools import cached_property
 from math import inf
 
@@ -19,6 +20,7 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.flights import Impact, Leg
 from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.goals import Stretch, Struck
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.oblique import Flights
@@ -26,6 +28,7 @@ from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
+from sim2reason.solutions.struck import FlightPart, StruckBodies
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.worked import NumericRoot
 
@@ -38,6 +41,7 @@ class Impulse(Strategy):
 
     name = "impulse"
     cost = 0.8
+    kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "count", "extremum"})
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
@@ -79,6 +83,22 @@ class _Struck(Way):
     def force(self, kind: str, name: str) -> Symbol:
         """None."""
         raise UnsolvedError(f"no {kind} of {name} in flight")
+
+    @property
+    def impacts(self) -> Sequence[Struck]:
+        """All collisions up to the moment, this one included."""
+        held = [impact for impact in self.flights.impacts if impact.time <= self.setting.time]
+        return [StruckBodies(self.flights, impact) for impact in held]
+
+    @property
+    def stretches(self) -> Sequence[Stretch]:
+        """All flights of the body that is asked about, each as a part."""
+        assert self.target is not None
+        body, held = self.target.subject, self.flights
+        last = self.number(body)
+        ends = [held.leg(body, number + 1).after for number in range(last)]
+        times = [*(held.when(impact) if impact is not None else None for impact in ends), self.time]
+        return [FlightPart(held, number, time) for number, time in enumerate(times)]
 
     # ---- the moment
 
