@@ -48,9 +48,9 @@ class Target:
         found = QUANTITIES[self.quantity].evaluate(state, self.subject)
         if found.ndim == 1:
             return found if self.signed else np.abs(found)
-        return np.linalg.norm(found, axis=1) if self.sense is None else found @ np.array(self._way(state.mechanism))
+        return np.linalg.norm(found, axis=1) if self.sense is None else found @ np.array(self.way(state.mechanism))
 
-    def _way(self, mechanism: Mechanism) -> Vector:
+    def way(self, mechanism: Mechanism) -> Vector:
         """Along which the component is taken: the sense of that name in this mechanism, whose slope may be another."""
         assert self.sense is not None
         quantity = QUANTITIES[self.quantity]

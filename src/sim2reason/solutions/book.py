@@ -108,21 +108,26 @@ CANONICAL = {latex(name): name for name in MECHANICAL}  # by their LaTeX
 class Book:
     """Names with their values, and steps as they are written."""
 
-    def __init__(self, units: UnitSystem = SI) -> None:
-        """Nothing is known yet; results are in `units`."""
+    def __init__(self, units: UnitSystem = SI, *, asks_time: bool = False) -> None:
+        """Nothing is known yet; results are in `units`. With `asks_time` the time that is said is what is asked for."""
         self._units = units
+        self.asks_time = asks_time
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
         self.steps: list[Step] = []
         self.observed: dict[str, float] = {}  # what the engine has for names that cancel, to check relations by
         self.stated: dict[str, str] = {}  # numbers that the question says, as they are written
         self.constants: dict[str, Expression] = {}  # those among them that are of nature
+        self.hidden: set[str] = set()  # names whose values hang on what is unknown
+        self.formulas: dict[str, Expression] = {}  # of those, in order
+        self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
         self._taken: set[str] = set()
         self._source: dict[str, int] = {}
 
     def copy(self) -> "Book":
         """Another with the same names known, and no steps, for a draft."""
-        found = Book(self._units)
+        found = Book(self._units, asks_time=self.asks_time)
+        found.hidden = {*self.hidden}
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
         found.reserve(*self._taken)
         return found
@@ -157,7 +162,24 @@ class Book:
         """A number that the question itself says."""
         unit = self.spelled(unit)
         self.know(name, value, unit)
-        self.stated[name] = f"{value:g}{unit}"
+        if self.asks_time and "s}" in unit and not self.sought:
+            self.sought = name
+            self.hidden.add(name)
+        else:
+            self.stated[name] = f"{value:g}{unit}"
+
+    def state(self, name: str, value: float, spelled: str) -> None:
+        """Make a name that was written one that is given, in the words of the question."""
+        self.hidden.discard(name)
+        self.values[name] = value
+        self.stated[name] = spelled
+
+    def refresh(self, name: str, value: float) -> None:
+        """Give the unknown a better value, and all that hangs on it."""
+        self.values[name] = value
+        for other, formula in self.formulas.items():
+            if other not in self.stated:
+                self.values[other] = self.value(formula)
 
     def value(self, held: Expression) -> float:
         """What a formula comes to; UnsolvedError where it has no value."""
@@ -174,6 +196,10 @@ class Book:
         if name is None or self._units == SI:
             return unit
         return latex(self._units.spell(name))
+
+    def is_hidden(self, held: Expression) -> bool:
+        """Whether the value of a formula hangs on what is unknown."""
+        return not self.hidden.isdisjoint(held.symbols())
 
     def open(self, kind: str) -> "Writing":
         """Begin a step."""
@@ -231,7 +257,20 @@ class Writing:
         value = self._book.value(formula)
         self._book.know(name.name, value, unit)
         self._gives.append(name.name)
-        return relation.latex(value)
+        if self._book.hidden.isdisjoint(formula.symbols()):
+            return relation.latex(value)
+        self._book.hidden.add(name.name)
+        self._book.formulas[name.name] = formula
+        return relation.latex()
+
+    def closed(self, name: Symbol, formula: Expression) -> str:
+        """What a symbol comes to whose value was unknown till now."""
+        unit = self._book.units[name.name]
+        relation = Relation(name, formula, "result", unit)
+        self._relations.append(relation)
+        self._book.hidden.discard(name.name)
+        self._gives.append(name.name)
+        return relation.latex(self._book.value(formula))
 
     def _noted(self, relation: Relation) -> str:
         self._relations.append(relation)

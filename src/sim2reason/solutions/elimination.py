@@ -85,7 +85,7 @@ class Elimination:
         step.rest_on(_key(equation) if not equation.label else "")
         formula = solved(equation.zero, name)
         where = f"From {equation.label}, " if equation.label else "So "
-        if len(formula.latex()) <= LONG:
+        if len(formula.latex()) <= LONG or self.book.is_hidden(formula):
             step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
         else:
             before, rest = parts(equation.zero, name)
@@ -94,8 +94,9 @@ class Elimination:
             step.say(f"In numbers, {numbers}, so {step.result(Symbol(name), right / left, self.units[name])}.")
         step.close()
 
-    def _worked(self, held: Expression) -> Worked:
-        return Worked(held, self.book.value(held))
+    def _worked(self, held: Expression) -> Expression:
+        """As the number that it comes to, unless that hangs on what is unknown."""
+        return held if self.book.is_hidden(held) else Worked(held, self.book.value(held))
 
     # ---- several unknowns
 
@@ -165,12 +166,13 @@ class Elimination:
         for equation in equations:
             before = {n: self._worked(-equation.zero.coefficient(n).expression()) for n in names}
             rest = self._worked(equation.zero.without(names).expression())
-            kept = {n: part for n, part in before.items() if part.comes_to}
+            kept = {n: part for n, part in before.items() if self.book.value(part)}
             numeric.append(NumericEquation(f"({next(marks)})", kept, rest))
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
             said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
-        step.say(f"In numbers: {'; '.join(said)}.")
+        how = "Ordered" if self.book.hidden else "In numbers"
+        step.say(f"{how}: {'; '.join(said)}.")
         step.close()
         self._reduce(numeric, list(names), marks)
 
@@ -215,8 +217,10 @@ class Elimination:
         step.rest_on(equation.label)
         step.rest_on(pivot.label)
         step.label(found.label)
-        sign = "−" if ratio.comes_to >= 0.0 else "+"
-        size = Worked(ratio, abs(ratio.comes_to)).latex()
+        turned = isinstance(ratio, Worked) and ratio.comes_to < 0.0
+        sign = "+" if turned else "−"
+        size = Worked(ratio, -ratio.comes_to).latex() if isinstance(ratio, Worked) and turned else ratio.latex()
+        size = size if isinstance(ratio, Worked) else f"${size}$"
         step.say(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(_left(found), right)}.")
         step.close()
         return found

@@ -51,8 +51,15 @@ class StatedNumber:
         text = f"{value:.{measure.places(value)}f}"
         if abs(float(text) - value) > 1e-12 * abs(value):
             text = repr(value)
-        unit = measure.unit.replace("*", " ")
-        return text + (r"^\circ" if self.angle else rf"\ \text{{{unit}}}".replace("^2}", "}^2") if unit else "")
+        return text + self.unit
+
+    @property
+    def unit(self) -> str:
+        """Its unit, in LaTeX."""
+        unit = self.parameter.measure.unit.replace("*", " ")
+        if self.angle:
+            return r"^\circ"
+        return rf"\ \text{{{unit}}}".replace("^2}", "}^2") if unit else ""
 
     @property
     def angle(self) -> bool:

@@ -1,14 +1,17 @@
 """All that a strategy looks at: a scene as its text calls things, its motion in segments, and what is asked."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Self
 
 from sim2reason.dsl.mechanism import Drawn, Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vectors import Vector
+from sim2reason.prose.voices import numeric
+from sim2reason.prose.writer import Description
 from sim2reason.quantities.subjects.lines import line_phrases, pulleys
-from sim2reason.questions import KINDS, Query, Study, Target, Words
+from sim2reason.questions import KINDS, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
@@ -28,6 +31,15 @@ class Setting:
     symbols: Mapping[str, str]
     study: Study
     query: Query
+    unknown: str = ""  # the address of the number that the text leaves open, and asks for
+    given: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
+    sought: float | None = None  # the time that is asked for, where a result at that time is given
+
+    @classmethod
+    def of(cls, question: Question, study: Study, words: Words, description: Description) -> Self:
+        """Of a question about the motion that has its answer; what the text leaves unknown is called as it says."""
+        symbols = {**description.voiced(numeric).symbols, **description.symbols}
+        return cls(study.scene, words, symbols, study, question.query, question.unknown, question.given)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -39,7 +51,10 @@ class Setting:
         """The quantity that is asked for; what a stretch of motion adds up to, by the name of the functional."""
         if isinstance(self.query, StretchQuery):
             return Target(self.query.functional, self.query.name)
-        return self.query.target
+        target = self.query.target
+        if target is None or target.sense is None:
+            return target
+        return replace(target, sense=replace(target.sense, vector=target.way(self.mechanism)))
 
     @cached_property
     def lexicon(self) -> Lexicon:
@@ -59,7 +74,11 @@ class Setting:
 
     @cached_property
     def answer(self) -> float | None:
-        """What the engine says."""
+        """What the engine says: of the query, of a number that is unknown, or when something is as it is given."""
+        if self.sought is not None:
+            return self.sought
+        if self.unknown and self.given is not None:
+            return float(self.study.scene.value(self.unknown))
         return KINDS[self.query.kind].answer(self.query, self.study)
 
     # ---- names

@@ -1,7 +1,7 @@
 """From a query about a scene to its worked solution."""
 
 from dataclasses import replace
-from math import degrees
+from math import degrees, radians
 
 import numpy as np
 
@@ -13,8 +13,10 @@ from sim2reason.questions.words import Words
 from sim2reason.solutions.book import DEGREES, Book, Relation, Solution, Step, UnsolvedError
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.lexicon import UnreadError
+from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.strategies import STRATEGIES, Strategy
+from sim2reason.solutions.worked import numbers
 
 SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it says
 
@@ -22,6 +24,7 @@ SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it sa
 def solve(setting: Setting) -> Solution:
     """The worked solution by the cheapest strategy that finds one; else one that says why there is none."""
     reasons: list[str] = []
+    setting = forward(setting)
     try:
         _ = setting.lexicon
     except UnreadError as error:
@@ -42,12 +45,17 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     refused = strategy.refusal(setting) if kind in strategy.kinds else f"no way to the kind {kind}"
     if refused:
         return Solution(strategy.name, reason=refused)
-    book = Book(setting.words.units)
-    for given in setting.lexicon.givens.values():
+    book = Book(setting.words.units, asks_time=setting.sought is not None)
+    for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
-        book.know(given.symbol, given.value)
+        unit = given.unit if path == setting.unknown else ""
+        book.know(given.symbol, given.value, unit)
+        if path == setting.unknown:
+            book.sought = given.symbol
+            book.hidden.add(given.symbol)
     try:
         goal = strategy.write(setting, book)
+        goal = _inverted(setting, book, goal) if setting.given is not None else goal
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
     steps = _needed(book.steps, goal)
@@ -59,6 +67,20 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     stated = tuple(name for name in book.stated if name not in book.constants)
     values = book.observed | book.values
     return Solution(strategy.name, steps, values, goal, answer, unit, stated=stated, constants=book.constants)
+
+
+def _inverted(setting: Setting, book: Book, goal: str) -> str:
+    """Solved for what is unknown, where the answer to the query is given."""
+    assert setting.given is not None
+    value, unit = setting.given.value, book.units.get(goal, "")
+    value = radians(value) if unit == DEGREES else value
+    found = Inversion(book, goal, value, book.sought).write(f"{setting.given.value:g}{unit}")
+    hung = {*book.formulas, book.sought}
+    for step in book.steps:
+        worked = [part for r in step.relations for side in (r.left, r.right) for part in numbers(side)]
+        if step.kind != SOLVED and any(not hung.isdisjoint(part.symbols()) for part in worked):
+            raise UnsolvedError("it would need numbers that are not known")
+    return found
 
 
 def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
@@ -95,7 +117,7 @@ def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
     said: list[str] = []
     relations: list[Relation] = []
     for given in setting.lexicon.givens.values():
-        if given.symbol in used:
+        if given.symbol in used and given.symbol != book.sought:
             said.append(f"${given.symbol} = {given.latex}$")
             relations.append(Relation(Symbol(given.symbol), Number(given.value), "given"))
     for name, text in book.stated.items():

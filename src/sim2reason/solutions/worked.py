@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from sim2reason.solutions.digits import rounded, shortened
 from sim2reason.solutions.expressions import Expression, Scalar, Values
+from sim2reason.solutions.functions import parts
 
 NEWTON = 6  # steps from a root that is known nearly
 STEP = 1e-30  # imaginary: a derivative by it is exact
@@ -65,6 +66,38 @@ class NumericRoot(Expression):
     def symbols(self) -> Iterator[str]:
         """Those of the formula, without the unknown."""
         return (name for name in self.residual.symbols() if name != self.name)
+
+
+@dataclass(frozen=True, slots=True)
+class Chain(Expression):
+    """What the last of several names comes to, each a formula of those before it; it is never written."""
+
+    formulas: tuple[tuple[str, Expression], ...]
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """Worked out from the first to the last."""
+        known = dict(at)
+        for name, formula in self.formulas:
+            known[name] = formula.value(known, digits)
+        return known[self.formulas[-1][0]]
+
+    def latex(self) -> str:
+        """Its name."""
+        return self.formulas[-1][0]
+
+    def symbols(self) -> Iterator[str]:
+        """All that it rests on."""
+        own = {name for name, _ in self.formulas}
+        return (name for _, formula in self.formulas for name in formula.symbols() if name not in own)
+
+
+def numbers(held: Expression) -> Iterator[Expression]:
+    """All parts of a formula that are written as the numbers that they come to."""
+    if isinstance(held, Worked | NumericRoot):
+        yield held
+        return
+    for part in parts(held):
+        yield from numbers(part)
 
 
 def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:

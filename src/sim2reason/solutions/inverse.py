@@ -1,0 +1,205 @@
+"""Equations solved for one symbol: by undoing what was done to it, as a polynomial in it, or numerically."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from sim2reason.solutions.expressions import (
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    added,
+    multiplied,
+    ratio,
+)
+from sim2reason.solutions.functions import Call, Power, Root, parts
+from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.worked import NumericRoot, Worked
+
+MOST = 40  # terms of an equation that is solved in symbols
+NEAR = 1e-6  # relative: how well a branch must meet the value that is known
+UNDONE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "arcsin": "sin", "arccos": "cos", "arctan": "tan"}
+UNDONE |= {"ln": "exp", "exp": "ln"}
+
+
+def solved_for(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> Expression:
+    """What a symbol is where a formula of it has a value; of several branches, that which is so `at` known values."""
+    for held in _branches(name, formula, value, at):
+        found = _real(held, at)
+        if found is not None and abs(found - at[name]) <= NEAR * abs(at[name]):
+            return held
+    return NumericRoot(added(formula, -value), name, at[name])
+
+
+def put(held: Expression, name: str, formula: Expression) -> Expression:
+    """A formula with another one in place of a symbol."""
+    if name not in held.symbols():
+        return held
+    match held:
+        case Symbol():
+            return formula
+        case Sum():
+            whole: Expression = Number(0.0)
+            for term in held.terms:
+                whole = added(whole, put(term, name, formula))
+            return whole
+        case Product():
+            product: Expression = Number(1.0)
+            for factor in held.factors:
+                product = multiplied(product, put(factor, name, formula))
+            return product
+        case Quotient():
+            return ratio(put(held.above, name, formula), put(held.below, name, formula))
+        case Power():
+            return Power(put(held.base, name, formula), held.exponent)
+        case Root():
+            return Root(put(held.inside, name, formula))
+        case Call():
+            return Call(held.function, put(held.argument, name, formula))
+        case Worked():
+            return put(held.inner, name, formula)
+        case _:
+            raise TypeError(f"{type(held).__name__} holds no symbol that could be replaced")
+
+
+def _real(held: Expression, at: Mapping[str, float]) -> float | None:
+    try:
+        found = held.value(at)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        return None
+    return None if isinstance(found, complex) else found
+
+
+def _branches(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> Iterator[Expression]:
+    """All that a symbol may be."""
+    if isinstance(formula, Worked):
+        formula = formula.inner
+    if formula == Symbol(name):
+        yield value
+        return
+    inside = [part for part in parts(formula) if name in part.symbols()]
+    if len(inside) == 1:
+        for rest in _undone(formula, inside[0], value):
+            yield from _branches(name, inside[0], rest, at)
+    else:
+        yield from _roots(name, formula, value)
+
+
+def _undone(formula: Expression, part: Expression, value: Expression) -> Iterator[Expression]:
+    """What a part of a formula must be, the rest of which is known."""
+    match formula:
+        case Sum():
+            rest = value
+            for term in formula.terms:
+                rest = added(rest, -term) if term is not part else rest
+            yield rest
+        case Product():
+            rest = Number(1.0)
+            for factor in formula.factors:
+                rest = multiplied(rest, factor) if factor is not part else rest
+            yield ratio(value, rest)
+        case Quotient():
+            yield multiplied(value, formula.below) if part is formula.above else ratio(formula.above, value)
+        case Power() if formula.exponent == 2:
+            yield from (Root(value), -Root(value))
+        case Root():
+            yield Power(value, 2)
+        case Call():
+            yield Call(UNDONE[formula.function], value)  # type: ignore[arg-type]
+        case _:
+            return
+
+
+def _roots(name: str, formula: Expression, value: Expression) -> Iterator[Expression]:
+    """Of an equation that is linear or quadratic in a symbol, or linear in the sine and cosine of an angle."""
+    try:
+        (above, below), (over, under) = fraction(formula), fraction(value)
+    except OverflowError:
+        return
+    zero = above * under - over * below
+    sine, cosine = Call("sin", Symbol(name)), Call("cos", Symbol(name))
+    if any(atom in (sine, cosine) for monomial in zero.terms for atom, _ in monomial):
+        yield from _angles(zero, sine, cosine)
+        return
+    parts = [_coefficient(zero, Symbol(name), power) for power in range(3)]
+    if any(name in part.names() for part in parts) or len(zero.terms) != sum(len(part.terms) for part in parts):
+        return
+    rest, linear, square = parts
+    if not square:
+        yield from _quotient(rest.scaled(-1.0), linear)
+        return
+    half = linear.scaled(0.5)
+    root = Root((half * half - square * rest).factored())
+    for sign in (1.0, -1.0):
+        above = added(half.scaled(-1.0).factored(), multiplied(Number(sign), root))
+        yield ratio(above, square.factored())
+
+
+def _quotient(above: Polynomial, below: Polynomial) -> Iterator[Expression]:
+    if below:
+        if sum(below.terms.values()) < 0.0:
+            above, below = above.scaled(-1.0), below.scaled(-1.0)
+        yield ratio(above.factored(), below.factored())
+
+
+def _angles(zero: Polynomial, sine: Call, cosine: Call) -> Iterator[Expression]:
+    """Of a sin x + b cos x = c: x = arcsin(c/√(a² + b²)) − arctan(b/a), or arctan(−b/a) where c is zero."""
+    a, b = _coefficient(zero, sine, 1), _coefficient(zero, cosine, 1)
+    rest = Polynomial({m: p for m, p in zero.terms.items() if all(atom not in (sine, cosine) for atom, _ in m)})
+    whole = len(a.terms) + len(b.terms) + len(rest.terms)
+    tangled = any(sine.argument.latex() in part.names() for part in (a, b, rest))
+    if whole != len(zero.terms) or tangled or not a:
+        return
+    turn = Call("arctan", ratio(b.factored(), a.factored())) if b else Number(0.0)
+    if not rest:
+        yield -turn
+        return
+    size = Root((a * a + b * b).factored()) if b else a.factored()
+    for sign in (1.0, -1.0):
+        yield added(Call("arcsin", ratio(rest.scaled(-sign).factored(), size)), -turn)
+
+
+def _coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
+    """What stands before a power of an atom."""
+    found = {
+        tuple(pair for pair in monomial if pair[0] != atom): part
+        for monomial, part in held.terms.items()
+        if dict(monomial).get(atom, 0) == power
+    }
+    return Polynomial(found)
+
+
+def fraction(held: Expression) -> tuple[Polynomial, Polynomial]:
+    """Numerator and denominator, as polynomials of symbols, functions and roots; OverflowError if they are long."""
+    one = Polynomial.of(1.0)
+    match held:
+        case Number():
+            found = Polynomial.of(held.x), one
+        case Worked():
+            found = fraction(held.inner)
+        case Sum():
+            found = Polynomial({}), one
+            for a, b in map(fraction, held.terms):
+                found = (found[0] + a, b) if b == found[1] else (found[0] * b + a * found[1], found[1] * b)
+        case Product():
+            found = _product(map(fraction, held.factors))
+        case Quotient():
+            (a, b), (c, d) = fraction(held.above), fraction(held.below)
+            found = a * d, b * c
+        case Power() if held.exponent > 0:
+            found = _product([fraction(held.base)] * held.exponent)
+        case _:
+            found = Polynomial.of(held), one
+    if max(len(part.terms) for part in found) > MOST:
+        raise OverflowError("an equation of too many terms")
+    return found
+
+
+def _product(parts: Iterable[tuple[Polynomial, Polynomial]]) -> tuple[Polynomial, Polynomial]:
+    above, below = Polynomial.of(1.0), Polynomial.of(1.0)
+    for a, b in parts:
+        above, below = above * a, below * b
+        if max(len(above.terms), len(below.terms)) > MOST:
+            raise OverflowError("an equation of too many terms")
+    return above, below

@@ -1,0 +1,83 @@
+"""Reverse questions: the same laws, with one number unknown and a result given, solved for that number."""
+
+from dataclasses import replace
+
+from sim2reason.questions import Query
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import Expression, Symbol, added
+from sim2reason.solutions.inverse import put, solved_for
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.worked import Chain, NumericRoot, numbers
+
+SOLVED = "solve for the unknown"  # the kind of its steps
+LONG = 300  # characters of a formula that is better not written
+LONGEST = 40  # formulas put into each other
+
+
+def forward(setting: Setting) -> Setting:
+    """Of *when is the speed 2.1 m/s?*: what is the speed at the time t, the answer; else the setting itself."""
+    moment = setting.query.moment
+    if not isinstance(moment, Reached) or setting.answer is None:
+        return setting
+    query = Query("state", moment.target, AtTime(setting.answer))
+    return replace(setting, query=query, given=moment.given, sought=setting.answer)
+
+
+class Inversion:
+    """From what a goal is given to be, back to the number that is unknown."""
+
+    def __init__(self, book: Book, goal: str, value: float, unknown: str) -> None:
+        """`value` of the goal is in SI units, as the book counts."""
+        self.book, self.goal, self.unknown = book, goal, unknown
+        if goal not in book.formulas:
+            raise UnsolvedError("what is given does not hang on what is unknown")
+        self.stated = value
+
+    def write(self, spelled: str) -> str:
+        """Write it; the symbol is the unknown's. `spelled` is what is given, as the question says it."""
+        book = self.book
+        formula = book.formulas[self.goal]
+        book.state(self.goal, self.stated, spelled)
+        at, value = self.goal, Symbol(self.goal)
+        for _ in range(LONGEST):
+            if any(book.is_hidden(part) for part in numbers(formula)):
+                raise UnsolvedError("it would need numbers that are not known")
+            names = [name for name in dict.fromkeys(formula.symbols()) if name in book.hidden]
+            later = [name for name in names if name != self.unknown]
+            if len(names) == 1:
+                found = solved_for(names[0], formula, value, book.values)
+                if not isinstance(found, NumericRoot) or names[0] == self.unknown:
+                    self._close(names[0], found, at)
+                    if names[0] == self.unknown:
+                        return self.unknown
+                    at, value, formula = names[0], Symbol(names[0]), book.formulas[names[0]]
+                    continue
+            if not later:
+                raise UnsolvedError("what is given does not hang on what is unknown")
+            if len(formula.latex()) > LONG:
+                return self._numerically()
+            last = max(later, key=list(book.formulas).index)
+            formula = put(formula, last, book.formulas[last])
+        return self._numerically()
+
+    def _numerically(self) -> str:
+        """All formulas put into each other, with one unknown, too long to be written."""
+        book = self.book
+        names = [name for name in book.formulas if name in book.hidden]
+        chain = Chain(tuple((name, book.formulas[name]) for name in (*names, self.goal)))
+        root = NumericRoot(added(chain, -Symbol(self.goal)), self.unknown, book.values[self.unknown])
+        step = book.open(SOLVED)
+        said = f"Put into each other, these equations have ${self.unknown}$ as their only unknown; solved numerically,"
+        step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")
+        step.close()
+        return self.unknown
+
+    def _close(self, name: str, found: Expression, at: str) -> None:
+        """Say what a symbol is."""
+        step = self.book.open(SOLVED)
+        where = f"From what ${at}$ is, " if at != self.goal else f"With the value of ${at}$ that is given, "
+        how = "found numerically, " if isinstance(found, NumericRoot) else ""
+        step.say(f"{where}{how}{step.closed(Symbol(name), found)}.")
+        step.close()
