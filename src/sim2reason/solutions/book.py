@@ -8,9 +8,9 @@ from typing import Literal
 
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.solutions.digits import rounded
-from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.expressions import Expression, Number, Symbol
 
-Role = Literal["given", "law", "derived", "result"]
+Role = Literal["given", "law", "derived", "result", "integrated"]
 DEGREES = r"^\circ"
 WELL = 1e-9  # relative: how well every relation holds
 
@@ -22,6 +22,8 @@ class UnsolvedError(Exception):
 @dataclass(frozen=True, slots=True)
 class Relation:
     """An equation: what is `given`, a `law` that is told, what is `derived` from those, or a `result`: name = formula.
+
+    Where nothing is derived, a number is `integrated`: a name is what the integration gives.
 
     `unit` is that of a result, in LaTeX.
     """
@@ -71,6 +73,11 @@ class Solution:
     reason: str = ""
     stated: tuple[str, ...] = ()  # the names of the numbers that the question itself says
     constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # that no scene may change
+
+    @property
+    def derived(self) -> bool:
+        """Whether the answer is derived, not integrated."""
+        return self.answer is not None and all(relation.role != "integrated" for relation in self.relations)
 
     @property
     def text(self) -> str:
@@ -262,6 +269,13 @@ class Writing:
         self._book.hidden.add(name.name)
         self._book.formulas[name.name] = formula
         return relation.latex()
+
+    def integrated(self, name: Symbol, value: float) -> str:
+        """A known name with the value that a numerical integration gives it."""
+        relation = Relation(name, Number(value), "integrated", self._book.units[name.name])
+        self._relations.append(relation)
+        self._gives.append(name.name)
+        return f"${name.latex()} = {spelled(value, relation.unit)}$"
 
     def closed(self, name: Symbol, formula: Expression) -> str:
         """What a symbol comes to whose value was unknown till now."""

@@ -56,10 +56,7 @@ class StatedNumber:
     @property
     def unit(self) -> str:
         """Its unit, in LaTeX."""
-        unit = self.parameter.measure.unit.replace("*", " ")
-        if self.angle:
-            return r"^\circ"
-        return rf"\ \text{{{unit}}}".replace("^2}", "}^2") if unit else ""
+        return latex(self.parameter.measure.unit)
 
     @property
     def angle(self) -> bool:
@@ -186,3 +183,10 @@ def _factor(number: Both, atom: Both) -> float | None:
         return None
     simple = float(Fraction(here).limit_denominator(FACTORS))
     return simple if simple and abs(simple - here) <= SAME * abs(here) else None
+
+
+def latex(unit: str) -> str:
+    """A unit as it stands behind a number, in LaTeX."""
+    if unit == "deg":
+        return r"^\circ"
+    return rf"\ \text{{{unit.replace('*', ' ')}}}".replace("^2}", "}^2") if unit else ""

@@ -4,7 +4,17 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Self
 
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, Values, added, multiplied
+from sim2reason.solutions.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Number,
+    Quotient,
+    Symbol,
+    Values,
+    added,
+    multiplied,
+)
 from sim2reason.solutions.functions import Call, Power, Root
 
 NOTHING = 1e-12  # a coefficient that rounding has left
@@ -150,9 +160,14 @@ def total(parts: Iterable[Polynomial]) -> Polynomial:
 def written(monomial: Monomial, part: float) -> Expression:
     """One term as a formula."""
     found: Expression = Number(part)
+    below: Expression = ONE
     for atom, power in monomial:
-        found = multiplied(found, atom if power == 1 else Power(atom, power))
-    return found
+        factor = atom if abs(power) == 1 else Power(atom, abs(power))
+        if power > 0:
+            found = multiplied(found, factor)
+        else:
+            below = multiplied(below, factor)
+    return found if below == ONE else Quotient(found, below)
 
 
 def _times(before: Polynomial, last: Symbol) -> Expression:
@@ -181,7 +196,7 @@ def _joined(one: Monomial, two: Monomial) -> Monomial:
     powers: dict[Expression, int] = dict(one)
     for atom, power in two:
         powers[atom] = powers.get(atom, 0) + power
-    return tuple(sorted(powers.items(), key=written_order))
+    return tuple(sorted(((atom, power) for atom, power in powers.items() if power), key=written_order))
 
 
 def _holds(monomial: Monomial, names: Collection[str]) -> bool:

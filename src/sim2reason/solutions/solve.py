@@ -55,10 +55,10 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
             book.hidden.add(given.symbol)
     try:
         goal = strategy.write(setting, book)
-        goal = _inverted(setting, book, goal) if setting.given is not None else goal
+        goal = _inverted(setting, book, goal) if setting.given is not None and not strategy.integrates else goal
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
-    steps = _needed(book.steps, goal)
+    steps = book.steps if strategy.integrates else _needed(book.steps, goal)
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     unit = book.units.get(goal, "")
     answer = degrees(book.values[goal]) if unit == DEGREES else book.values[goal]

@@ -17,11 +17,13 @@ class Strategy(ABC):
         name: under which it is registered.
         cost: how long its solutions are compared with others'; the cheapest that applies is written.
         kinds: of questions that it can answer.
+        integrates: whether it derives nothing, and the answer is what a numerical integration gives.
     """
 
     name: ClassVar[str]
     cost: ClassVar[float]
     kinds: ClassVar[frozenset[str]] = frozenset({"start", "state", "event", "time_to_event"})
+    integrates: ClassVar[bool] = False
 
     @abstractmethod
     def refusal(self, setting: Setting) -> str:

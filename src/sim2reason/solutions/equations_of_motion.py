@@ -1,0 +1,178 @@
+"""The equations of motion of any mechanism, in the symbols of its text.
+
+They are those that the exact engine integrates, recorded once for the mechanism and once for its twin; a number that is
+the same function of what the text says in both is written as that function, see `lexicon`.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import State
+from sim2reason.dsl.triples import Number as Quantity
+from sim2reason.simulation.engines.exact.assembly import Assembly
+from sim2reason.simulation.engines.exact.lengths import Phase
+from sim2reason.simulation.engines.exact.tape import Symbol as Recorded
+from sim2reason.simulation.engines.exact.tape import Tape
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import Expression, Quotient, Symbol
+from sim2reason.solutions.functions import Call, Root
+from sim2reason.solutions.lexicon import Both, Lexicon
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """What coordinates, their rates and accelerations, and the time are called."""
+
+    places: tuple[Symbol, ...]
+    rates: tuple[Symbol, ...]
+    accelerations: tuple[Symbol, ...]
+    time: Symbol
+
+
+class EquationsOfMotion:
+    """Mass matrix, loads and constraints, as polynomials of names."""
+
+    def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
+        """UnsolvedError if the twin moves by other equations."""
+        self._lexicon, self.book, self.names = lexicon, book, names
+        self.mechanism = lexicon.mechanism
+        self._here, self._there = (_assembled(m, phase) for m in (lexicon.mechanism, lexicon.twin))
+        self._known: dict[int, Polynomial] = {}
+        self.roots: dict[Root, Symbol] = {}  # lengths that are named
+
+    @property
+    def _tapes(self) -> tuple[Tape, Tape]:
+        tapes = self._here.maths, self._there.maths
+        assert isinstance(tapes[0], Tape)
+        assert isinstance(tapes[1], Tape)
+        return tapes
+
+    def inertia(self, k: int) -> Polynomial:
+        """What stands before the accelerations, with them."""
+        here, there = self._here.full_mass()[k], self._there.full_mass()[k]
+        pairs = zip(here, there, self.names.accelerations, strict=True)
+        return total(self._read(a, b) * Polynomial.of(name) for a, b, name in pairs)
+
+    def load(self, k: int) -> Polynomial:
+        """What is given to act along a coordinate."""
+        return self._read(self._here.force[k], self._there.force[k])
+
+    def pull(self, row: int, k: int) -> Polynomial:
+        """How a constraint's length grows with a coordinate."""
+        here, there = (rows[row].along.get(k, 0.0) for rows in self._rows)
+        return self._read(here, there)
+
+    def held(self, row: int) -> tuple[Polynomial, Polynomial]:
+        """What the accelerations must add up to: both sides of the second derivative of a constraint."""
+        size = range(len(self.mechanism.coordinates))
+        left = total(self.pull(row, k) * Polynomial.of(self.names.accelerations[k]) for k in size)
+        return left, self._read(*(rows[row].target for rows in self._rows))
+
+    @cached_property
+    def _rows(self) -> tuple[list, list]:  # type: ignore[type-arg]
+        return tuple(  # type: ignore[return-value]
+            held.rows({line.name: 0.0 for line in held.mechanism.lines}) for held in (self._here, self._there)
+        )
+
+    def pressing(self, face: int) -> Polynomial:
+        """The normal force of a face, but for what constraints add to it."""
+        size = range(len(self.mechanism.coordinates))
+        parts = [
+            self._read(self._here.lifted[face][k], self._there.lifted[face][k])
+            * Polynomial.of(self.names.accelerations[k])
+            for k in size
+        ]
+        return total(parts) - self._read(self._here.press[face], self._there.press[face])
+
+    def lifted(self, row: int, face: int) -> Polynomial:
+        """How a constraint lifts what lies on a face."""
+        return self._read(*(rows[row].lift.get(face, 0.0) for rows in self._rows))
+
+    # ---- from tapes to names
+
+    def _read(self, here: Quantity, there: Quantity) -> Polynomial:
+        if isinstance(here, Recorded) and isinstance(there, Recorded):
+            return self._node(here.id, there.id)
+        if isinstance(here, Recorded) or isinstance(there, Recorded):
+            raise UnsolvedError("the equations of motion are of another kind with other numbers")
+        return self._lexicon.read(Both(float(here), float(there)))  # type: ignore[arg-type]
+
+    def _node(self, here: int, there: int) -> Polynomial:
+        if here not in self._known:
+            self._known[here] = self._made(here, there)
+        return self._known[here]
+
+    def _made(self, here: int, there: int) -> Polynomial:
+        one, two = self._tapes
+        (operation, a, b), (other, c, d) = one.nodes[here], two.nodes[there]
+        if operation != other:
+            raise UnsolvedError("the equations of motion are of another kind with other numbers")
+        if operation == "input":
+            names = (self.names.time, *self.names.places, *self.names.rates)
+            return Polynomial.of(names[a])
+        if operation == "constant":
+            return self._lexicon.read(Both(one.constants[a], two.constants[c]))
+        first = self._node(a, c)
+        if operation in ("sin", "cos"):
+            return self._turned(operation, first)
+        if operation == "sqrt":
+            return self._root(first)
+        if operation == "neg":
+            return first.scaled(-1.0)
+        return _joined(operation, first, self._node(b, d))
+
+    def _turned(self, operation: str, angle: Polynomial) -> Polynomial:
+        symbol = angle.symbol
+        sign = 1.0
+        if symbol is not None and angle.terms[((symbol, 1),)] < 0.0:
+            sign = -1.0 if operation == "sin" else 1.0
+        argument: Expression = symbol if symbol is not None else angle.expression()
+        return Polynomial.of(Call("sin" if operation == "sin" else "cos", argument)).scaled(sign)
+
+    def _root(self, inside: Polynomial) -> Polynomial:
+        root = Root(inside.expression())
+        if root not in self.roots:
+            self.roots[root] = self.book.fresh(r"\ell")
+        return Polynomial.of(self.roots[root])
+
+
+def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial:
+    if operation == "*":
+        return first * second
+    if operation == "+":
+        return first + second
+    if operation == "-":
+        return first - second
+    if second.number is not None:
+        return first.scaled(1.0 / second.number)
+    if len(second.terms) == 1:
+        (monomial, part), *_ = second.terms.items()
+        return first * Polynomial({tuple((atom, -power) for atom, power in monomial): 1.0 / part})
+    return Polynomial.of(Quotient(first.expression(), second.expression())) if first else NIL
+
+
+def _assembled(mechanism: Mechanism, phase: Phase) -> Assembly:
+    size = len(mechanism.coordinates)
+    tape = Tape(["t", *(f"q{k}" for k in range(size)), *(f"v{k}" for k in range(size))])
+    symbols = list(tape.inputs.values())
+    return Assembly(mechanism, phase, (symbols[1 : size + 1], symbols[size + 1 :], symbols[0]), tape)
+
+
+def phase_at(state: State) -> Phase:
+    """What acts at an instant: fields, engines that burn, and springs that act one way; nothing sticks."""
+    m, time = state.mechanism, float(state.times[0])
+    inside: list[tuple[bool, ...]] = []
+    for force in m.forces:
+        place = state.vector(state.frames.center(force.body).place)[0]
+        margins = force.region.margins((place[0], place[1], place[2]), math) if force.region is not None else ()
+        inside.append((all(float(margin) >= 0.0 for margin in margins),))  # type: ignore[arg-type]
+    lengths = {line.name: float(state.free_length(line)[0][0]) for line, _ in m.half_springs}
+    return Phase(
+        inside=tuple(inside),
+        burning=tuple(time < burn.until for burn in m.burns),
+        stuck=(False,) * len(m.meetings),
+        strained=tuple(law.side * (lengths[line.name] - law.length) >= 0.0 for line, law in m.half_springs),
+    )

@@ -1,0 +1,245 @@
+"""Numeric: where only integration answers, the equations of motion, how the motion begins, and what integration gives."""
+
+from functools import cached_property
+from math import radians
+
+import numpy as np
+
+from sim2reason.dsl.state import State
+from sim2reason.questions import KINDS
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.book import DEGREES, Book, UnsolvedError, Writing
+from sim2reason.solutions.equations_of_motion import EquationsOfMotion, Names, phase_at
+from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.lexicon import Both, Lexicon, latex
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.setting import Setting, capital, joined
+from sim2reason.solutions.shared import NEWTONS
+from sim2reason.solutions.stage import SECONDS
+from sim2reason.solutions.strategies import Strategy, strategy
+
+LONG = 900  # characters of an equation that nobody reads
+SOUND = 1e-9  # relative: how well an equation must hold at the moment that is shown
+SLIDES = {"place": r"\ \text{m}", "rate": r"\ \text{m/s}", "acceleration": r"\ \text{m/s}^2"}
+HINGES = {"place": r"\ \text{rad}", "rate": r"\ \text{rad/s}", "acceleration": r"\ \text{rad/s}^2"}
+WHENCE = ("state", "event", "start", "time_to_event", "sum", "extremum", "count", "period")
+
+
+@strategy
+class Numeric(Strategy):
+    """Any motion: its equations, integrated; no derivation."""
+
+    name = "integration"
+    cost = 100.0
+    kinds = frozenset(WHENCE)
+    integrates = True
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query, m = setting.query, setting.mechanism
+        if isinstance(query, PeriodQuery) and query.small:
+            return "no motion is integrated for small oscillations"
+        if m.feet or any(meeting.sticks for meeting in m.meetings):
+            return "the equations change with what stands or sticks"
+        return "" if setting.answer is not None else "there is no answer"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Names, equations, the beginning, the result."""
+        return _Integrated(setting, book).write()
+
+
+class _Integrated:
+    """The text about one integration."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        self.setting, self.book, self.mechanism = setting, book, setting.mechanism
+        moment = setting.query.moment
+        side = moment.side(setting.time) if moment is not None else setting.time
+        self.state: State = setting.study.trace.sample(np.array([side]))
+        self.segment = [s for s in setting.motion.segments if s.start <= side][-1]
+
+    @cached_property
+    def names(self) -> Names:
+        """Of all coordinates."""
+        places, rates, accelerations = list[Symbol](), list[Symbol](), list[Symbol]()
+        for c in self.mechanism.coordinates:
+            several = len(self.mechanism.body[c.body].coordinates) > 1
+            mark = self.setting.mark(c.body)
+            hinge = c.kind == "hinge"
+            label = c.label if several and not hinge and len(c.label) == 1 else ""
+            marks = ",".join(part for part in (mark, label) if part)
+            places.append(self.book.fresh(r"\varphi" if hinge else label or "s", mark if label else marks))
+            rates.append(self.book.fresh(r"\omega" if hinge else "v", marks))
+            accelerations.append(self.book.fresh(r"\alpha" if hinge else "a", marks))
+        time = self.book.fresh("t")
+        return Names(tuple(places), tuple(rates), tuple(accelerations), time)
+
+    @cached_property
+    def equations(self) -> EquationsOfMotion:
+        """Those of the moment."""
+        return EquationsOfMotion(self.setting.lexicon, self.book, phase_at(self.state), self.names)
+
+    def write(self) -> str:
+        """All of it."""
+        self._introduce()
+        self._know()
+        self._laws()
+        self._beginning()
+        self._result()
+        return self._answer()
+
+    def _introduce(self) -> None:
+        step = self.book.open("names")
+        step.say("The motion follows from its equations by numerical integration, not from a formula.")
+        said: list[str] = []
+        for number, c in enumerate(self.mechanism.coordinates):
+            name, who = self.names.places[number].name, self.setting.called(c.body)
+            if c.kind == "hinge":
+                said.append(f"${name}$ is the angle through which {who} has turned")
+                continue
+            parent = self.mechanism.body[c.body].parent
+            way = self.setting.towards(c.axis, on=parent)
+            on = f" relative to {self.setting.called(parent)}" if parent is not None else ""
+            said.append(f"${name}$ is how far {who} has moved {way}{on}")
+        rates = [f"${symbol.name}$" for symbol in self.names.rates]
+        turned = [f"${symbol.name}$" for symbol in self.names.accelerations]
+        step.say(
+            f"{capital(joined(said))}; {joined(rates)} {'are' if len(rates) > 1 else 'is'} the first"
+            f" and {joined(turned)} the second derivative{'s' if len(rates) > 1 else ''}."
+        )
+        step.close()
+
+    def _know(self) -> None:
+        """What the engine has at the moment, for all names."""
+        names, state = self.names, self.state
+        for number, coordinate in enumerate(self.mechanism.coordinates):
+            units = HINGES if coordinate.kind == "hinge" else SLIDES
+            for symbol, values, unit in (
+                (names.places[number], state.q, "place"),
+                (names.rates[number], state.v, "rate"),
+                (names.accelerations[number], state.a, "acceleration"),
+            ):
+                self.book.know(symbol.name, float(values[0, number]), self.book.spelled(units[unit]))
+        self.book.know(names.time.name, float(state.times[0]), self.book.spelled(SECONDS))
+
+    # ---- laws
+
+    def _laws(self) -> None:
+        """Newton's law of each coordinate, what strings and rods demand, and friction."""
+        step, equations = self.book.open("newton"), self.equations
+        size = len(self.mechanism.coordinates)
+        forces = self._forces()
+        loads = [equations.load(k) - total(equations.pull(n, k) * force for n, force in forces.items()) for k in range(size)]
+        for k, extra in self._friction(step, forces).items():
+            loads[k] = loads[k] + extra
+        laws = [(equations.inertia(k).collected([s.name for s in self.names.accelerations]), loads[k].expression()) for k in range(size)]
+        laws += [tuple(side.expression() for side in equations.held(number)) for number in forces]  # type: ignore[misc]
+        for root, name in equations.roots.items():
+            self.book.know(name.name, self.book.value(root), self.book.spelled(SLIDES["place"]))
+            step.say(f"With {step.law(name, root)}.")
+        for left, right in laws:
+            if left != right:
+                self._check(left, right)
+                step.say(f"{step.law(left, right)}.")
+        step.close()
+
+    def _check(self, left: Expression, right: Expression) -> None:
+        if len(left.latex()) + len(right.latex()) > LONG:
+            raise UnsolvedError("the equations of motion are too long to be written")
+        one, other = self.book.value(left), self.book.value(right)
+        terms = [abs(self.book.value(t)) for side in (left, right) for t in getattr(side, "terms", (side,))]
+        if abs(one - other) > SOUND * max(terms, default=0.0):
+            raise UnsolvedError("the equations of motion do not hold as they are written")
+
+    def _forces(self) -> dict[int, Polynomial]:
+        """The tensions of the lines that act, by row."""
+        found: dict[int, Polynomial] = {}
+        acting = self.segment.found.mode.acting
+        rows = [n for n in range(len(self.mechanism.constraints)) if acting[n]]
+        for number in rows:
+            line = self.mechanism.constraints[number]
+            name = self.book.fresh("T", str(number + 1) if len(rows) > 1 else "")
+            value = float(self.state.constraint_tension[line.name][0])
+            self.book.know(name.name, value, self.book.spelled(NEWTONS))
+            found[number] = Polynomial.of(name)
+        return found
+
+    def _friction(self, step: Writing, forces: dict[int, Polynomial]) -> dict[int, Polynomial]:
+        """What rough faces add to the loads, by coordinate; their normal forces are told."""
+        found: dict[int, Polynomial] = {}
+        lexicon, equations = self.setting.lexicon, self.equations
+        rough = [n for n, face in enumerate(self.mechanism.faces) if face.friction > 0.0]
+        for face, side in zip(rough, self.segment.found.mode.rubbing, strict=True):
+            held = self.mechanism.faces[face]
+            mark = self.setting.mark(held.subject)
+            if side == 0:
+                force = self._named("f", mark, float(self.state.friction[held.subject][0]))
+            else:
+                normal = self._named("N", mark, float(self.state.normal[held.subject][0]))
+                pressing = equations.pressing(face) + total(equations.lifted(n, face) * t for n, t in forces.items())
+                self._check(normal.expression(), pressing.expression())
+                who = self.setting.called(held.subject)
+                step.say(f"The face presses on {who} with {step.law(normal.expression(), pressing.expression())}.")
+                coefficient = _friction(lexicon, face)
+                force = (coefficient * normal).scaled(float(-side))
+            for place, (name, _) in enumerate(held.slip):
+                k = self.mechanism.number[name]
+                part = _slip(lexicon, face, place)
+                found[k] = found.get(k, NIL) + part * force
+        return found
+
+    def _named(self, base: str, mark: str, value: float) -> Polynomial:
+        name = self.book.fresh(base, mark)
+        self.book.know(name.name, value, self.book.spelled(NEWTONS))
+        return Polynomial.of(name)
+
+    # ---- the integration
+
+    def _beginning(self) -> None:
+        """How it begins, in words: each name has one value in the text, that of the moment."""
+        step, lexicon = self.book.open("beginning"), self.setting.lexicon
+        pairs = zip(self.names.rates, lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
+        moving = [
+            f"${name.name}$ at ${lexicon.read(Both(a.speed, b.speed)).expression().latex()}$"
+            for name, a, b in pairs
+            if a.speed
+        ]
+        step.say(f"All begin at zero{f', but {joined(moving)}' if moving else ''}.")
+        step.close()
+
+    def _result(self) -> None:
+        step, names = self.book.open("integration"), self.names
+        said = [self._told(step, name) for trio in (names.places, names.rates, names.accelerations) for name in trio]
+        step.say(f"Integrated numerically to {self._told(step, names.time)}: {joined(said)}.")
+        step.close()
+
+    def _told(self, step: Writing, name: Symbol) -> str:
+        return step.integrated(name, self.book.values[name.name])
+
+    def _answer(self) -> str:
+        """What is asked for, as the integration gives it."""
+        setting, book = self.setting, self.book
+        assert setting.answer is not None
+        step = book.open("answer")
+        if setting.unknown:
+            name = Symbol(book.sought)
+            book.hidden.discard(name.name)
+            step.say(f"Repeated for other values of ${name.name}$ until the result is what is given:")
+        else:
+            measured = KINDS[setting.query.kind].measured(setting.query)
+            time = setting.sought is not None
+            unit = SECONDS if time else book.spelled(latex(measured.unit))
+            name = book.fresh("t" if time else "X")
+            book.know(name.name, radians(setting.answer) if unit == DEGREES else setting.answer, unit)
+            step.say(f"From this follows the {'time' if time else measured.name}:")
+        step.say(f"{step.integrated(name, book.values[name.name])}.")
+        step.close()
+        return name.name
+
+
+def _friction(lexicon: Lexicon, face: int) -> Polynomial:
+    return lexicon.read(Both(lexicon.mechanism.faces[face].friction, lexicon.twin.faces[face].friction))
+
+
+def _slip(lexicon: Lexicon, face: int, place: int) -> Polynomial:
+    return lexicon.read(Both(lexicon.mechanism.faces[face].slip[place][1], lexicon.twin.faces[face].slip[place][1]))
