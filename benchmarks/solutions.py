@@ -16,7 +16,8 @@ from sim2reason.datasets.make import search
 from sim2reason.datasets.plan import Request
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
-from sim2reason.solutions.check import WORDS, faults, words
+from sim2reason.solutions.book import WELL
+from sim2reason.solutions.check import SEEN, WORDS, faults, words
 from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
 
@@ -68,7 +69,7 @@ def main(items: int = 200, seed: int = 1, recipes: str = "", mode: str = "numeri
             why[recipe, setting.query.kind, solution.reason[:160]] += 1
             continue
         setting = forward(setting)
-        wrong = faults(solution, setting.answer)
+        wrong = faults(solution, setting.answer, SEEN.get(setting.query.kind, WELL))
         several, differ = disagreement(setting)
         said += Counter({"two strategies": several > 1, "that disagree": differ})
         count[recipe]["faulty" if wrong else solution.strategy] += 1

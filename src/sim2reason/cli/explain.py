@@ -50,6 +50,7 @@ def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> in
         ("Scene", item.scene.splitlines()),
         ("Certificate", [f"{key}: {value}" for key, value in item.certificate.items()]),
         ("Refused before it", [f"{count} × {reason}" for reason, count in sorted(refused.items())] or ["nothing"]),
+        ("Solution", _solution(found).splitlines()),
         ("Filters", list(_filters(found))),
         ("Wrong answers", [f"{d.value:.4g}: {d.reason}" for d in item.distractors] or ["none"]),
         ("Without bearing", list(item.idle) or ["nothing"]),
@@ -63,6 +64,14 @@ def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> in
 
         write_trace(found.study.trace, trace)
     return 0
+
+
+def _solution(found: "CertifiedQuestion") -> str:
+    """The worked solution, or why there is none."""
+    from sim2reason.solutions import Setting, solve
+
+    solution = solve(Setting.of(found.question, found.study, found.candidate.words, found.description))
+    return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 
 
 def _filters(found: "CertifiedQuestion") -> Iterator[str]:

@@ -134,7 +134,7 @@ class Book:
     def copy(self) -> "Book":
         """Another with the same names known, and no steps, for a draft."""
         found = Book(self._units, asks_time=self.asks_time)
-        found.hidden = {*self.hidden}
+        found.hidden, found.sought = {*self.hidden}, self.sought
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
         found.reserve(*self._taken)
         return found

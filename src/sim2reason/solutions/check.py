@@ -2,20 +2,22 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from math import degrees
+from math import degrees, prod
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.book import DEGREES, WELL, Relation, Solution
 from sim2reason.solutions.digits import DIGITS, shortened
-from sim2reason.solutions.expressions import Expression, Sum, Symbol
+from sim2reason.solutions.expressions import Expression, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.worked import gradient
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
+ROUNDING = 1e-13  # in SI units: what arithmetic leaves of numbers that cancel
 ASIDE, ROUNDS = 0.03, 6  # relative: how far what is free is followed; steps back onto the laws
 AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
+SEEN = {"threshold": 1e-6}  # by kind: from where on an engine sees that something moves, an acceleration of 1e-9 g
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
 
 
@@ -24,12 +26,15 @@ def words(text: str) -> int:
     return len(re.sub(r"\$[^$]*\$", "x", text).split())
 
 
-def faults(solution: Solution, answer: float) -> list[str]:
-    """All that is wrong with a solution, in words; `answer` is the engine's, in the unit of the question."""
+def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]:
+    """All that is wrong with a solution, in words; `answer` is the engine's, in the unit of the question.
+
+    `within` is how well the engine knows it, relative, see `SEEN`.
+    """
     if solution.answer is None:
         return [f"no answer: {solution.reason}"]
     found: list[str] = []
-    if abs(solution.answer - answer) > WELL * abs(answer):
+    if abs(solution.answer - answer) > within * abs(answer):
         found.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
     found += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
     if not solution.derived:  # equations of motion determine the answer, but by integration
@@ -45,12 +50,20 @@ def holds(relation: Relation, values: Mapping[str, float]) -> bool:
     """Whether both sides agree, compared with the largest of their terms."""
     left, right = relation.left.value(values), relation.right.value(values)
     size = max(_size(relation.left, values), _size(relation.right, values))
-    return abs(left - right) <= WELL * size
+    return abs(left - right) <= WELL * size + ROUNDING
 
 
 def _size(held: Expression, at: Mapping[str, float]) -> float:
-    terms = held.terms if isinstance(held, Sum) else (held,)
-    return max((abs(term.value(at)) for term in terms), default=0.0)
+    """The size of the largest of its terms, those of a fraction's numerator and of brackets in products included."""
+    match held:
+        case Sum():
+            return max((_size(term, at) for term in held.terms), default=0.0)
+        case Product():
+            return prod(_size(factor, at) for factor in held.factors)
+        case Quotient():
+            return _size(held.above, at) / abs(held.below.value(at))
+        case _:
+            return abs(held.value(at))
 
 
 def undetermined(solution: Solution) -> list[str]:

@@ -270,15 +270,19 @@ def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
 def solved(zero: Polynomial, name: str) -> Expression:
     """The unknown, from an equation in which it is the only one."""
     before, rest = parts(zero, name)
-    if before.number is not None:
-        return rest.scaled(1.0 / before.number).factored()
-    shared = _cancelled(rest, before)
-    if shared[1].number is not None:
-        return shared[0].scaled(1.0 / shared[1].number).factored()
-    return Quotient(shared[0].factored(), shared[1].factored())
+    return over(rest, before)
 
 
-def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
+def over(above: Polynomial, below: Polynomial) -> Expression:
+    """A fraction without what both of its sides share."""
+    if below.number is None:
+        above, below = cancelled(above, below)
+    if below.number is not None:
+        return above.scaled(1.0 / below.number).factored()
+    return Quotient(above.factored(), below.factored())
+
+
+def cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
     """A fraction without the atoms that all terms of both share."""
     monomials = [*above.terms, *below.terms]
     if not above.terms:

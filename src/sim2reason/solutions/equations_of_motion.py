@@ -5,8 +5,10 @@ the same function of what the text says in both is written as that function, see
 """
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import State
@@ -20,6 +22,9 @@ from sim2reason.solutions.expressions import Expression, Quotient, Symbol
 from sim2reason.solutions.functions import Call, Root
 from sim2reason.solutions.lexicon import Both, Lexicon
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
+
+
+SUMMANDS = 5  # of a length along a line, at most
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,10 +138,26 @@ class EquationsOfMotion:
         return Polynomial.of(Call("sin" if operation == "sin" else "cos", argument)).scaled(sign)
 
     def _root(self, inside: Polynomial) -> Polynomial:
+        plain = square_root(inside, self.book.values)
+        if plain is not None:
+            return plain
         root = Root(inside.expression())
         if root not in self.roots:
             self.roots[root] = self.book.fresh(r"\ell")
         return Polynomial.of(self.roots[root])
+
+
+def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | None:
+    """What a polynomial is the square of, positive `at` known values; None if it is none."""
+    plain = [(m, part) for m, part in inside.terms.items() if part > 0.0 and all(power % 2 == 0 for _, power in m)]
+    if not 1 <= len(plain) <= SUMMANDS:
+        return None
+    roots = [Polynomial({tuple((atom, power // 2) for atom, power in m): math.sqrt(part)}) for m, part in plain]
+    for signs in product((1.0, -1.0), repeat=len(roots) - 1):
+        found = total(root.scaled(sign) for root, sign in zip(roots, (1.0, *signs), strict=True))
+        if not (found * found - inside):
+            return found if found.value(at) > 0.0 else found.scaled(-1.0)
+    return None
 
 
 def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial:

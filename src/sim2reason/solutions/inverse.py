@@ -2,7 +2,9 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from sim2reason.solutions.elimination import over, solved
 from sim2reason.solutions.expressions import (
+    ZERO,
     Expression,
     Number,
     Product,
@@ -98,9 +100,12 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
             rest = Number(1.0)
             for factor in formula.factors:
                 rest = multiplied(rest, factor) if factor is not part else rest
-            yield ratio(value, rest)
+            yield ratio(value, rest) if value != ZERO else ZERO
         case Quotient():
-            yield multiplied(value, formula.below) if part is formula.above else ratio(formula.above, value)
+            if part is formula.above:
+                yield multiplied(value, formula.below)
+            elif value != ZERO:
+                yield ratio(formula.above, value)
         case Power() if formula.exponent == 2:
             yield from (Root(value), -Root(value))
         case Root():
@@ -127,20 +132,13 @@ def _roots(name: str, formula: Expression, value: Expression) -> Iterator[Expres
         return
     rest, linear, square = parts
     if not square:
-        yield from _quotient(rest.scaled(-1.0), linear)
+        yield from [solved(zero, name)] if linear else []
         return
     half = linear.scaled(0.5)
     root = Root((half * half - square * rest).factored())
     for sign in (1.0, -1.0):
         above = added(half.scaled(-1.0).factored(), multiplied(Number(sign), root))
         yield ratio(above, square.factored())
-
-
-def _quotient(above: Polynomial, below: Polynomial) -> Iterator[Expression]:
-    if below:
-        if sum(below.terms.values()) < 0.0:
-            above, below = above.scaled(-1.0), below.scaled(-1.0)
-        yield ratio(above.factored(), below.factored())
 
 
 def _angles(zero: Polynomial, sine: Call, cosine: Call) -> Iterator[Expression]:
@@ -151,13 +149,16 @@ def _angles(zero: Polynomial, sine: Call, cosine: Call) -> Iterator[Expression]:
     tangled = any(sine.argument.latex() in part.names() for part in (a, b, rest))
     if whole != len(zero.terms) or tangled or not a:
         return
-    turn = Call("arctan", ratio(b.factored(), a.factored())) if b else Number(0.0)
+    if sum(a.terms.values()) < 0.0:
+        a, b, rest = a.scaled(-1.0), b.scaled(-1.0), rest.scaled(-1.0)
+    turn = Call("arctan", over(b, a)) if b else ZERO
     if not rest:
         yield -turn
         return
-    size = Root((a * a + b * b).factored()) if b else a.factored()
-    for sign in (1.0, -1.0):
-        yield added(Call("arcsin", ratio(rest.scaled(-sign).factored(), size)), -turn)
+    if not b:
+        yield Call("arcsin", over(rest.scaled(-1.0), a))
+        return
+    yield added(Call("arcsin", ratio(rest.scaled(-1.0).factored(), Root((a * a + b * b).factored()))), -turn)
 
 
 def _coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:

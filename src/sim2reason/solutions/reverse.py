@@ -3,10 +3,11 @@
 from dataclasses import replace
 
 from sim2reason.questions import Query
+from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Expression, Symbol, added
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.inverse import put, solved_for
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.worked import Chain, NumericRoot, numbers
@@ -17,7 +18,13 @@ LONGEST = 40  # formulas put into each other
 
 
 def forward(setting: Setting) -> Setting:
-    """Of *when is the speed 2.1 m/s?*: what is the speed at the time t, the answer; else the setting itself."""
+    """Of *when is the speed 2.1 m/s?*: what is the speed at the time t, the answer; of a threshold the limiting case.
+
+    Else the setting itself.
+    """
+    if isinstance(setting.query, ThresholdQuery) and setting.answer is not None and setting.sought is None:
+        path, value = setting.query.parameter, setting.answer
+        return replace(setting, scene=setting.scene.having(path, value), unknown=path, sought=value)
     moment = setting.query.moment
     if not isinstance(moment, Reached) or setting.answer is None:
         return setting
@@ -35,12 +42,17 @@ class Inversion:
             raise UnsolvedError("what is given does not hang on what is unknown")
         self.stated = value
 
-    def write(self, spelled: str) -> str:
-        """Write it; the symbol is the unknown's. `spelled` is what is given, as the question says it."""
+    def write(self, spelled: str = "") -> str:
+        """Write it; the symbol is the unknown's. `spelled` is what is given, as the question says it; else it is zero."""
         book = self.book
-        formula = book.formulas[self.goal]
-        book.state(self.goal, self.stated, spelled)
-        at, value = self.goal, Symbol(self.goal)
+        formula, at = book.formulas[self.goal], self.goal
+        value: Expression = Symbol(self.goal) if spelled else ZERO
+        if spelled:
+            book.state(self.goal, self.stated, spelled)
+        else:
+            del book.formulas[self.goal]  # it keeps the value that is set
+            book.hidden.discard(self.goal)
+            book.values[self.goal] = 0.0
         for _ in range(LONGEST):
             if any(book.is_hidden(part) for part in numbers(formula)):
                 raise UnsolvedError("it would need numbers that are not known")
@@ -79,5 +91,11 @@ class Inversion:
         step = self.book.open(SOLVED)
         where = f"From what ${at}$ is, " if at != self.goal else f"With the value of ${at}$ that is given, "
         how = "found numerically, " if isinstance(found, NumericRoot) else ""
+        if not self.stated:
+            where = "So "
+            step.rest_on(self.goal)
+        self.book.values[name] = self.book.value(found)
+        if name == self.unknown:
+            self.book.refresh(name, self.book.values[name])
         step.say(f"{where}{how}{step.closed(Symbol(name), found)}.")
         step.close()

@@ -8,6 +8,7 @@ import numpy as np
 from sim2reason.prose.naming import Names
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
+from sim2reason.questions import Study
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.book import DEGREES, Book, Relation, Solution, Step, UnsolvedError
@@ -45,7 +46,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     refused = strategy.refusal(setting) if kind in strategy.kinds else f"no way to the kind {kind}"
     if refused:
         return Solution(strategy.name, reason=refused)
-    book = Book(setting.words.units, asks_time=setting.sought is not None)
+    book = Book(setting.words.units, asks_time=setting.sought is not None and not setting.unknown)
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
         unit = given.unit if path == setting.unknown else ""
@@ -90,7 +91,16 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
     letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
     nouns = {type(body): _noun(mentions[address]) for address, body in scene.bodies.items() if address in mentions}
     named = Writer(scene, Names(letters, nouns), np.random.default_rng(0), numeric).symbols
-    setting = Setting(scene, Words.of(scene, mentions), named, parsed.study, parsed.query)
+    study, given, unknown = parsed.study, parsed.asked.given, next(iter(parsed.reading.unknown), "")
+    if unknown and given is not None:
+        answer = parsed.answer
+        if answer is None:
+            return Solution("", reason="the text leaves open what is asked for"), Setting(
+                scene, Words.of(scene, mentions), named, study, parsed.query
+            )
+        study = Study.of(scene.having(unknown, answer), study.trace.state.times)
+    words = Words.of(study.scene, mentions)
+    setting = Setting(study.scene, words, named, study, parsed.query, unknown, given)
     return solve(setting), setting
 
 

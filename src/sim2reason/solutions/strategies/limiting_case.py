@@ -1,0 +1,114 @@
+"""Limiting case: from where on something slips, or rises: friction at its greatest, the acceleration still zero."""
+
+from dataclasses import replace
+from functools import cached_property
+from math import degrees
+
+import numpy as np
+
+from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.outcomes.rises import Rises
+from sim2reason.questions.outcomes.slides import Slides
+from sim2reason.simulation.engines.exact.engine import motion
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.book import DEGREES, Book, UnsolvedError
+from sim2reason.solutions.expressions import ZERO
+from sim2reason.solutions.polynomials import Polynomial, total
+from sim2reason.solutions.reverse import Inversion
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.shared import PER_SQUARE_SECOND
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.written_dynamics import WrittenDynamics
+
+ASIDE = 1e-6  # relative: how far from the limit it is seen what moves
+INSTANT = 1e-6  # s
+
+
+@strategy
+class LimitingCase(Strategy):
+    """The value of a number from which on a body slips on its face, or begins to move up."""
+
+    name = "limiting case"
+    cost = 1.0
+    kinds = frozenset({"threshold"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query = setting.query
+        if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, Slides | Rises):
+            return "the outcome does not show at once"
+        return "" if setting.sought is not None else "there is no such value"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Newton's laws as if it moved, the acceleration set to zero."""
+        query, sought = setting.query, book.sought
+        assert isinstance(query, ThresholdQuery)
+        draft = book.copy()
+        self._written(setting, draft)
+        value = degrees(draft.values[sought]) if draft.units[sought] == DEGREES else draft.values[sought]
+        book.values[sought] = draft.values[sought]  # the engine has it as well as it sees what moves
+        return self._written(replace(setting, scene=setting.scene.having(query.parameter, value)), book)
+
+    def _written(self, setting: Setting, book: Book) -> str:
+        query = setting.query
+        assert isinstance(query, ThresholdQuery)
+        assert query.outcome is not None
+        dynamics = _Limit(setting, book, _moving(setting, query))
+        name = query.outcome.name
+        goals = _rate(dynamics, name, slides=isinstance(query.outcome, Slides))
+        dynamics.reach([f"q{k}" for k in goals])
+        rate = total(dynamics.names[f"q{k}"] * part for k, part in goals.items())
+        who = setting.called(name)
+        step = book.open("limit")
+        what = "slip: friction has its greatest value" if isinstance(query.outcome, Slides) else "move up"
+        step.say(f"In the limiting case {who} is just about to {what}, and its acceleration is still zero:")
+        symbol = rate.symbol
+        if symbol is None:
+            symbol = book.fresh("a", r"\text{rel}")
+            step.say(f"{step.result(symbol, rate.expression(), PER_SQUARE_SECOND, law=True)}, and")
+        step.say(f"{step.law(symbol, ZERO)}.")
+        step.close()
+        return Inversion(book, symbol.name, 0.0, book.sought).write()
+
+
+def _moving(setting: Setting, query: ThresholdQuery) -> Segment:
+    """The start of the motion next to the limit, on the side where it comes about."""
+    assert setting.sought is not None
+    trial = query.trial(setting.study)
+    for side in (1.0 + ASIDE, 1.0 - ASIDE):
+        if trial(setting.sought * side):
+            scene = setting.scene.having(query.parameter, setting.sought * side)
+            return motion(scene.mechanism, INSTANT).segments[0]
+    raise UnsolvedError("it comes about on neither side of the limit")
+
+
+def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Polynomial]:
+    """The acceleration that is zero, by coordinate: of a slip on a face, or of a body along its line."""
+    if slides:
+        face = next(n for n, held in enumerate(dynamics.mechanism.faces) if held.subject == name)
+        found = dynamics.newton.slip(face)
+        for k in list(found):
+            if k in dynamics.carried:
+                j, sign = dynamics.carried[k]
+                found[j] = found.get(j, Polynomial({})) - found[k].scaled(sign)
+        return found
+    own = dynamics.enough(dynamics.newton.moved(name))
+    if len(own) != 1:
+        raise UnsolvedError("it moves along no line of its own")
+    return {own[0]: Polynomial.of(1.0)}
+
+
+class _Limit(WrittenDynamics):
+    """The laws where something is about to move, with the values that they have just there."""
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """Of all unknowns, by the laws themselves: the engine has none of a motion that is about to begin."""
+        rows, unknowns = self.laws(["q0"])
+        givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
+        matrix = np.array([[row.zero.coefficient(name).value(givens) for name in unknowns] for row in rows])
+        right = np.array([-row.zero.without(unknowns).value(givens) for row in rows])
+        found = np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-12)[0], dtype=np.float64)
+        return {**self.newton.values, **dict(zip(unknowns, found.tolist(), strict=True))}
+
+
