@@ -55,7 +55,8 @@ def disagreement(setting: Setting) -> tuple[int, bool]:
 def main(items: int = 200, seed: int = 1, recipes: str = "", mode: str = "numeric") -> int:
     """Print the figures; exit code 1 if a solution has a fault, or two strategies disagree."""
     names = recipes.split(",") if recipes else list(RECIPES)
-    count, why, times, said, rng = defaultdict(Counter), Counter(), [], Counter(), random.Random(seed)
+    count: dict[str, Counter[str]] = defaultdict(Counter)
+    why, said, times, rng = Counter[tuple[str, str, str]](), Counter[str](), list[float](), random.Random(seed)
     for number in range(items):
         recipe, difficulty = names[number % len(names)], DIFFICULTIES[number // len(names) % len(DIFFICULTIES)]
         setting = problem(recipe, difficulty, mode, seed, number // len(names))
@@ -90,7 +91,13 @@ def _reading(solution: Solution, difficulty: str, said: Counter[str], rng: rando
         said[f"caught {kind}"] += bool(spoiled.broken or spoiled.unread)
 
 
-def _tell(names: list[str], count: dict, why: Counter, said: Counter[str], times: list[float]) -> None:
+def _tell(
+    names: list[str],
+    count: dict[str, Counter[str]],
+    why: Counter[tuple[str, str, str]],
+    said: Counter[str],
+    times: list[float],
+) -> None:
     for recipe in names:
         print(f"{recipe:16} {dict(count[recipe])}")
     for held, times_said in why.most_common(40):

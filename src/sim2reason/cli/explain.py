@@ -70,6 +70,7 @@ def _solution(found: "CertifiedQuestion") -> str:
     """The worked solution, or why there is none."""
     from sim2reason.solutions import Setting, solve
 
+    assert found.candidate.words is not None
     solution = solve(Setting.of(found.question, found.study, found.candidate.words, found.description))
     return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 

@@ -14,7 +14,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import State
 from sim2reason.dsl.triples import Number as Quantity
 from sim2reason.simulation.engines.exact.assembly import Assembly
-from sim2reason.simulation.engines.exact.lengths import Phase
+from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
 from sim2reason.simulation.engines.exact.tape import Symbol as Recorded
 from sim2reason.simulation.engines.exact.tape import Tape
 from sim2reason.solutions.book import Book, UnsolvedError
@@ -22,7 +22,6 @@ from sim2reason.solutions.expressions import Expression, Quotient, Symbol
 from sim2reason.solutions.functions import Call, Root
 from sim2reason.solutions.lexicon import Both, Lexicon
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
-
 
 SUMMANDS = 5  # of a length along a line, at most
 
@@ -44,16 +43,11 @@ class EquationsOfMotion:
         """UnsolvedError if the twin moves by other equations."""
         self._lexicon, self.book, self.names = lexicon, book, names
         self.mechanism = lexicon.mechanism
-        self._here, self._there = (_assembled(m, phase) for m in (lexicon.mechanism, lexicon.twin))
+        self._here, one = _assembled(lexicon.mechanism, phase)
+        self._there, two = _assembled(lexicon.twin, phase)
+        self._tapes = one, two
         self._known: dict[int, Polynomial] = {}
         self.roots: dict[Root, Symbol] = {}  # lengths that are named
-
-    @property
-    def _tapes(self) -> tuple[Tape, Tape]:
-        tapes = self._here.maths, self._there.maths
-        assert isinstance(tapes[0], Tape)
-        assert isinstance(tapes[1], Tape)
-        return tapes
 
     def inertia(self, k: int) -> Polynomial:
         """What stands before the accelerations, with them."""
@@ -77,10 +71,9 @@ class EquationsOfMotion:
         return left, self._read(*(rows[row].target for rows in self._rows))
 
     @cached_property
-    def _rows(self) -> tuple[list, list]:  # type: ignore[type-arg]
-        return tuple(  # type: ignore[return-value]
-            held.rows({line.name: 0.0 for line in held.mechanism.lines}) for held in (self._here, self._there)
-        )
+    def _rows(self) -> tuple[list[RowTerms], list[RowTerms]]:
+        starts = {line.name: 0.0 for line in self.mechanism.lines}
+        return self._here.rows(starts), self._there.rows(starts)
 
     def pressing(self, face: int) -> Polynomial:
         """The normal force of a face, but for what constraints add to it."""
@@ -175,11 +168,11 @@ def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial
     return Polynomial.of(Quotient(first.expression(), second.expression())) if first else NIL
 
 
-def _assembled(mechanism: Mechanism, phase: Phase) -> Assembly:
+def _assembled(mechanism: Mechanism, phase: Phase) -> tuple[Assembly, Tape]:
     size = len(mechanism.coordinates)
     tape = Tape(["t", *(f"q{k}" for k in range(size)), *(f"v{k}" for k in range(size))])
     symbols = list(tape.inputs.values())
-    return Assembly(mechanism, phase, (symbols[1 : size + 1], symbols[size + 1 :], symbols[0]), tape)
+    return Assembly(mechanism, phase, (symbols[1 : size + 1], symbols[size + 1 :], symbols[0]), tape), tape
 
 
 def phase_at(state: State) -> Phase:

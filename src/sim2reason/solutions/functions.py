@@ -8,6 +8,8 @@ from typing import Literal
 
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Scalar, Symbol, Values, parenthesized
 
+Function = Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
+
 
 @dataclass(frozen=True, slots=True)
 class Power(Expression):
@@ -80,7 +82,7 @@ class Root(Expression):
 class Call(Expression):
     """A function of an angle in radians, or of a ratio."""
 
-    function: Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
+    function: Function
     argument: Expression
 
     @property

@@ -1,8 +1,9 @@
 """Equations solved for one symbol: by undoing what was done to it, as a polynomial in it, or numerically."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import reduce
 
-from sim2reason.solutions.elimination import over, solved
+from sim2reason.solutions.elimination import solved
 from sim2reason.solutions.expressions import (
     ZERO,
     Expression,
@@ -15,14 +16,23 @@ from sim2reason.solutions.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.functions import Call, Power, Root, parts
+from sim2reason.solutions.fractions import over
+from sim2reason.solutions.functions import Call, Function, Power, Root, parts
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.worked import NumericRoot, Worked
 
 MOST = 40  # terms of an equation that is solved in symbols
 NEAR = 1e-6  # relative: how well a branch must meet the value that is known
-UNDONE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "arcsin": "sin", "arccos": "cos", "arctan": "tan"}
-UNDONE |= {"ln": "exp", "exp": "ln"}
+UNDONE: dict[str, Function] = {
+    "sin": "arcsin",
+    "cos": "arccos",
+    "tan": "arctan",
+    "arcsin": "sin",
+    "arccos": "cos",
+    "arctan": "tan",
+    "ln": "exp",
+    "exp": "ln",
+}
 
 
 def solved_for(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> Expression:
@@ -38,31 +48,27 @@ def put(held: Expression, name: str, formula: Expression) -> Expression:
     """A formula with another one in place of a symbol."""
     if name not in held.symbols():
         return held
+    if isinstance(held, Symbol):
+        return formula
+    if isinstance(held, Worked):
+        return put(held.inner, name, formula)
+    inside = [put(part, name, formula) for part in parts(held)]
     match held:
-        case Symbol():
-            return formula
         case Sum():
-            whole: Expression = Number(0.0)
-            for term in held.terms:
-                whole = added(whole, put(term, name, formula))
-            return whole
+            found = reduce(added, inside)
         case Product():
-            product: Expression = Number(1.0)
-            for factor in held.factors:
-                product = multiplied(product, put(factor, name, formula))
-            return product
+            found = reduce(multiplied, inside)
         case Quotient():
-            return ratio(put(held.above, name, formula), put(held.below, name, formula))
+            found = ratio(inside[0], inside[1])
         case Power():
-            return Power(put(held.base, name, formula), held.exponent)
+            found = Power(inside[0], held.exponent)
         case Root():
-            return Root(put(held.inside, name, formula))
+            found = Root(inside[0])
         case Call():
-            return Call(held.function, put(held.argument, name, formula))
-        case Worked():
-            return put(held.inner, name, formula)
+            found = Call(held.function, inside[0])
         case _:
             raise TypeError(f"{type(held).__name__} holds no symbol that could be replaced")
+    return found
 
 
 def _real(held: Expression, at: Mapping[str, float]) -> float | None:
@@ -92,26 +98,20 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
     """What a part of a formula must be, the rest of which is known."""
     match formula:
         case Sum():
-            rest = value
-            for term in formula.terms:
-                rest = added(rest, -term) if term is not part else rest
-            yield rest
+            yield reduce(added, (-term for term in formula.terms if term is not part), value)
         case Product():
-            rest = Number(1.0)
-            for factor in formula.factors:
-                rest = multiplied(rest, factor) if factor is not part else rest
+            rest = reduce(multiplied, (factor for factor in formula.factors if factor is not part))
             yield ratio(value, rest) if value != ZERO else ZERO
-        case Quotient():
-            if part is formula.above:
-                yield multiplied(value, formula.below)
-            elif value != ZERO:
-                yield ratio(formula.above, value)
+        case Quotient() if part is formula.above:
+            yield multiplied(value, formula.below)
+        case Quotient() if value != ZERO:
+            yield ratio(formula.above, value)
         case Power() if formula.exponent == 2:
             yield from (Root(value), -Root(value))
         case Root():
             yield Power(value, 2)
         case Call():
-            yield Call(UNDONE[formula.function], value)  # type: ignore[arg-type]
+            yield Call(UNDONE[formula.function], value)
         case _:
             return
 

@@ -29,7 +29,7 @@ def forward(setting: Setting) -> Setting:
     if not isinstance(moment, Reached) or setting.answer is None:
         return setting
     query = Query("state", moment.target, AtTime(setting.answer))
-    return replace(setting, query=query, given=moment.given, sought=setting.answer)
+    return replace(setting, query=query, stated=moment.given, sought=setting.answer)
 
 
 class Inversion:
@@ -43,7 +43,7 @@ class Inversion:
         self.stated = value
 
     def write(self, spelled: str = "") -> str:
-        """Write it; the symbol is the unknown's. `spelled` is what is given, as the question says it; else it is zero."""
+        """Write it; the symbol is the unknown's. `spelled` is what the goal is said to be; where nothing is, zero."""
         book = self.book
         formula, at = book.formulas[self.goal], self.goal
         value: Expression = Symbol(self.goal) if spelled else ZERO

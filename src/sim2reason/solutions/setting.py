@@ -32,7 +32,7 @@ class Setting:
     study: Study
     query: Query
     unknown: str = ""  # the address of the number that the text leaves open, and asks for
-    given: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
+    stated: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
     sought: float | None = None  # the time that is asked for, where a result at that time is given
 
     @classmethod
@@ -77,7 +77,7 @@ class Setting:
         """What the engine says: of the query, of a number that is unknown, or when something is as it is given."""
         if self.sought is not None:
             return self.sought
-        if self.unknown and self.given is not None:
+        if self.unknown and self.stated is not None:
             return float(self.study.scene.value(self.unknown))
         return KINDS[self.query.kind].answer(self.query, self.study)
 

@@ -56,7 +56,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
             book.hidden.add(given.symbol)
     try:
         goal = strategy.write(setting, book)
-        goal = _inverted(setting, book, goal) if setting.given is not None and not strategy.integrates else goal
+        goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
     steps = book.steps if strategy.integrates else _needed(book.steps, goal)
@@ -72,10 +72,10 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
 
 def _inverted(setting: Setting, book: Book, goal: str) -> str:
     """Solved for what is unknown, where the answer to the query is given."""
-    assert setting.given is not None
-    value, unit = setting.given.value, book.units.get(goal, "")
+    assert setting.stated is not None
+    value, unit = setting.stated.value, book.units.get(goal, "")
     value = radians(value) if unit == DEGREES else value
-    found = Inversion(book, goal, value, book.sought).write(f"{setting.given.value:g}{unit}")
+    found = Inversion(book, goal, value, book.sought).write(f"{setting.stated.value:g}{unit}")
     hung = {*book.formulas, book.sought}
     for step in book.steps:
         worked = [part for r in step.relations for side in (r.left, r.right) for part in numbers(side)]

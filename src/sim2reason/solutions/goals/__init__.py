@@ -87,7 +87,7 @@ class Known(Protocol):
         ...
 
     def vector(self, kind: str, body: str) -> Components:
-        """The acceleration ``a``, velocity ``v`` (``u`` at the start) or displacement ``s`` of a body, in components."""
+        """The acceleration ``a``, velocity ``v`` (``u`` at the start) or displacement ``s`` of a body, by component."""
         ...
 
     def apart(self, one: str, other: str) -> Components:

@@ -176,7 +176,9 @@ class NetImpulse(Goal):
             parts: Components = (end[0] - begin[0], end[1] - begin[1], end[2] - begin[2])
             size = magnitude(parts, known, VectorName("w", SPEED.unit, "change in the velocity"), body)
         formula = multiplied(known.mass(body).expression(), size)
-        return finish(known, formula, IMPULSE, "", f"the impulse, by which the momentum of {known.setting.called(body)} changes")
+        return finish(
+            known, formula, IMPULSE, "", f"the impulse, by which the momentum of {known.setting.called(body)} changes"
+        )
 
 
 def tension(line: str, setting: Setting) -> str:

@@ -110,5 +110,3 @@ class _Limit(WrittenDynamics):
         right = np.array([-row.zero.without(unknowns).value(givens) for row in rows])
         found = np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-12)[0], dtype=np.float64)
         return {**self.newton.values, **dict(zip(unknowns, found.tolist(), strict=True))}
-
-

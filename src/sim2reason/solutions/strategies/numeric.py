@@ -1,4 +1,4 @@
-"""Numeric: where only integration answers, the equations of motion, how the motion begins, and what integration gives."""
+"""Numeric: where only integration answers, the equations of motion, how it begins, and what integration gives."""
 
 from functools import cached_property
 from math import radians
@@ -129,10 +129,15 @@ class _Integrated:
         step, equations = self.book.open("newton"), self.equations
         size = len(self.mechanism.coordinates)
         forces = self._forces()
-        loads = [equations.load(k) - total(equations.pull(n, k) * force for n, force in forces.items()) for k in range(size)]
+        loads = [
+            equations.load(k) - total(equations.pull(n, k) * force for n, force in forces.items()) for k in range(size)
+        ]
         for k, extra in self._friction(step, forces).items():
             loads[k] = loads[k] + extra
-        laws = [(equations.inertia(k).collected([s.name for s in self.names.accelerations]), loads[k].expression()) for k in range(size)]
+        laws = [
+            (equations.inertia(k).collected([s.name for s in self.names.accelerations]), loads[k].expression())
+            for k in range(size)
+        ]
         laws += [tuple(side.expression() for side in equations.held(number)) for number in forces]  # type: ignore[misc]
         for root, name in equations.roots.items():
             self.book.know(name.name, self.book.value(root), self.book.spelled(SLIDES["place"]))
