@@ -20,7 +20,7 @@ from sim2reason.solutions.shared import PER_SQUARE_SECOND
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.written_dynamics import WrittenDynamics
 
-ASIDE = 1e-6  # relative: how far from the limit it is seen what moves
+ASIDE = 1e-5  # relative: how far from the limit it is seen what moves
 INSTANT = 1e-6  # s
 
 

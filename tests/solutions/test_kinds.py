@@ -1,0 +1,151 @@
+"""Sums, limiting cases, reverse questions and integrations: closed forms of textbooks, and what holds of drawn ones."""
+
+from collections import Counter
+from collections.abc import Iterator
+from math import atan, cos, degrees, radians, sin
+
+import pytest
+
+from plain_scenes import G, atwood, ramp
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.questions import MODES, Query, StatedResult, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.outcomes.slides import Slides
+from sim2reason.recipes import RECIPES, known
+from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions.book import WELL
+from sim2reason.solutions.check import SEEN, faults
+from sim2reason.solutions.reading import read
+from sim2reason.solutions.reverse import forward
+from worked import asked
+
+TIME = 0.5
+
+
+def solved(setting: Setting) -> Solution:
+    found = solve(setting)
+    assert found.answer is not None, found.reason
+    answer = forward(setting).answer
+    assert answer is not None
+    assert not faults(found, answer, SEEN.get(setting.query.kind, WELL)), found.text
+    assert not read(found.text).broken
+    return found
+
+
+def summed(scene: Scene, functional: str, name: str) -> float:
+    found = solved(asked(scene, StretchQuery("sum", None, AtTime(TIME), functional, name)))
+    assert found.answer is not None
+    return found.answer
+
+
+def block(scene: Scene) -> str:
+    return next(body.name for body in scene.mechanism.bodies if body.coordinates)
+
+
+def mass(scene: Scene) -> float:
+    return scene.mechanism.body[block(scene)].mass
+
+
+def test_the_heat_of_friction_is_friction_times_path() -> None:
+    """µ m g cos θ · ½ g (sin θ − µ cos θ) t²."""
+    scene, slope = ramp(angle=40.0, friction=0.2), radians(40.0)
+    path = 0.5 * G * (sin(slope) - 0.2 * cos(slope)) * TIME**2
+    found = summed(scene, "energy dissipated by friction", block(scene))
+    assert found == pytest.approx(0.2 * mass(scene) * G * cos(slope) * path, rel=1e-9)
+
+
+def test_a_path_up_and_down_is_counted_to_and_fro() -> None:
+    """V²/2a up, and the rest of the time down, on a smooth slope: a = g sin θ both ways."""
+    scene, slowing = ramp(angle=40.0, friction=0.0, speed=1.5), G * sin(radians(40.0))
+    up = 1.5 / slowing
+    assert up < TIME
+    expected = 1.5**2 / (2.0 * slowing) + 0.5 * slowing * (TIME - up) ** 2
+    assert summed(scene, "distance travelled", block(scene)) == pytest.approx(expected, rel=1e-9)
+
+
+def test_the_impulse_of_a_tension_is_tension_times_time() -> None:
+    scene = atwood(3.0, 2.0)
+    line = scene.mechanism.strings[0].name
+    assert summed(scene, "impulse of a tension", line) == pytest.approx(2.0 * 3.0 * 2.0 * G / 5.0 * TIME, rel=1e-9)
+
+
+def reverse(scene: Scene, unknown: str, digits: str, query: Query) -> Setting:
+    plain = asked(scene, query)
+    return Setting(plain.scene, plain.words, plain.symbols, plain.study, query, unknown, StatedResult(digits, "m/s"))
+
+
+def path_of(scene: Scene, noun: str) -> str:
+    return next(p.path for p in scene.parameters if p.path.endswith(noun))
+
+
+def test_a_friction_is_found_from_a_speed() -> None:
+    """v = g (sin θ − µ cos θ) t, so µ = tan θ − v/(g t cos θ); the engine's scene has just that friction."""
+    slope = radians(40.0)
+    friction = (sin(slope) - 2.0 / (G * TIME)) / cos(slope)
+    scene = ramp(angle=40.0, friction=friction)
+    query = Query("state", Target("velocity", block(scene)), AtTime(TIME))
+    found = solved(reverse(scene, path_of(scene, "friction"), "2.0", query))
+    assert found.answer == pytest.approx(friction, rel=1e-9)
+    assert found.goal == r"\mu"
+    assert found.derived
+    assert f"{friction:.4f}"[:5] not in found.text.partition("So ")[0]  # not known before it is found
+
+
+def test_an_angle_is_found_from_a_speed() -> None:
+    """V = g t sin θ on a smooth slope."""
+    angle = degrees(atan(0.75))
+    scene = ramp(angle=angle, friction=0.0)
+    query = Query("state", Target("velocity", block(scene)), AtTime(TIME))
+    found = solved(reverse(scene, path_of(scene, "angle"), f"{G * TIME * 0.6:.12g}", query))
+    assert found.answer == pytest.approx(angle, rel=1e-9)
+
+
+def test_a_block_slips_from_tan_of_the_angle_on() -> None:
+    scene = ramp(angle=30.0, friction=0.3)
+    plain = asked(scene, Query("state", Target("velocity", block(scene)), AtTime(TIME)))
+    unknown = path_of(scene, "angle")
+    query = ThresholdQuery("threshold", None, None, Slides(block(scene)), unknown, "deg", about=degrees(atan(0.3)))
+    found = solved(Setting(plain.scene, plain.words, plain.symbols, plain.study, query, unknown))
+    assert found.strategy == "limiting case"
+    assert found.answer == pytest.approx(degrees(atan(0.3)), rel=1e-9)
+
+
+def drawn(recipe: str, kind: str, mode: str, count: int) -> Iterator[Setting]:
+    for index in range(count):
+        rng = generator("kinds", recipe, kind, mode, index)
+        try:
+            search = QuestionSearch(RECIPES[recipe](known(("easy", "medium", "hard")[index % 3]), rng), index)
+            found = search.ask(MODES[mode], rng, Counter[str](), kind)
+        except (SceneError, SimulationError, UnsupportedError):
+            continue
+        if found is not None and found.candidate.words is not None:
+            yield Setting.of(found.question, found.study, found.candidate.words, found.description)
+
+
+@pytest.mark.parametrize("recipe", ["pulley", "incline", "hybrid", "box"])
+@pytest.mark.parametrize(("kind", "mode"), [("sum", "numeric"), ("state", "reverse")])
+def test_drawn_problems_are_derived_without_a_fault(recipe: str, kind: str, mode: str) -> None:
+    for setting in drawn(recipe, kind, mode, 4):
+        assert solved(setting).derived
+
+
+@pytest.mark.parametrize("recipe", ["springs", "chain", "pendulum"])
+def test_an_integration_says_that_it_is_one_and_its_equations_hold(recipe: str) -> None:
+    written = 0
+    for setting in drawn(recipe, "state", "numeric", 4):
+        found = by(STRATEGIES["integration"], setting)
+        if found.answer is None:
+            assert "too long" in found.reason or "simple function" in found.reason
+            continue
+        written += 1
+        assert not found.derived
+        assert "numerical integration" in found.text
+        assert any(relation.role == "law" for relation in found.relations)
+        assert setting.answer is not None
+        assert not faults(found, setting.answer)
+    assert written
