@@ -139,5 +139,5 @@ def test_what_no_strategy_covers_says_so(recipe: str) -> None:
 
 def test_a_kind_that_no_strategy_answers_says_so() -> None:
     setting = next(iter(problems("pulley", "easy", 4)))
-    other = replace(setting, query=replace(setting.query, kind="threshold"))
-    assert solve(other).reason == "no strategy applies: none has a way to the kind threshold"
+    other = replace(setting, query=replace(setting.query, kind="equilibrium"))
+    assert solve(other).reason == "no strategy applies: none has a way to the kind equilibrium"

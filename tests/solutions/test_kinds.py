@@ -109,7 +109,7 @@ def test_a_block_slips_from_tan_of_the_angle_on() -> None:
     scene = ramp(angle=30.0, friction=0.3)
     plain = asked(scene, Query("state", Target("velocity", block(scene)), AtTime(TIME)))
     unknown = path_of(scene, "angle")
-    query = ThresholdQuery("threshold", None, None, Slides(block(scene)), unknown, "deg", about=degrees(atan(0.3)))
+    query = ThresholdQuery("threshold", None, None, Slides(block(scene)), unknown, "deg")
     found = solved(Setting(plain.scene, plain.words, plain.symbols, plain.study, query, unknown))
     assert found.strategy == "limiting case"
     assert found.answer == pytest.approx(degrees(atan(0.3)), rel=1e-9)
@@ -140,7 +140,7 @@ def test_an_integration_says_that_it_is_one_and_its_equations_hold(recipe: str) 
     for setting in drawn(recipe, "state", "numeric", 4):
         found = by(STRATEGIES["integration"], setting)
         if found.answer is None:
-            assert "too long" in found.reason or "simple function" in found.reason
+            assert found.reason
             continue
         written += 1
         assert not found.derived
