@@ -103,8 +103,8 @@ class Stage:
         shared = self._shared(k)
         if shared is None and k == self.end.coordinate and self.end.distance is not None:
             return self.end.distance
-        if shared is None and self.speeds.get(k, NIL) and k not in self.dynamics.frozen:
-            raise UnsolvedError("a coordinate that keeps its speed without a law")
+        if shared is None and k not in self.dynamics.frozen:
+            raise UnsolvedError("a coordinate whose acceleration is not found")
         return self._travelled(shared).scaled(float(shared.sense[k])) if shared is not None else NIL
 
     def gained(self, k: int) -> Polynomial:

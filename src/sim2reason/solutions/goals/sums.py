@@ -91,7 +91,7 @@ class TensionWork(SumGoal):
         return f"the work of the tension on {setting.called(target.subject)}"
 
 
-class FrictionHeat(SumGoal):
+class HeatGoal(SumGoal):
     """The friction times the distance of slip, without a sign."""
 
     noun = HEAT
@@ -156,7 +156,7 @@ class PathLength(SumGoal):
         return f"the distance that {setting.called(target.subject)} travels"
 
 
-class NetImpulse(Goal):
+class NetImpulseGoal(Goal):
     """The change of momentum."""
 
     @property
@@ -200,7 +200,7 @@ def _tied(body: str, setting: Setting) -> str:
 
 GOALS.add("impulse of a tension", TensionImpulse())
 GOALS.add("work of a tension", TensionWork())
-GOALS.add("energy dissipated by friction", FrictionHeat())
+GOALS.add("energy dissipated by friction", HeatGoal())
 GOALS.add("work of a hand", HandWork())
 GOALS.add("distance travelled", PathLength())
-GOALS.add("impulse of the net force", NetImpulse())
+GOALS.add("impulse of the net force", NetImpulseGoal())

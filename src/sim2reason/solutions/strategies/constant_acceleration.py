@@ -195,8 +195,9 @@ class _Staged(Way):
         hinges = [k for body in bodies if (k := self.hinge(body)) is not None]
         found = [*hinges, *self.moving([moment.name] if timed and isinstance(moment, Moved | Stopped) else [])]
         found += self._slipping(moment.name) if isinstance(moment, StoppedSlipping) else []
+        slips = self.goal is not None and self.goal.throughout and self._force[0][:1] == "f"
         for body in bodies:
-            found += stage.dynamics.enough(self.moving([body]))
+            found += self.moving([body]) if slips else stage.dynamics.enough(self.moving([body]))
         lines = self.goal.lines(self.target) if self.goal is not None and self.target is not None else ()
         return [*found, *(k for name in lines for k in self.stretching(name))]
 

@@ -26,7 +26,7 @@ WHENCE = ("state", "event", "start", "time_to_event", "sum", "extremum", "count"
 
 
 @strategy
-class Numeric(Strategy):
+class Integration(Strategy):
     """Any motion: its equations, integrated; no derivation."""
 
     name = "integration"
