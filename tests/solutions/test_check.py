@@ -78,3 +78,17 @@ def test_the_reader_finds_a_fault_in_the_text(old: str, new: str) -> None:
     assert not read(text).broken
     assert old in text
     assert read(text.replace(old, new, 1)).broken
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [("(1) + 2·(2)", "(1) − 2·(2)"), ("(a) − 0.50000·(b)", "(a) − 0.53500·(b)"), ("4.0000", "5.0000")]
+)
+def test_the_reader_adds_labelled_equations_up(old: str, new: str) -> None:
+    text = (
+        "(1) Block B, upward: $2\\,T - 3 = a$. (2) Block A: $5 - T = a$.\n\n(1) + 2·(2): $7 = 3\\,a$.\n\n"
+        "(a) $5.0000\\,x + 2.0000\\,y = 9.0000$; (b) $2.0000\\,x + 4.0000\\,y = 10.000$.\n\n"
+        "(a) − 0.50000·(b): (c) $4.0000\\,x = 4.0000$.\n\n"
+        "So $a = \\frac{7}{3} = 2.3333$, $x = 1.0000$, and $y = 2.0000$."
+    )
+    assert not read(text).broken
+    assert read(text.replace(old, new, 1)).broken

@@ -99,7 +99,7 @@ def test_planted_faults_are_found_in_the_text_alone() -> None:
                 planted += 1
                 caught += bool(reading.broken or reading.unread)
     assert planted >= 50
-    assert caught >= 0.93 * planted
+    assert caught >= 0.95 * planted
 
 
 def faulty(text: str, rng: random.Random) -> list[str]:

@@ -1,7 +1,7 @@
 """A worked solution read by whoever has only its text: its equalities, by the parser that grades answers."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -10,6 +10,7 @@ from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.parser import parse
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token, tokenize
+from sim2reason.solutions.label_sums import LabelSum, label_sums
 
 FORMULA = re.compile(r"\$([^$]*=[^$]*)\$")
 ANSWER = re.compile(r"\$([^$=]*?) \\approx \\boxed\{((?:[^{}]|\{[^{}]*\})*)\}[^$]*\$")
@@ -56,11 +57,13 @@ class ReadText:
     equalities: tuple[Equality, ...]
     unread: tuple[str, ...]
     values: Mapping[str, float]
+    sums: tuple[LabelSum, ...] = ()
 
     @property
     def broken(self) -> list[str]:
         """The equalities that do not hold, or speak of what the text does not determine."""
-        return [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
+        wrong = [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
+        return wrong + [held.text for held in self.sums if not held.holds(self.values)]
 
 
 def read(text: str) -> ReadText:
@@ -87,7 +90,19 @@ def read(text: str) -> ReadText:
         boxed = match[2] + (r"^\circ" if r"\circ" in match[0][match.end(2) - match.start() :] else "")
         (goal, _, names), (number, terms, _) = _side(match[1], table), _side(boxed, table)
         equalities.append(Equality(match[0], (goal, number), terms, names, BOXED))
-    return ReadText(tuple(equalities), tuple(unread), values)
+    given = text.partition("\n")[0] if text.startswith("Given") else ""
+    told = [name for chain in FORMULA.findall(given) if (name := _name(chain, table))]
+    sums = label_sums(text, lambda formula: _excess(formula, table), told, sorted(values))
+    return ReadText(tuple(equalities), tuple(unread), values, tuple(sums))
+
+
+def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float]], float | None] | None:
+    """Left less right of an equation; None if it can not be read."""
+    try:
+        left, right, *_ = [_side(part, table) for part in formula.split("=")]
+    except Refused:
+        return None
+    return Equality(formula, (left[0], right[0]), (), left[2] | right[2]).excess
 
 
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:

@@ -1,0 +1,106 @@
+"""Sums of labelled equations, as in *(1) + 2·(4)*: whether what is said to come out does, read from the text alone.
+
+Where all equations hold, any sum of them does. So unknowns are moved away from their values, in all ways in which the
+equations that are in no sum go on holding: strings that do not stretch, light pulleys, normal forces.
+"""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+
+TERM = r"(?:(?:\$[^$]*\$|[^\s$()·]+)·)?\(\w+\)"
+SUM = re.compile(rf"(?<!\S)(?P<sum>[-−]?{TERM}(?: [+−-] {TERM})+): (?:\(\w+\) )?\$(?P<out>[^$]*=[^$]*)\$")
+PART = re.compile(r"(?P<sign>[+−-]?) ?(?:(?P<weight>\$[^$]*\$|[^\s$()·]+)·)?\((?P<label>\w+)\)")
+LABEL = re.compile(r"(?<!\S)\((?P<label>\w+)\) (?:[^$()]*: )?\$(?P<formula>[^$]*=[^$]*)\$")
+LIGHT = "is light"  # what balances without an acceleration
+STEP, LOOSE = 1e-6, 3e-4  # relative: of a derivative; what five digits leave of a coefficient
+
+Excess = Callable[[Mapping[str, float]], float | None]
+
+
+@dataclass(frozen=True, slots=True)
+class LabelSum:
+    """A sum of equations, and what it is said to give, each as left less right."""
+
+    text: str
+    out: Excess
+    parts: tuple[tuple[float, Excess], ...]
+    held: tuple[Excess, ...]  # what goes on holding
+    moved: tuple[str, ...]
+
+    def holds(self, values: Mapping[str, float]) -> bool:
+        """Whether both change alike, however what is unknown is moved."""
+        names = [name for name in self.moved if name in values]
+        rows = [row for excess in self.held if (row := _gradient(excess, values, names)) is not None and row.any()]
+        free = _free(rows, len(names))
+        out = _gradient(self.out, values, names)
+        terms = [_gradient(excess, values, names) for _, excess in self.parts]
+        if out is None or any(term is None for term in terms):
+            return True
+        known = [weight * term for (weight, _), term in zip(self.parts, terms, strict=True) if term is not None]
+        off = (np.sum(known, axis=0) - out) @ free
+        size = max(float(np.abs(row).max(initial=0.0)) for row in (*known, out))
+        return bool(np.abs(off).max(initial=0.0) <= LOOSE * size)
+
+
+def label_sums(
+    text: str, read: Callable[[str], Excess | None], givens: Sequence[str], names: Sequence[str]
+) -> list[LabelSum]:
+    """All sums of a text; `read` makes a formula with an equals sign a function of its symbols."""
+    labelled = {match["label"]: match["formula"] for match in LABEL.finditer(text)}
+    sums = list(SUM.finditer(text))
+    apart = [match["formula"] for match in LABEL.finditer(text) if LIGHT in match[0]]
+    plain = re.findall(r"\$([^$]*=[^$]*)\$", text)
+    outs = {match["out"] for match in sums}
+    laws = [f for f in plain if f not in labelled.values() and f not in outs and f.count("=") == 1 and not _number(f)]
+    held = tuple(excess for formula in dict.fromkeys((*apart, *laws)) if (excess := read(formula)) is not None)
+    moved = tuple(name for name in names if name not in givens)
+    found: list[LabelSum] = []
+    for match in sums:
+        out = read(match["out"])
+        parts = [_part(part, labelled, read) for part in PART.finditer(match["sum"])]
+        if out is not None and all(part is not None for part in parts):
+            kept = tuple(part for part in parts if part is not None)
+            found.append(LabelSum(match[0], out, kept, held, moved))
+    return found
+
+
+def _number(formula: str) -> bool:
+    """Whether a symbol is said to have a number: a result, not a law."""
+    last = formula.rpartition("=")[2].strip()
+    return re.fullmatch(r"-?[\d.]+(?: \\times 10\^\{-?\d+\})?(?:\\ \\text.*|\^\\circ)?", last) is not None
+
+
+def _part(
+    part: re.Match[str], labelled: Mapping[str, str], read: Callable[[str], Excess | None]
+) -> tuple[float, Excess] | None:
+    sign = 1.0 if part["sign"] in ("", "+") else -1.0
+    formula = labelled.get(part["label"])
+    excess = read(formula) if formula is not None else None
+    weight = read(f"{part['weight'].strip('$')} = 0") if part["weight"] else None
+    size = 1.0 if part["weight"] is None else (weight({}) if weight is not None else None)
+    return (sign * size, excess) if size is not None and excess is not None else None
+
+
+def _gradient(excess: Excess, values: Mapping[str, float], names: Sequence[str]) -> Array | None:
+    here, found = excess(values), list[float]()
+    for name in names:
+        step = STEP * max(1.0, abs(values[name]))
+        there = excess({**values, name: values[name] + step})
+        if here is None or there is None:
+            return None
+        found.append((there - here) / step)
+    return np.array(found)
+
+
+def _free(rows: Sequence[Array], size: int) -> Array:
+    """The ways, as columns, in which nothing that is held changes."""
+    if not rows:
+        return np.eye(size)
+    _, spread, ways = np.linalg.svd(np.array([row / np.abs(row).max() for row in rows]))
+    rank = int((spread > LOOSE * spread.max(initial=0.0)).sum())
+    return ways[rank:].T
