@@ -12,7 +12,7 @@ import time
 from collections import Counter, defaultdict
 from statistics import median
 
-from sim2reason.datasets.make import search
+from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Request
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
@@ -27,7 +27,7 @@ DERIVED = [strategy for strategy in STRATEGIES.values() if not strategy.integrat
 
 
 def problem(recipe: str, difficulty: str, mode: str, seed: int, index: int) -> Setting | None:
-    found, _ = search(Request(recipe, difficulty, mode, seed, index))
+    found = ItemSearch(Request(recipe, difficulty, mode, seed, index)).found()
     return None if found is None else Setting.of(found.question, found.study, found.candidate.words, found.description)
 
 

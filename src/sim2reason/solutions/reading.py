@@ -102,7 +102,8 @@ def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float
         left, right, *_ = [_side(part, table) for part in formula.split("=")]
     except Refused:
         return None
-    return Equality(formula, (left[0], right[0]), (), left[2] | right[2]).excess
+    held = Equality(formula, (left[0], right[0]), (), left[2] | right[2])
+    return lambda values: held.excess(values) if held.symbols <= values.keys() else None
 
 
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
