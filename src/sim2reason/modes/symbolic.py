@@ -27,6 +27,7 @@ WIDE = 1.1  # up to three times or a third of each: where the formula must hold,
 TRIES, WIDELY = 16, 24
 SAME = 1e-6  # relative: how well the formula agrees with the engine
 ASSUME = "Assume that "
+HIDING = frozenset({"threshold"})  # kinds whose questions leave a number unknown, so that no symbol stands for it
 
 
 @mode
@@ -38,7 +39,8 @@ class Symbolic(QuestionMode):
     @property
     def kinds(self) -> frozenset[str]:
         """Those to which some strategy of worked solutions has a way."""
-        return frozenset[str]().union(*(strategy.kinds for strategy in STRATEGIES.values()))
+        derived = (strategy.kinds for strategy in STRATEGIES.values() if not strategy.integrates)
+        return frozenset[str]().union(*derived) - HIDING
 
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """Whatever some strategy of worked solutions may lead to, still in numbers."""
@@ -55,6 +57,8 @@ class Symbolic(QuestionMode):
             return None
         symbols = _symbols(study, spoken)
         solution = solve(Setting(study.scene, words, words.symbols, study, query))
+        if not solution.derived:
+            return None
         try:
             found = closed_form(solution, [held.symbol for held in symbols if not held.path])
         except ClosedFormError:
@@ -98,7 +102,8 @@ class Symbolic(QuestionMode):
 def _solvable(query: Query, study: Study, words: Words) -> bool:
     """Whether some strategy of worked solutions does not refuse it at once."""
     setting = Setting(study.scene, words, words.symbols, study, query)
-    return any(query.kind in strategy.kinds and not strategy.refusal(setting) for strategy in STRATEGIES.values())
+    derives = (held for held in STRATEGIES.values() if query.kind in held.kinds and not held.integrates)
+    return any(not strategy.refusal(setting) for strategy in derives)
 
 
 class _Varied:
