@@ -27,7 +27,6 @@ WIDE = 1.1  # up to three times or a third of each: where the formula must hold,
 TRIES, WIDELY = 16, 24
 SAME = 1e-6  # relative: how well the formula agrees with the engine
 ASSUME = "Assume that "
-HIDING = frozenset({"threshold"})  # kinds whose questions leave a number unknown, so that no symbol stands for it
 
 
 @mode
@@ -38,9 +37,9 @@ class Symbolic(QuestionMode):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Those to which some strategy of worked solutions has a way."""
+        """Those to which some strategy of worked solutions has a way, and which leave no number unknown."""
         derived = (strategy.kinds for strategy in STRATEGIES.values() if not strategy.integrates)
-        return frozenset[str]().union(*derived) - HIDING
+        return frozenset(name for name in frozenset[str]().union(*derived) if not KINDS[name].leaves_unknown)
 
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """Whatever some strategy of worked solutions may lead to, still in numbers."""

@@ -102,6 +102,8 @@ def spelled(value: float, unit: str) -> str:
 
 def latex(unit: str) -> str:
     """A unit in LaTeX with the space before it, the words upright; nothing for a pure number."""
+    if unit == "deg":
+        return DEGREES
     if unit.startswith("1/"):
         return latex(unit[2:]) + "^{-1}"
     text = re.sub(r"\^(\d)", r"}^\1\\text{", unit.replace("*", " "))

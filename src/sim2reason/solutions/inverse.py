@@ -17,7 +17,7 @@ from sim2reason.solutions.expressions import (
     ratio,
 )
 from sim2reason.solutions.fractions import over
-from sim2reason.solutions.functions import Call, Function, Power, Root, parts
+from sim2reason.solutions.functions import Call, Function, Power, Root
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.worked import NumericRoot, Worked
 
@@ -52,23 +52,9 @@ def put(held: Expression, name: str, formula: Expression) -> Expression:
         return formula
     if isinstance(held, Worked):
         return put(held.inner, name, formula)
-    inside = [put(part, name, formula) for part in parts(held)]
-    match held:
-        case Sum():
-            found = reduce(added, inside)
-        case Product():
-            found = reduce(multiplied, inside)
-        case Quotient():
-            found = ratio(inside[0], inside[1])
-        case Power():
-            found = Power(inside[0], held.exponent)
-        case Root():
-            found = Root(inside[0])
-        case Call():
-            found = Call(held.function, inside[0])
-        case _:
-            raise TypeError(f"{type(held).__name__} holds no symbol that could be replaced")
-    return found
+    if not held.parts:
+        raise TypeError(f"{type(held).__name__} holds no symbol that could be replaced")
+    return held.built_of([put(part, name, formula) for part in held.parts])
 
 
 def _real(held: Expression, at: Mapping[str, float]) -> float | None:
@@ -86,7 +72,7 @@ def _branches(name: str, formula: Expression, value: Expression, at: Mapping[str
     if formula == Symbol(name):
         yield value
         return
-    inside = [part for part in parts(formula) if name in part.symbols()]
+    inside = [part for part in formula.parts if name in part.symbols()]
     if len(inside) == 1:
         for rest in _undone(formula, inside[0], value):
             yield from _branches(name, inside[0], rest, at)

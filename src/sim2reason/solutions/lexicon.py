@@ -183,10 +183,3 @@ def _factor(number: Both, atom: Both) -> float | None:
         return None
     simple = float(Fraction(here).limit_denominator(FACTORS))
     return simple if simple and abs(simple - here) <= SAME * abs(here) else None
-
-
-def latex(unit: str) -> str:
-    """A unit as it stands behind a number, in LaTeX."""
-    if unit == "deg":
-        return r"^\circ"
-    return rf"\ \text{{{unit.replace('*', ' ')}}}".replace("^2}", "}^2") if unit else ""

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 from sim2reason.solutions.digits import rounded, shortened
 from sim2reason.solutions.expressions import Expression, Scalar, Values
-from sim2reason.solutions.functions import parts
 
 NEWTON = 6  # steps from a root that is known nearly
 STEP = 1e-30  # imaginary: a derivative by it is exact
@@ -96,7 +95,7 @@ def numbers(held: Expression) -> Iterator[Expression]:
     if isinstance(held, Worked | NumericRoot):
         yield held
         return
-    for part in parts(held):
+    for part in held.parts:
         yield from numbers(part)
 
 

@@ -44,10 +44,12 @@ class Kind(ABC):
     Class data:
         name: under which it is registered.
         share: how often it is asked, compared with other kinds; positive, or it could not be registered.
+        leaves_unknown: whether the text leaves the number open that it asks for.
     """
 
     name: ClassVar[str]
     share: ClassVar[float]
+    leaves_unknown: ClassVar[bool] = False
 
     @property
     def stated(self) -> bool:

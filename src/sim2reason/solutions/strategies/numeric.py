@@ -8,10 +8,10 @@ import numpy as np
 from sim2reason.dsl.state import State
 from sim2reason.questions import KINDS
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import DEGREES, Book, UnsolvedError, Writing
+from sim2reason.solutions.book import DEGREES, Book, UnsolvedError, Writing, latex
 from sim2reason.solutions.equations_of_motion import EquationsOfMotion, Names, phase_at
 from sim2reason.solutions.expressions import Expression, Symbol
-from sim2reason.solutions.lexicon import Both, Lexicon, latex
+from sim2reason.solutions.lexicon import Both, Lexicon
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.shared import NEWTONS
