@@ -11,7 +11,7 @@ import pytest
 
 import sim2reason
 from motions import told_motions
-from plain_scenes import atwood, ramp, squeezed, swing, table
+from plain_scenes import arm, atwood, ramp, squeezed, swing, table
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.body import BODIES, Body
@@ -145,7 +145,7 @@ def told(scene: Scene) -> tuple[Study, Words]:
 @cache
 def varied() -> list[tuple[Study, Words]]:
     """Motions in which all that is registered can be asked."""
-    return [*map(told, (ramp(friction=0.3, speed=2.0), squeezed(), swing(), *scenes())), *told_motions()]
+    return [*map(told, (ramp(friction=0.3, speed=2.0), squeezed(), swing(), arm(), *scenes())), *told_motions()]
 
 
 def shapes(query: Query, words: Words) -> tuple[str, ...]:

@@ -17,6 +17,7 @@ from sim2reason.simulation import certify as module
 from sim2reason.simulation.certify import EVENTFUL, SMOOTH, Certificate, certify, compare, truncated
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import ENGINES, Event, Trace
+from states import altered
 
 TIMES = np.linspace(0.0, 2.0, 201)
 STEP = TIMES[1]
@@ -61,7 +62,7 @@ def test_a_coordinate_scaled_by_a_thousandth_is_noticed() -> None:
 
     The string, whose length no longer stays what it was, is measured by the floor of 0.1 m and tells sooner.
     """
-    certificate = against(machines.atwood(2.0, 2.2), lambda s: replace(s, q=s.q * np.array([1.001, 1.0])))
+    certificate = against(machines.atwood(2.0, 2.2), lambda s: altered(s, q=s.q * np.array([1.001, 1.0])))
     assert certificate.reason == "the engines disagree on the length of rope"
     a = 0.2 / 4.2 * 9.8
     assert certificate.stable_until == pytest.approx(np.sqrt(2.0 * 0.01 / a), abs=2 * STEP)
@@ -73,32 +74,32 @@ def test_a_coordinate_scaled_by_a_thousandth_is_noticed() -> None:
 def test_a_falling_body_scaled_by_a_thousandth_is_noticed() -> None:
     builder = Builder()
     builder.room().body("stone", 1.0).slide((0.0, 0.0, 1.0))
-    certificate = against(builder.finish(), lambda s: replace(s, q=s.q * 1.001))
+    certificate = against(builder.finish(), lambda s: altered(s, q=s.q * 1.001))
     assert certificate.reason == "the engines disagree on the displacement of stone"
     assert certificate.stable_until == pytest.approx(2.0 * np.sqrt(0.1), abs=2 * STEP)
     assert certificate.until[Channel("stone", "displacement")] == certificate.stable_until
 
 
 def test_an_error_of_a_thousandth_passes_where_impacts_allow_it() -> None:
-    certificate = against(machines.discs(), lambda s: replace(s, q=s.q * 1.0009))
+    certificate = against(machines.discs(), lambda s: altered(s, q=s.q * 1.0009))
     assert certificate.reason == ""
     assert certificate.stable_until == 2.0
 
 
 def test_a_force_of_the_wrong_sign_is_noticed_at_once() -> None:
-    certificate = against(machines.tied_incline(), lambda s: replace(s, friction={"block": -s.friction["block"]}))
+    certificate = against(machines.tied_incline(), lambda s: altered(s, friction={"block": -s.friction["block"]}))
     assert certificate.stable_until == 0.0
     assert certificate.reason == "the engines disagree on the friction force of block"
     assert not certificate.covers(Channel("block", "friction force"), 0.01)
     certificate = against(
-        machines.atwood(2.0, 2.2), lambda s: replace(s, constraint_tension={"rope": -s.tension["rope"]})
+        machines.atwood(2.0, 2.2), lambda s: altered(s, constraint_tension={"rope": -s.tension["rope"]})
     )
     assert certificate.reason == "the engines disagree on the tension of rope"
 
 
 def test_an_error_from_some_moment_on_cuts_just_before() -> None:
     def jump(state: State) -> State:
-        return replace(state, v=state.v + np.where(state.times >= 0.7, 0.01, 0.0)[:, None])
+        return altered(state, v=state.v + np.where(state.times >= 0.7, 0.01, 0.0)[:, None])
 
     certificate = against(machines.atwood(2.0, 2.2), jump)
     assert certificate.stable_until == pytest.approx(0.7 - STEP)
@@ -177,7 +178,7 @@ def test_a_witness_that_ends_sooner_ends_the_certificate() -> None:
 
 def test_what_one_engine_leaves_open_is_not_compared() -> None:
     def unknown(state: State) -> State:
-        return replace(state, constraint_tension={"rope": np.where(state.times > 0.4, np.nan, state.tension["rope"])})
+        return altered(state, constraint_tension={"rope": np.where(state.times > 0.4, np.nan, state.tension["rope"])})
 
     certificate = against(machines.atwood(2.0, 2.2), unknown)
     assert certificate.stable_until == 2.0
@@ -188,9 +189,9 @@ def test_what_one_engine_leaves_open_is_not_compared() -> None:
 def test_a_scene_at_rest_is_measured_by_floors() -> None:
     builder = Builder()
     builder.room().body("block", 1.0).rest(X, (0.0, 0.0, 1.0), 0.5)
-    certificate = against(builder.finish(), lambda s: replace(s, q=s.q + 1e-6, v=s.v + 1e-6))
+    certificate = against(builder.finish(), lambda s: altered(s, q=s.q + 1e-6, v=s.v + 1e-6))
     assert certificate.reason == ""
-    certificate = against(builder.finish(), lambda s: replace(s, q=s.q + 1e-4))
+    certificate = against(builder.finish(), lambda s: altered(s, q=s.q + 1e-4))
     assert certificate.reason == "the engines disagree on the displacement of block"
 
 

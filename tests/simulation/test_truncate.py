@@ -13,6 +13,7 @@ from sim2reason.dsl.mechanism import Z
 from sim2reason.dsl.state import State
 from sim2reason.simulation.trace import ENGINES, Event, Trace
 from sim2reason.simulation.truncate import alarms, truncate
+from states import altered
 
 TIMES = np.linspace(0.0, 2.0, 201)
 Column = Callable[[np.ndarray], np.ndarray]
@@ -23,7 +24,7 @@ def falling(a: Column, times: np.ndarray = TIMES, events: tuple[Event, ...] = ()
     builder = Builder()
     builder.room().body("stone", 1.0).slide(Z)
     trace = ENGINES["exact"](builder.finish(), times)
-    return changed(trace, lambda state: replace(state, a=a(state.times)[:, None]), events)
+    return changed(trace, lambda state: altered(state, a=a(state.times)[:, None]), events)
 
 
 def changed(trace: Trace, change: Callable[[State], State], events: tuple[Event, ...] = ()) -> Trace:
@@ -95,7 +96,7 @@ def test_a_transition_with_its_event_is_none() -> None:
 
 def test_a_hidden_impulse_is_an_alarm() -> None:
     trace = falling(lambda t: np.full_like(t, -9.8))
-    kicked = changed(trace, lambda state: replace(state, v=state.v + (state.times > 0.505)[:, None] * 0.01))
+    kicked = changed(trace, lambda state: altered(state, v=state.v + (state.times > 0.505)[:, None] * 0.01))
     assert {alarm.column for alarm in alarms(kicked)} == {"change of velocity of stone.slide"}
     assert {round(alarm.time, 6) for alarm in alarms(kicked)} == {0.51}
 

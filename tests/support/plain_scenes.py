@@ -7,6 +7,7 @@ from sim2reason.bodies.hanger import Cord
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.pulley import FixedPulley
+from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.track import Track
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import Named
@@ -14,7 +15,9 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
+from sim2reason.entities.parts.pieces import RoundPiece
 from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 
@@ -88,3 +91,9 @@ def swing(angle: float = 60.0) -> Scene:
     """A ball of 0.5 kg on a string of 0.8 m, let go."""
     entity = Pendulum(bob=Ball(mass=0.5), hanger=Cord(length=0.8), angle=angle)
     return Scene(entities=(Named(name="swing", entity=entity),))
+
+
+def arm(angle: float = 60.0) -> Scene:
+    """A sphere of 2 kg and a radius of 0.2 m on a light arm, its centre 0.9 m from the axle, let go."""
+    piece = RoundPiece(body=Sphere(mass=2.0, radius=0.2), distance=0.9)
+    return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=(piece,), angle=angle)),))

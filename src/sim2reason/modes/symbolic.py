@@ -37,12 +37,17 @@ class Symbolic(QuestionMode):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Those to which some strategy of worked solutions has a way, and which leave no number unknown."""
+        """Those to which some strategy of worked solutions has a way, and whose answers are functions of the symbols."""
         derived = (strategy.kinds for strategy in STRATEGIES.values() if not strategy.integrates)
-        return frozenset(name for name in frozenset[str]().union(*derived) if not KINDS[name].leaves_unknown)
+        return frozenset(name for name in frozenset[str]().union(*derived) if KINDS[name].of_symbols)
 
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
-        """Whatever some strategy of worked solutions may lead to, still in numbers."""
+        """Whatever some strategy of worked solutions may lead to, still in numbers.
+
+        None about a mechanism that is not its scene's, whose numbers no symbols stand for.
+        """
+        if study.mechanism is not study.scene.mechanism:
+            return None
         names = [kind] if kind else [found.name for found in by_share(rng)]
         kinds = [name for name in names if name in self.kinds]
         found = (MODES["numeric"].ask(study, words, name, rng) for name in kinds)

@@ -10,12 +10,13 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.triples import applied, minus, product
 from sim2reason.dsl.vectors import Vector
-from sim2reason.solutions.book import Book, latex
+from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power
 from sim2reason.solutions.lexicon import Both, UnreadError
 from sim2reason.solutions.mass_spread import candidates, mass_spread
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.unit_latex import latex
 
 SAME = 1e-9  # relative
 INERTIA, MOMENT, METRES = latex("kg m^2"), latex("kg m"), latex("m")

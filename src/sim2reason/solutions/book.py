@@ -1,6 +1,5 @@
 """What a worked solution is made of: steps with their relations, and a book in which each name has one value."""
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from math import degrees
@@ -9,9 +8,9 @@ from typing import Literal
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.solutions.digits import rounded
 from sim2reason.solutions.expressions import Expression, Number, Symbol
+from sim2reason.solutions.unit_latex import CANONICAL, DEGREES, latex
 
 Role = Literal["given", "law", "derived", "result", "integrated"]
-DEGREES = r"^\circ"
 WELL = 1e-9  # relative: how well every relation holds
 
 
@@ -98,20 +97,6 @@ def spelled(value: float, unit: str) -> str:
     if unit == DEGREES:
         return f"{rounded(degrees(value))}{unit}"
     return f"{rounded(value)}{unit}"
-
-
-def latex(unit: str) -> str:
-    """A unit in LaTeX with the space before it, the words upright; nothing for a pure number."""
-    if unit == "deg":
-        return DEGREES
-    if unit.startswith("1/"):
-        return latex(unit[2:]) + "^{-1}"
-    text = re.sub(r"\^(\d)", r"}^\1\\text{", unit.replace("*", " "))
-    return rf"\ \text{{{text}}}".replace(r"\text{}", "") if unit else ""
-
-
-MECHANICAL = ("m", "s", "kg", "N", "J", "m/s", "m/s^2", "kg m/s", "m^2", "m^2/s", "m^3/s^2", "1/s", "rad/s")
-CANONICAL = {latex(name): name for name in MECHANICAL}  # by their LaTeX
 
 
 class Book:

@@ -7,9 +7,10 @@ from math import degrees, prod
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.solutions.book import DEGREES, WELL, Relation, Solution
+from sim2reason.solutions.book import WELL, Relation, Solution
 from sim2reason.solutions.digits import DIGITS, shortened
 from sim2reason.solutions.expressions import Expression, Product, Quotient, Sum, Symbol
+from sim2reason.solutions.unit_latex import DEGREES
 from sim2reason.solutions.worked import gradient
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give

@@ -8,12 +8,13 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.field_motion import FieldMotion, Turning, motion_in
 from sim2reason.solutions.fields import Fields
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.unit_latex import latex
 from sim2reason.solutions.worked import NumericRoot
 
 METRES, SECONDS, SPEED = latex("m"), latex("s"), latex("m/s")

@@ -3,10 +3,11 @@
 from abc import ABC, abstractmethod
 from functools import cached_property
 
-from sim2reason.solutions.book import UnsolvedError, latex
+from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.fields import AXES, RATE, TURNS, Drive, Fields
 from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.unit_latex import latex
 
 HALF, SIXTH = Number(0.5), Number(1.0 / 6.0)
 SPEED = latex("m/s")

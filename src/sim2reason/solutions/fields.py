@@ -6,12 +6,13 @@ from functools import cached_property
 
 from sim2reason.dsl.fields import Magnetic, Profile, Push, Resistance
 from sim2reason.dsl.mechanism import Force, Mechanism
-from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.unit_latex import latex
 
 AXES = ("x", "y")
 TURNS = (1.0, -1.0)  # of the velocity: a_x = Ω v_y, a_y = −Ω v_x

@@ -11,12 +11,13 @@ from math import cos, pi, sin
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.triples import minus
-from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import gravitational_constant
+from sim2reason.solutions.unit_latex import latex
 from sim2reason.solutions.worked import NumericRoot
 
 METRES, SECONDS, RADIANS = latex("m"), latex("s"), latex("rad")

@@ -18,10 +18,10 @@ from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
 from sim2reason.prose.formula_numbers import factor
-from sim2reason.solutions.book import latex
 from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.functions import Call
 from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.unit_latex import latex
 
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
 SAME = 1e-10  # relative: far less than two numbers can agree by chance

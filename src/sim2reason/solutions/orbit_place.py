@@ -4,10 +4,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from functools import cached_property
 
-from sim2reason.solutions.book import latex
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.kepler import METRES, RADIANS, TWO, KeplerOrbit
+from sim2reason.solutions.unit_latex import latex
 
 SPEED, ACCELERATION = latex("m/s"), latex("m/s^2")
 FIELDS = ("x", "y")

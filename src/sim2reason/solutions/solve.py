@@ -11,12 +11,13 @@ from sim2reason.prose.writer import Writer
 from sim2reason.questions import Study
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
-from sim2reason.solutions.book import DEGREES, Book, Relation, Solution, Step, UnsolvedError
+from sim2reason.solutions.book import Book, Relation, Solution, Step, UnsolvedError
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.strategies import STRATEGIES, Strategy
+from sim2reason.solutions.unit_latex import DEGREES
 from sim2reason.solutions.worked import numbers
 
 SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it says

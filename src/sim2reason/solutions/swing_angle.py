@@ -15,10 +15,11 @@ from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.moments.went_slack import WentSlack
-from sim2reason.solutions.book import DEGREES, Book, UnsolvedError
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.functions import Call
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.unit_latex import DEGREES
 
 MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
 EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is extreme at rest or where it is fastest

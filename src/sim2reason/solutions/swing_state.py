@@ -6,7 +6,7 @@ from math import atan2, cos, hypot
 import numpy as np
 
 from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.solutions.book import DEGREES, Book
+from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.lexicon import Both
@@ -14,6 +14,7 @@ from sim2reason.solutions.pendulum import geometry, pivot, place
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import SPEED
 from sim2reason.solutions.swing_angle import SwingAngle
+from sim2reason.solutions.unit_latex import DEGREES
 
 
 class SwingState(SwingAngle):

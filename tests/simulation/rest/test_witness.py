@@ -9,6 +9,7 @@ from resting import RESTFUL, rests
 from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
 from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
 from sim2reason.simulation.rest.witness import disagreement, unrest
+from states import altered
 
 
 def _found(made: object) -> tuple[Rest, Oscillations]:
@@ -29,9 +30,9 @@ def test_it_agrees_with_what_is_right_alone(made: type) -> None:
         assert disagreement(rest, replace(modes, frequencies=factor * modes.frequencies), 0)
     state = rest.state
     for name, tension in state.constraint_tension.items():
-        wrong = replace(state, constraint_tension={**state.constraint_tension, name: tension + 0.01})
+        wrong = altered(state, constraint_tension={**state.constraint_tension, name: tension + 0.01})
         assert "tension" in unrest(replace(rest, state=wrong))
-    assert unrest(replace(rest, state=replace(state, q=state.q + 0.01)))
+    assert unrest(replace(rest, state=altered(state, q=state.q + 0.01)))
 
 
 @pytest.mark.parametrize("recipe", RESTFUL)

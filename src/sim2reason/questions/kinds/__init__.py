@@ -44,12 +44,12 @@ class Kind(ABC):
     Class data:
         name: under which it is registered.
         share: how often it is asked, compared with other kinds; positive, or it could not be registered.
-        leaves_unknown: whether the text leaves the number open that it asks for.
+        of_symbols: whether an answer is a function of the text's symbols, none of which it leaves unknown.
     """
 
     name: ClassVar[str]
     share: ClassVar[float]
-    leaves_unknown: ClassVar[bool] = False
+    of_symbols: ClassVar[bool] = True
 
     @property
     def stated(self) -> bool:

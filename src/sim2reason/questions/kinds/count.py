@@ -9,5 +9,6 @@ class CountKind(StretchKind):
     """How often does something happen in a stretch of the motion?"""
 
     name = "count"
+    of_symbols = False
     share = 0.12
     whole = True

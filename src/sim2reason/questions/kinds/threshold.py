@@ -52,7 +52,7 @@ class ThresholdKind(Kind):
     """What is the least or the greatest value for which something happens, or does not?"""
 
     name = "threshold"
-    leaves_unknown = True
+    of_symbols = False
     share = 0.25
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:

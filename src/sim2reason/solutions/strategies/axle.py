@@ -8,12 +8,13 @@ import numpy as np
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.book import DEGREES, Book, UnsolvedError, latex
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swing_angle import SwingAngle, asked, unasked
+from sim2reason.solutions.unit_latex import DEGREES, latex
 
 HALF, TWO = Number(0.5), Number(2.0)
 UP = (0.0, 0.0, 1.0)

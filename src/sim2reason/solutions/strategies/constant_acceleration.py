@@ -33,7 +33,7 @@ class ConstantAcceleration(Strategy):
 
     name = "constant acceleration"
     cost = 1.0
-    kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "extremum"})
+    kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""

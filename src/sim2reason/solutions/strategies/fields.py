@@ -9,7 +9,7 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.field_moment import FieldMoment
 from sim2reason.solutions.field_motion import FieldMotion, Turning
@@ -20,6 +20,7 @@ from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import latex
 from sim2reason.solutions.way import Way
 
 METRES, SECONDS = latex("m"), latex("s")

@@ -41,7 +41,7 @@ class Impulse(Strategy):
 
     name = "impulse"
     cost = 0.8
-    kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "count", "extremum"})
+    kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""

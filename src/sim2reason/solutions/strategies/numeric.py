@@ -8,7 +8,7 @@ import numpy as np
 from sim2reason.dsl.state import State
 from sim2reason.questions import KINDS
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import DEGREES, Book, UnsolvedError, Writing, latex
+from sim2reason.solutions.book import Book, UnsolvedError, Writing
 from sim2reason.solutions.equations_of_motion import EquationsOfMotion, Names, phase_at
 from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.lexicon import Both, Lexicon
@@ -17,6 +17,7 @@ from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.shared import NEWTONS
 from sim2reason.solutions.stage import SECONDS
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import DEGREES, latex
 
 LONG = 900  # characters of an equation that nobody reads
 SOUND = 1e-9  # relative: how well an equation must hold at the moment that is shown

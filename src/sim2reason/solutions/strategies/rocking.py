@@ -9,13 +9,14 @@ from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.triples import applied, product
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import DEGREES, Book, UnsolvedError, latex
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.lexicon import Both, UnreadError
 from sim2reason.solutions.mass_spread import candidates, mass_spread
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import DEGREES, latex
 
 SAME = 1e-9
 TWO = Number(2.0)

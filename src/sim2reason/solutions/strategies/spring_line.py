@@ -14,12 +14,13 @@ from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError, latex
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import latex
 
 HALF, TWO = Number(0.5), Number(2.0)
 METRES, SECONDS, RADIANS = latex("m"), latex("s"), latex("rad")

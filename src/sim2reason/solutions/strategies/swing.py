@@ -1,6 +1,6 @@
 """Swing: a small body on a string or a light rod; its energy gives the speed, circular motion the force."""
 
-from sim2reason.solutions.book import DEGREES, Book, UnsolvedError
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.pendulum import pivot
@@ -10,6 +10,7 @@ from sim2reason.solutions.stage import METRES, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swing_angle import asked, unasked
 from sim2reason.solutions.swing_state import SwingState
+from sim2reason.solutions.unit_latex import DEGREES
 
 JOULES = r"\ \text{J}"
 UP = (0.0, 0.0, 1.0)

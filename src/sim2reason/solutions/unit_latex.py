@@ -1,0 +1,19 @@
+"""Units as solutions write them, in LaTeX."""
+
+import re
+
+DEGREES = r"^\circ"
+
+
+def latex(unit: str) -> str:
+    """A unit in LaTeX with the space before it, the words upright; nothing for a pure number."""
+    if unit == "deg":
+        return DEGREES
+    if unit.startswith("1/"):
+        return latex(unit[2:]) + "^{-1}"
+    text = re.sub(r"\^(\d)", r"}^\1\\text{", unit.replace("*", " "))
+    return rf"\ \text{{{text}}}".replace(r"\text{}", "") if unit else ""
+
+
+MECHANICAL = ("m", "s", "kg", "N", "J", "m/s", "m/s^2", "kg m/s", "m^2", "m^2/s", "m^3/s^2", "1/s", "rad/s")
+CANONICAL = {latex(name): name for name in MECHANICAL}  # by their LaTeX
