@@ -5,12 +5,15 @@ formula and rewritings of it must be paid; and so must none of 20 formulas that 
 of its own tells here, that shares nothing with the grader.
 """
 
+import ast
+import operator
 import re
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from math import cos, exp, isfinite, log, sin, sqrt, tan
+from collections.abc import Callable, Iterator, Mapping
+from math import acos, asin, atan, cos, exp, isfinite, log, pi, sin, sqrt, tan
+from typing import Any
 
 import numpy as np
 import sympy
@@ -28,7 +31,37 @@ MUTANTS, FRESH = 20, 2
 WIDTH = 0.05  # of the numbers that are put in when a prompt is read back
 CLOSE, SAME = 1e-6, 1e-9
 LONGEST = 1000  # characters that the grader reads
-FUNCTIONS = {"sin": sin, "cos": cos, "tan": tan, "sqrt": sqrt, "ln": log, "exp": exp}
+FUNCTIONS = {
+    "arcsin": asin,
+    "arccos": acos,
+    "arctan": atan,
+    "sin": sin,
+    "cos": cos,
+    "tan": tan,
+    "sqrt": sqrt,
+    "ln": log,
+    "exp": exp,
+}
+TERMS: dict[str, Any] = {
+    "arcsin": sympy.asin,
+    "arccos": sympy.acos,
+    "arctan": sympy.atan,
+    "sin": sympy.sin,
+    "cos": sympy.cos,
+    "tan": sympy.tan,
+    "sqrt": sympy.sqrt,
+    "ln": sympy.log,
+    "exp": sympy.exp,
+}
+ANGULAR = "arcsin|arccos|arctan|sin|cos|tan|ln"
+TOKEN = re.compile(rf"\d+\.?\d*|s\d+_|{'|'.join(FUNCTIONS)}|pi|\*\*|[-+*/()]")
+OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+}
 FRACTION = re.compile(r"\\[td]?frac\{")
 
 
@@ -56,23 +89,42 @@ def program(latex: str, names: Mapping[str, str]) -> str:
         latex = re.sub(rf"{before}{re.escape(symbol)}(?![A-Za-z])", f" {names[symbol]} ", latex)
     latex = latex.replace(r"\left", " ").replace(r"\right", " ").replace(r"\,", " ").replace(r"\cdot", "*")
     latex = latex.replace(r"\ROOT", "sqrt").replace("\\", " ")
-    latex = re.sub(r"\b(sin|cos|tan) *\^ *\{ *(\d+) *\} *(s\d+_)", r"(\1(\3)**\2)", latex)
-    latex = re.sub(r"\b(sin|cos|tan) +(s\d+_)", r"\1(\2)", latex)
+    latex = re.sub(rf"\b({ANGULAR}) *\^ *\{{ *(\d+) *\}} *(s\d+_)", r"(\1(\3)**\2)", latex)
+    latex = re.sub(rf"\b({ANGULAR}) +(s\d+_)", r"\1(\2)", latex)
     latex = re.sub(r"\^ *\{ *(\d+) *\}", r"**\1", latex)
-    tokens = re.findall(r"\d+\.?\d*|s\d+_|sin|cos|tan|sqrt|ln|\*\*|[-+*/()]", latex)
+    tokens = TOKEN.findall(latex)
     said = ""
     for before, token in zip(["+", *tokens], tokens, strict=False):
-        ends = before == ")" or before[0].isdigit() or before.endswith("_")
+        ends = before in {")", "pi"} or before[0].isdigit() or before.endswith("_")
         begins = token == "(" or token[0].isdigit() or token[0].isalpha()
         said += ("*" if ends and begins else "") + token
     return said
+
+
+def computed(node: ast.expr, at: Mapping[str, Any], functions: Mapping[str, Any], number: Callable[[Any], Any]) -> Any:
+    """What an expression of Python comes to, in floats or in sympy's terms."""
+    match node:
+        case ast.Constant(value=int() | float() as told):
+            return number(told)
+        case ast.Name(id=name):
+            return at[name]
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            return -computed(inner, at, functions, number)
+        case ast.BinOp(left=left, op=operation, right=right):
+            sides = (computed(side, at, functions, number) for side in (left, right))
+            return OPERATIONS[type(operation)](*sides)
+        case ast.Call(func=ast.Name(id=name), args=[inner]):
+            return functions[name](computed(inner, at, functions, number))
+        case _:
+            raise ValueError(ast.dump(node))
 
 
 def value(latex: str, at: Mapping[str, float]) -> float | None:
     """The value of a formula of ours; None where it has none."""
     names = {symbol: f"s{number}_" for number, symbol in enumerate(at)}
     try:
-        found = eval(program(latex, names), {**FUNCTIONS, **{names[s]: number for s, number in at.items()}})
+        tree = ast.parse(program(latex, names), mode="eval").body
+        found = computed(tree, {"pi": pi, **{names[s]: number for s, number in at.items()}}, FUNCTIONS, float)
     except (ValueError, ZeroDivisionError, OverflowError):
         return None
     return float(found) if isfinite(found) else None
@@ -146,9 +198,8 @@ def rewritings(formula: FormulaRecord) -> Iterator[str]:
     yield f"x = {latex}"
     symbols = {name: sympy.Symbol(name, positive=True) for name in formula.symbols}
     names = {name: f"s{number}_" for number, name in enumerate(formula.symbols)}
-    space = {"sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "sqrt": sympy.sqrt, "ln": sympy.log}
-    whole = re.sub(r"\b(\d+)\b", r"Z(\1)", program(latex, names))
-    held = eval(whole, {**space, "Z": sympy.Integer, **{names[s]: symbols[s] for s in symbols}})
+    tree = ast.parse(program(latex, names), mode="eval").body
+    held = computed(tree, {"pi": sympy.pi, **{names[s]: symbols[s] for s in symbols}}, TERMS, sympy.nsimplify)
     for form in (sympy.expand, sympy.together):
         text = sympy.latex(form(held)).replace(r"\left|{", r"\left|").replace(r"}\right|", r"\right|")
         if len(text) < LONGEST:

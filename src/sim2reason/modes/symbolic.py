@@ -37,7 +37,7 @@ class Symbolic(QuestionMode):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Those to which some strategy of worked solutions has a way, and whose answers are functions of the symbols."""
+        """Those that some strategy of worked solutions has a way to, if their answers are functions of the symbols."""
         derived = (strategy.kinds for strategy in STRATEGIES.values() if not strategy.integrates)
         return frozenset(name for name in frozenset[str]().union(*derived) if KINDS[name].of_symbols)
 

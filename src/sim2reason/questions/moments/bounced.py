@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from sim2reason.dsl.mechanism import Meeting
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import EVEN
-from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import VelocityJump
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
@@ -36,17 +36,10 @@ class Bounced(VelocityJump):
         del trace
         return event.kind == "collision" and event.subjects == (self.name,)
 
-    def _verb(self, words: Words) -> Verb:
+    def does(self, words: Words) -> Verb:
+        """As in: hits the ground."""
         what = struck(words, self.name)
         return Verb(self.verb.told.format(what=what), self.verb.asked.format(what=what))
-
-    def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: just after the ball first hits the ground."""
-        return self._verb(words).sided(self.subject(words), self.number, after=self.after)
-
-    def clause(self, words: Words) -> Clause | None:
-        """As in: the ball first hits the ground."""
-        return self._verb(words).clause(self.subject(words), self.number) if self.after else None
 
 
 def struck(words: Words, name: str) -> str:

@@ -22,7 +22,7 @@ class Halted(Stopped):
     label = "rest for good"
     kinds = ("stick",)
     most = 0
-    verb = Verb("comes to rest for good", "come to rest for good")
+    verb = again = Verb("comes to rest for good", "come to rest for good")
 
     def is_this(self, event: Event, trace: Trace) -> bool:
         """Whether it stops then, has stopped before, and nothing ever moves again."""

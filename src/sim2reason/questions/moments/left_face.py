@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from sim2reason.quantities.subjects.contacts import Contacts
-from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
@@ -21,14 +21,7 @@ class LeftFace(Occurrence):
     most = 0
     verb = Verb("loses contact with {surface}", "lose contact with {surface}")
 
-    def _verb(self, words: Words) -> Verb:
+    def does(self, words: Words) -> Verb:
+        """As in: loses contact with the dome."""
         surface = words.fills(self.of, self.name)["surface"]
         return Verb(self.verb.told.format(surface=surface), self.verb.asked.format(surface=surface))
-
-    def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the ball loses contact with the dome."""
-        return self._verb(words).phrases(self.subject(words), None)
-
-    def clause(self, words: Words) -> Clause | None:
-        """As in: the ball loses contact with the dome."""
-        return self._verb(words).clause(self.subject(words), None)

@@ -1,6 +1,7 @@
 """The first time that a body that was moving comes to rest."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -26,6 +27,7 @@ class Stopped(Occurrence):
     kinds = ("turn", "stick", "slip")
     of = Bodies()
     verb = Verb("comes to rest", "come to rest")
+    again: ClassVar[Verb] = Verb("comes to rest again", "come to rest again")
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
@@ -33,6 +35,10 @@ class Stopped(Occurrence):
         mechanism = words.mechanism
         called = words.called(cls.of).items()
         return {name: said for name, said in called if not rides(mechanism, name)}
+
+    def does(self, words: Words) -> Verb:
+        """It comes to rest again, where all is at rest at the start."""
+        return self.again if words.released else self.verb
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:

@@ -92,17 +92,22 @@ class Occurrence(Happening):
         """How a question calls the one that it happens to."""
         return words.called(self.of)[self.name]
 
+    def does(self, words: Words) -> Verb:
+        """What it does, as a text says it."""
+        del words
+        return self.verb
+
     @property
     def _count(self) -> int | None:
         return self.number if self.most else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the string first goes slack."""
-        return self.verb.phrases(self.subject(words), self._count)
+        return self.does(words).phrases(self.subject(words), self._count)
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the string first goes slack."""
-        return self.verb.clause(self.subject(words), self._count)
+        return self.does(words).clause(self.subject(words), self._count)
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,11 +131,11 @@ class VelocityJump(Occurrence):
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: just after the ball first hits the ground."""
-        return self.verb.sided(self.subject(words), self.number, after=self.after)
+        return self.does(words).sided(self.subject(words), self.number, after=self.after)
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the ball first hits the ground; when that is, is asked of one side alone."""
-        return self.verb.clause(self.subject(words), self._count) if self.after else None
+        return self.does(words).clause(self.subject(words), self._count) if self.after else None
 
     def stretches(self, words: Words) -> tuple[str, ...]:
         """As in: up to the moment just after the ball hits the ground for the second time."""
