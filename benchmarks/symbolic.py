@@ -101,7 +101,7 @@ def program(latex: str, names: Mapping[str, str]) -> str:
     return said
 
 
-def computed(node: ast.expr, at: Mapping[str, Any], functions: Mapping[str, Any], number: Callable[[Any], Any]) -> Any:
+def computed(node: ast.expr, at: Mapping[str, Any], functions: Mapping[str, Any], number: Callable[[Any], Any]) -> Any:  # noqa: ANN401
     """What an expression of Python comes to, in floats or in sympy's terms."""
     match node:
         case ast.Constant(value=int() | float() as told):
