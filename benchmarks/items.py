@@ -1,7 +1,8 @@
-"""Items and scenes per CPU-second over all recipes: python benchmarks/items.py [items per cell].
+"""Items and scenes per CPU-second over all recipes: python benchmarks/items.py [items per cell] [mode].
 
 Every item is certified, of a scene of its own, with all filters and both engines counted. Then: a set from two
 workers, their CPU time included; scenes by the exact engine alone; the first item of a fresh process; the import.
+With a mode, its items alone.
 """
 
 import ctypes
@@ -31,14 +32,14 @@ CELLS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTI
 FIRST = "import sim2reason; sim2reason.item(recipe='hybrid', difficulty='hard', mode='numeric', seed=1, index=0)"
 
 
-def items(count: int) -> None:
+def items(count: int, mode: str) -> None:
     """Cell by cell in this process, after one item to load what is loaded lazily."""
-    make(Request("pulley", "easy", "numeric", SEED + 1, 0))
+    make(Request("pulley", "easy", mode, SEED + 1, 0))
     total, texts = 0.0, set[str]()
     for recipe, difficulty in CELLS:
         start, found = process_time(), set[str]()
         for index in range(count):
-            item = make(Request(recipe, difficulty, "numeric", SEED, index)).item
+            item = make(Request(recipe, difficulty, mode, SEED, index)).item
             if item is not None:
                 found.add(item.scene)
         spent = process_time() - start
@@ -104,9 +105,11 @@ def fresh_process(code: str) -> tuple[float, float]:
     return sorted(found)[RUNS // 2]
 
 
-def main(count: int) -> None:
+def main(count: int = 20, mode: str = "") -> None:
     adopt_orphans()
-    items(count)
+    items(count, mode or "numeric")
+    if mode:
+        return
     dataset(len(CELLS) * count)
     scenes()
     for name, code in (("first item", FIRST), ("import", "import sim2reason")):
@@ -115,4 +118,4 @@ def main(count: int) -> None:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 20)
+    main(*map(int, sys.argv[1:2]), *sys.argv[2:3])

@@ -1,6 +1,7 @@
 """How often a prompt alone leads back to its answer: ``python benchmarks/round_trip.py [ITEMS] [SEED]``.
 
-Each prompt is read back into a scene and a question, hidden numbers are drawn anew, and the scene is solved again.
+Each prompt, of every mode in turn, is read back into a scene and a question, hidden numbers are drawn anew, and the
+scene is solved again: one in symbols at the item's own numbers, a reverse one for its unknown.
 How often each shape of prompts was drawn is printed as well, and the largest share of one within a recipe.
 """
 
@@ -13,6 +14,7 @@ import numpy as np
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import Sim2ReasonError
+from sim2reason.questions import MODES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.recipes import RECIPES
 
@@ -21,7 +23,7 @@ TOLERANCE = 0.01
 
 def main(items: int = 500, seed: int = 11) -> int:
     """Print the share, and every item that is not answered again; exit code 1 if fewer than 99 % are."""
-    config = Config(items=items, recipes=tuple(RECIPES), seed=seed)
+    config = Config(items=items, recipes=tuple(RECIPES), modes=tuple(MODES), seed=seed)
     right, asked, spent = 0, 0, 0.0
     drawn, of_recipe = Counter[tuple[str, str]](), Counter[str]()
     for position in range(items):
@@ -33,7 +35,9 @@ def main(items: int = 500, seed: int = 11) -> int:
         of_recipe[item.recipe] += 1
         begin = time.process_time()
         try:
-            read = parse_prompt(item.prompt, np.random.default_rng(position))
+            formula = item.answer.formula
+            given = formula.given() if formula is not None else {}
+            read = parse_prompt(item.prompt, np.random.default_rng(position), given)
             answer = read.answer if read.shape == item.shape else None
         except Sim2ReasonError as error:
             print(f"{item.id}: {error}")

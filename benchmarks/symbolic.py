@@ -54,7 +54,8 @@ TERMS: dict[str, Any] = {
     "exp": sympy.exp,
 }
 ANGULAR = "arcsin|arccos|arctan|sin|cos|tan|ln"
-TOKEN = re.compile(rf"\d+\.?\d*|s\d+_|{'|'.join(FUNCTIONS)}|pi|\*\*|[-+*/()]")
+RAISED = re.compile(rf"\b({ANGULAR}) *\^ *\{{ *(\d+) *\}} *\(")
+TOKEN = re.compile(rf"\d+\.?\d*(?:e[-+]?\d+)?|s\d+_|{'|'.join(FUNCTIONS)}|pi|\*\*|[-+*/()]")
 OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -65,11 +66,11 @@ OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
 FRACTION = re.compile(r"\\[td]?frac\{")
 
 
-def inside(text: str, at: int) -> int:
+def inside(text: str, at: int, pair: str = "{}") -> int:
     """The place after the brace that closes the one before `at`."""
     depth = 1
     while depth:
-        depth += {"{": 1, "}": -1}.get(text[at], 0)
+        depth += {pair[0]: 1, pair[1]: -1}.get(text[at], 0)
         at += 1
     return at
 
@@ -91,6 +92,10 @@ def program(latex: str, names: Mapping[str, str]) -> str:
     latex = latex.replace(r"\ROOT", "sqrt").replace("\\", " ")
     latex = re.sub(rf"\b({ANGULAR}) *\^ *\{{ *(\d+) *\}} *(s\d+_)", r"(\1(\3)**\2)", latex)
     latex = re.sub(rf"\b({ANGULAR}) +(s\d+_)", r"\1(\2)", latex)
+    while raised := RAISED.search(latex):
+        end = inside(latex, raised.end(), "()")
+        argument = latex[raised.end() : end - 1]
+        latex = f"{latex[: raised.start()]}({raised[1]}({argument})**{raised[2]}){latex[end:]}"
     latex = re.sub(r"\^ *\{ *(\d+) *\}", r"**\1", latex)
     tokens = TOKEN.findall(latex)
     said = ""
