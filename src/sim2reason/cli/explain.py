@@ -68,10 +68,9 @@ def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> in
 
 def _solution(found: "CertifiedQuestion") -> str:
     """The worked solution, or why there is none."""
-    from sim2reason.solutions import Setting, solve
+    from sim2reason.solutions import solve
 
-    assert found.candidate.words is not None
-    solution = solve(Setting.of(found.question, found.study, found.candidate.words, found.description))
+    solution = solve(found.setting)
     return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sim2reason.cli import console, source
-from sim2reason.errors import SceneError, TextError
+from sim2reason.errors import DrawError, SceneError, TextError
 
 if TYPE_CHECKING:
     from sim2reason.solutions import Solution
@@ -46,15 +46,18 @@ def command(path: Path | None, name: str | None, question: str | None, seed: int
 
 
 def _of_item(name: str) -> "tuple[str, Solution]":
-    from sim2reason.datasets.items import item
-    from sim2reason.solutions import solve_prompt
+    from sim2reason.datasets.item_search import ItemSearch
+    from sim2reason.datasets.make import item_of
+    from sim2reason.datasets.plan import Request
+    from sim2reason.questions.spoken_units import system_named
+    from sim2reason.solutions import solve
 
-    parts = name.rsplit("-", 4)
-    if len(parts) != 5 or not (parts[3].isdigit() and parts[4].isdigit()):
-        raise click.UsageError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4.")
-    recipe, difficulty, mode, seed, index = parts
-    prompt = item(recipe, difficulty, mode, seed=int(seed), index=int(index)).prompt
-    return prompt, solve_prompt(prompt)[0]
+    request = Request.named(name)
+    system_named(request.units)
+    found = ItemSearch(request).found()
+    if found is None:
+        raise DrawError(f"{name}: no draw passed the filters, so that there is no such problem; take another index")
+    return item_of(request, found).prompt, solve(found.setting)
 
 
 def _of_scene(path: Path, question: str | None, seed: int) -> "tuple[str, Solution]":

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from sim2reason.datasets.plan import Request
-from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.question_search import NOTHING, CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.weights import in_drawn_order
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
@@ -19,7 +19,6 @@ TRIES = 2  # questions of one kind about one scene
 BARREN = 15  # scenes that offer nothing at all, after which none is expected to
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
 SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, BARREN
-NOTHING = "nothing to ask"
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 

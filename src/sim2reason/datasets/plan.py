@@ -3,6 +3,7 @@
 import hashlib
 import json
 import platform
+import re
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -10,7 +11,7 @@ from functools import cache, cached_property
 from importlib import import_module
 from importlib.metadata import version
 from itertools import product
-from typing import Annotated, cast
+from typing import Annotated, Self, cast
 
 from annotated_types import Ge, Le, MinLen
 from pydantic import Field
@@ -28,6 +29,11 @@ SI = "SI"
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
 SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 """The packages whose versions may change the bytes of a dataset."""
+
+_ID = re.compile(
+    r"(?P<recipe>[^-].{0,80}?)-(?P<difficulty>[a-z]{1,20})-(?P<mode>[a-z]{1,20})-(?P<seed>\d{1,19})-(?P<index>\d{1,19})"
+    r"(?:-(?P<units>[a-z]{1,20}(?<![0-9a-f]{8})))?(?:-(?P<weights>[0-9a-f]{8}))?"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +61,17 @@ class Request:
         name = f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
         units = f"-{self.units}" if self.units != SI else ""
         return f"{name}{units}-{_digest(self.weights)}" if self.weights else f"{name}{units}"
+
+    @classmethod
+    def named(cls, name: str) -> Self:
+        """The request of an id; DrawError for what is none, or for one whose weights no name tells."""
+        match = _ID.fullmatch(name)
+        if match is None:
+            raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")
+        if match["weights"]:
+            raise DrawError(f"{name!r}: its weights do not stand in its id; see: sim2reason explain OUT --id {name}")
+        seed, index = int(match["seed"]), int(match["index"])
+        return cls(match["recipe"], match["difficulty"], match["mode"], seed, index, units=match["units"] or SI)
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,12 +17,14 @@ from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
+from sim2reason.solutions import Setting
 
 SAMPLES = 41
 SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
 WORDINGS = 6  # tries
 QUESTIONS = 4  # tries that differ
 DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
+NOTHING = "nothing to ask"  # as a manifest counts it
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,12 @@ class CertifiedQuestion:
     def prompt(self) -> str:
         """The whole text."""
         return self.candidate.prompt
+
+    @property
+    def setting(self) -> Setting:
+        """All that a worked solution looks at."""
+        assert self.candidate.words is not None
+        return Setting.of(self.question, self.study, self.candidate.words, self.description)
 
 
 @dataclass(frozen=True)
@@ -155,7 +163,7 @@ class QuestionSearch:
             if question is None:
                 missed += 1
                 if not kind:
-                    refused["nothing to ask"] += 1
+                    refused[NOTHING] += 1
                 if missed == MISSES:
                     return
                 continue

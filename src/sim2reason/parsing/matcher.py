@@ -30,7 +30,7 @@ class Matcher:
     def __init__(self, pieces: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
         """`reach` is the number of pieces that some reading got through; `given` tells symbols by their LaTeX."""
         self.pieces = pieces
-        self._given = given
+        self.given = given
         self.reach = 0
         self._steps = 0
 
@@ -145,12 +145,12 @@ class Matcher:
     def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
         """A number with its unit, or a symbol for one; hearing another at the same address is a contradiction."""
         symbol = SYMBOL.match(text, at) if text.startswith("$", at) else None
-        if symbol and symbol[1] not in self._given:
+        if symbol and symbol[1] not in self.given:
             unknown = state.with_value(address, symbol.group())
             if unknown is not None:
                 yield symbol.end(), unknown
             return
-        told, begin = (self._given.get(symbol[1], ""), 0) if symbol else (text, at)
+        told, begin = (self.given.get(symbol[1], ""), 0) if symbol else (text, at)
         match = NUMBER.match(told, begin)
         if match is None:
             return

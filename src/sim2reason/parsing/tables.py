@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sim2reason.dsl.body import Body
-from sim2reason.dsl.measures import Measure, show_unit
+from sim2reason.dsl.measures import Measure, join_unit, show_unit
 from sim2reason.dsl.model import field_types
 from sim2reason.parsing.matcher import NUMBER, SYMBOL, Matcher
 from sim2reason.parsing.parse_state import ParseState
@@ -32,7 +32,7 @@ def parse_table(
     members = [f"{field}.{index}" for index in range(len(grid.letters))]
     then = state.with_noun(kind, grid.noun).with_count(field, len(members), len(members))
     then = _listed(then, kind, members, grid) if then is not None else None
-    then = _filled(then, kind, members, grid) if then is not None else None
+    then = _filled(matcher, then, kind, members, grid) if then is not None else None
     for piece in matcher.pieces[place + 1 : at]:
         then = _agreed(matcher, piece, kind, members, then) if then is not None else None
     if then is None:
@@ -65,23 +65,29 @@ def _listed(state: ParseState, kind: type[Body], members: list[str], grid: _Grid
     return state
 
 
-def _filled(state: ParseState, kind: type[Body], members: list[str], grid: _Grid) -> ParseState | None:
+def _filled(
+    matcher: Matcher, state: ParseState, kind: type[Body], members: list[str], grid: _Grid
+) -> ParseState | None:
     """The numbers of all cells."""
     columns = {heading: name for name, heading in headings(kind).items()}
     found: ParseState | None = state
     for address, row in zip(members, grid.cells, strict=True):
         for heading, cell in zip(grid.headings, row, strict=True):
             name = columns.get(heading, "")
-            value = _told(cell, field_types(kind)[name].measure) if name else None
+            value = _told(matcher, cell, field_types(kind)[name].measure) if name else None
             found = found.with_value(f"{address}.{name}", value) if found is not None and value is not None else None
     return found
 
 
-def _told(cell: str, measure: Measure | None) -> float | str | None:
-    """A symbol, or a number whose unit stands in the heading, but for the sign of a degree."""
-    if SYMBOL.fullmatch(cell):
-        return cell
-    digits = cell.removesuffix(show_unit("deg")) if measure is not None and measure.unit == "deg" else cell
+def _told(matcher: Matcher, cell: str, measure: Measure | None) -> float | str | None:
+    """A symbol, or the number for which it stands, or a number whose unit stands in the heading but for a degree's."""
+    unit = measure.unit if measure is not None else ""
+    if symbol := SYMBOL.fullmatch(cell):
+        if symbol[1] not in matcher.given:
+            return cell
+        digits = matcher.given[symbol[1]].removesuffix(join_unit("", unit))
+    else:
+        digits = cell.removesuffix(show_unit("deg")) if unit == "deg" else cell
     return float(digits.replace("\N{MINUS SIGN}", "-")) if NUMBER.fullmatch(digits) else None
 
 

@@ -52,12 +52,6 @@ class Arm:
         self.bodies = [body.name for body in setting.mechanism.bodies if body.mass]
         self._pieces: dict[str, Piece] = {}
 
-    def _told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
-        step = self.book.open(kind)
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
-
     def _read(self, number: Callable[[Mechanism], float]) -> Expression:
         lexicon = self.setting.lexicon
         return lexicon.read(Both(number(lexicon.mechanism), number(lexicon.twin))).expression()
@@ -138,10 +132,10 @@ class Arm:
             raise UnreadError(f"the centre of mass of {self.setting.called(body)} is in no table")
         name = self.book.fresh("c", self.setting.mark(body))
         said = f"The centre of mass of {self.setting.called(body)} is from the centre that the text speaks of"
-        shift: Expression = self._told("table", said, name, spread.center, METRES)
+        shift: Expression = self.book.told("table", said, name, spread.center, METRES)
         shift = shift if aside * self.book.value(shift) > 0.0 else -shift
         whole = self.book.fresh("r", self.setting.mark(body))
-        self._told("place", "From the axle, along the arm, it is", whole, plain + shift, METRES)
+        self.book.told("place", "From the axle, along the arm, it is", whole, plain + shift, METRES)
         if abs(self.book.value(whole) - here) > SAME:
             raise UnreadError(f"the centre of mass of {self.setting.called(body)} is beside the arm")
         return whole
@@ -163,7 +157,7 @@ class Arm:
             if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
                 said = f"About its centre of mass, {self.setting.called(body)} has the moment of inertia"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
-                return self._told("table", said, name, mass * formula, INERTIA)
+                return self.book.told("table", said, name, mass * formula, INERTIA)
         raise UnreadError(f"the moment of inertia of {self.setting.called(body)} is in no table")
 
     # ---- all together
@@ -176,7 +170,7 @@ class Arm:
             piece = self.piece(body)
             total = total + piece.inertia + piece.mass * _squared(piece.place)
         said = "About the axle, by the parallel-axis theorem, the moment of inertia is"
-        return self._told("inertia", said, self.book.fresh("I"), total, INERTIA)
+        return self.book.told("inertia", said, self.book.fresh("I"), total, INERTIA)
 
     @cached_property
     def moment(self) -> Expression:
@@ -188,7 +182,7 @@ class Arm:
         if len(parts) == 1:
             return total
         said = "The masses times their distances from the axle, counted along the arm, add up to"
-        return self._told("moment", said, self.book.fresh("S"), total, MOMENT)
+        return self.book.told("moment", said, self.book.fresh("S"), total, MOMENT)
 
     def noun(self) -> str:
         """What turns, with a capital."""

@@ -8,6 +8,7 @@ from typing import Literal
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.solutions.digits import rounded
 from sim2reason.solutions.expressions import Expression, Number, Symbol
+from sim2reason.solutions.subscripts import marked
 from sim2reason.solutions.unit_latex import CANONICAL, DEGREES, latex
 
 Role = Literal["given", "law", "derived", "result", "integrated"]
@@ -199,6 +200,13 @@ class Book:
         """Begin a step."""
         return Writing(self, kind)
 
+    def told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "") -> Symbol:
+        """A step of one sentence that ends with a law by itself; gives back the name."""
+        step = self.open(kind)
+        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
     def close(self, kind: str, text: str, relations: list[Relation], gives: list[str], rests: list[str]) -> Step:
         """Keep a step."""
         number = len(self.steps)
@@ -282,19 +290,3 @@ class Writing:
         if self._said or self._relations:
             text = " ".join(self._said)
             self._book.close(self._kind, text, self._relations, self._gives, self._rests)
-
-
-def subscript(name: str) -> str:
-    """What stands below a name, without its braces; empty for nothing."""
-    inner = name.partition("_")[2]
-    return inner[1:-1] if inner.startswith("{") else inner
-
-
-def marked(base: str, mark: str) -> str:
-    """A name with a subscript, added to the one that it may have."""
-    if not mark:
-        return base
-    inner = subscript(base)
-    joined = f"{inner},{mark}" if inner else mark
-    stem = base.partition("_")[0]
-    return f"{stem}_{joined}" if len(joined) == 1 else f"{stem}_{{{joined}}}"

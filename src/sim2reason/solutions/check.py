@@ -2,23 +2,23 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from math import degrees, prod
+from math import degrees
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.book import WELL, Relation, Solution
 from sim2reason.solutions.digits import DIGITS, shortened
-from sim2reason.solutions.expressions import Expression, Product, Quotient, Sum, Symbol
+from sim2reason.solutions.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.unit_latex import DEGREES
 from sim2reason.solutions.worked import gradient
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
-ROUNDING = 1e-13  # in SI units: what arithmetic leaves of numbers that cancel
+ROUNDING = 1e-13  # in SI units: what arithmetic leaves of numbers that cancel, as in a limiting case, where a = 0
 ASIDE, ROUNDS = 0.03, 6  # relative: how far what is free is followed; steps back onto the laws
 AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
-SEEN = {"threshold": 1e-6}  # by kind: from where on an engine sees that something moves, an acceleration of 1e-9 g
+SEEN = {"threshold": 1e-7}  # by kind: an engine sees that something moves from an acceleration of 1e-9 g on
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
 
 
@@ -55,16 +55,8 @@ def holds(relation: Relation, values: Mapping[str, float]) -> bool:
 
 
 def _size(held: Expression, at: Mapping[str, float]) -> float:
-    """The size of the largest of its terms, those of a fraction's numerator and of brackets in products included."""
-    match held:
-        case Sum():
-            return max((_size(term, at) for term in held.terms), default=0.0)
-        case Product():
-            return prod(_size(factor, at) for factor in held.factors)
-        case Quotient():
-            return _size(held.above, at) / abs(held.below.value(at))
-        case _:
-            return abs(held.value(at))
+    terms = held.terms if isinstance(held, Sum) else (held,)
+    return max((abs(term.value(at)) for term in terms), default=0.0)
 
 
 def undetermined(solution: Solution) -> list[str]:

@@ -29,13 +29,6 @@ class FieldMoment:
         """Nothing is written yet."""
         self.setting, self.book, self.fields = setting, book, fields
 
-    def told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
-        """A step of one sentence that ends with a law by itself."""
-        step = self.book.open(kind)
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
-
     @cached_property
     def motion(self) -> FieldMotion:
         """As functions of time."""
@@ -71,7 +64,7 @@ class FieldMoment:
         kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
         if turns is not None and self._uniform and self.fields.launch == [ZERO, ZERO]:
             size = turns if self.book.value(turns) > 0.0 else -turns
-            return self.told(
+            return self.book.told(
                 "stop", "What turns of the velocity cancels the drift again after", name, TWO * PI / size, SECONDS
             )
         if len(kept) != 1 or drive is None or drive.frequency is not None:
@@ -100,7 +93,7 @@ class FieldMoment:
             speed = Symbol(given.symbol)
         size = turns if self.book.value(turns) > 0.0 else -turns
         said = "Magnetic force and circular motion give the radius of its circle,"
-        return self.told("circle", said, self.book.fresh("R"), speed / size, METRES)
+        return self.book.told("circle", said, self.book.fresh("R"), speed / size, METRES)
 
     def _chord(self, distance: Symbol, name: Symbol) -> Symbol:
         turns = self.fields.turning
@@ -108,7 +101,7 @@ class FieldMoment:
         size = turns if self.book.value(turns) > 0.0 else -turns
         half = Call("arcsin", distance / (TWO * self._circle))
         said = "It is so far away when this is the chord of the angle through which it has turned:"
-        return self.told("chord", said, name, TWO / size * half, SECONDS)
+        return self.book.told("chord", said, name, TWO / size * half, SECONDS)
 
     @property
     def _uniform(self) -> bool:
@@ -123,16 +116,16 @@ class FieldMoment:
         if query.functional == "greatest displacement":
             if fields.drive is None and fields.damping is None:
                 said = "The longest chord is its diameter,"
-                return self.told("chord", said, self.book.fresh("d"), TWO * self._circle, METRES)
+                return self.book.told("chord", said, self.book.fresh("d"), TWO * self._circle, METRES)
             return self._farthest()
         if self._uniform and isinstance(self.motion, Turning):
-            speed = self.told(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
+            speed = self.book.told(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
         else:
             speed = self._fastest(-1.0 if query.functional.startswith("least") else 1.0)
         if query.functional != "greatest kinetic energy":
             return speed
         energy = HALF * fields.mass * Power(speed, 2)
-        return self.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, latex("J"))
+        return self.book.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, latex("J"))
 
     def _farthest(self) -> Symbol:
         """Where the displacement is square to the velocity."""
@@ -143,7 +136,7 @@ class FieldMoment:
         if len(kept) == 1:
             raise UnsolvedError("it moves to and fro on a line")
         self._turned(time, parts, 1.0, kept[0] + kept[1], "displacement is square to its velocity")
-        return self.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
+        return self.book.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
 
     def _fastest(self, sign: float) -> Symbol:
         """Where the forces that do work do none: the magnetic one never does."""
@@ -160,7 +153,7 @@ class FieldMoment:
         elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
             halves = round(drive.frequency.value(at).real * near / np.pi - 0.5)
             said = "Its speed is extreme when the electric force passes through zero, at"
-            self.told("extremum", said, time, Number(halves + 0.5) * PI / drive.frequency, SECONDS)
+            self.book.told("extremum", said, time, Number(halves + 0.5) * PI / drive.frequency, SECONDS)
         else:
             slow = abs(rates[drive.axis].value(at)) < 0.05 * float(squares(rates).value(at).real) ** 0.5
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
@@ -172,7 +165,7 @@ class FieldMoment:
                 step.close()
             else:
                 self._turned(time, rates, sign, rates[drive.axis] if slow else pull, along)
-        return self.told("extremum", "The speed is then", self.book.fresh("v"), Root(squares(rates)), SPEED)
+        return self.book.told("extremum", "The speed is then", self.book.fresh("v"), Root(squares(rates)), SPEED)
 
     def _turned(self, time: Symbol, parts: list[Expression], sign: float, residual: Expression, said: str) -> None:
         """When something vanishes, near where a vector is longest or shortest."""

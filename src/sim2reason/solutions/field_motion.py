@@ -28,14 +28,11 @@ class FieldMotion(ABC):
     def rate(self, axis: int, time: Expression) -> Expression:
         """The velocity along an axis after a time."""
 
-    def told(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:
+    def named(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:
         """A constant of the motion, by a name unless it is zero or a name already."""
         if formula == ZERO or isinstance(formula, Symbol):
             return formula
-        step, name = self.book.open("motion"), self.book.fresh(base, mark)
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
+        return self.book.told("motion", said, self.book.fresh(base, mark), formula, unit)
 
 
 def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
@@ -97,16 +94,16 @@ class Driven(FieldMotion):
         along = AXES[self._drive.axis]
         if self._swings:
             said = f"Along {along} that is a harmonic oscillation with the angular frequency"
-            return self.told(said, r"\omega", "", Root(-slope), latex("rad/s"))
+            return self.named(said, r"\omega", "", Root(-slope), latex("rad/s"))
         said = f"Along {along} the departure from where the force is zero grows or decays exponentially, at the rate"
-        return self.told(said, r"\lambda", "", Root(slope), RATE)
+        return self.named(said, r"\lambda", "", Root(slope), RATE)
 
     @cached_property
     def _center(self) -> Expression:
         slope = self._drive.slope
         assert slope is not None
         along = AXES[self._drive.axis]
-        return self.told(
+        return self.named(
             f"The force is zero at {along} equal to", along, "c", -(self._drive.strength / slope), latex("m")
         )
 
@@ -151,24 +148,24 @@ class Turning(FieldMotion):
         along, across = AXES[i], AXES[j]
         if self.fields.damping is not None:
             both = Power(self.fields.damping, 2) + Power(turns, 2)
-            found[i] = self.told(
+            found[i] = self.named(
                 f"In the end it drifts along {along} with", "u", along, self.fields.damping * f / both, SPEED
             )
             said = f"Along {across} it drifts with"
-            found[j] = self.told(said, "u", across, -(turns * f / both) * TURNS[i], SPEED)
+            found[j] = self.named(said, "u", across, -(turns * f / both) * TURNS[i], SPEED)
         elif drive.frequency is not None:
             gap = Power(drive.frequency, 2) - Power(turns, 2)
             said = f"The electric field keeps up a velocity along {along} as the sine of its phase, with the amplitude"
-            found[i] = self.told(said, "u", along, f * drive.frequency / gap, SPEED)
+            found[i] = self.named(said, "u", along, f * drive.frequency / gap, SPEED)
             said = f"With it goes one along {across} as the cosine, with the amplitude"
-            found[j] = self.told(said, "u", across, f * turns / gap * TURNS[i], SPEED)
+            found[j] = self.named(said, "u", across, f * turns / gap * TURNS[i], SPEED)
         else:
             first = "" if drive.growth is None else " at first"
             said = f"Electric and magnetic force cancel{first} for a drift along {across} with"
-            found[j] = self.told(said, "u", across, -(f / turns) * TURNS[i], SPEED)
+            found[j] = self.named(said, "u", across, -(f / turns) * TURNS[i], SPEED)
             if drive.growth is not None:
                 said = f"As the drift grows, there is one along {along}, too, with"
-                found[i] = self.told(said, "u", along, drive.growth / Power(turns, 2), SPEED)
+                found[i] = self.named(said, "u", along, drive.growth / Power(turns, 2), SPEED)
         return found
 
     @cached_property
@@ -178,7 +175,7 @@ class Turning(FieldMotion):
         found: list[Expression] = []
         for axis, begins in enumerate(self.launch):
             said = f"What turns of the velocity is at first, along {AXES[axis]},"
-            found.append(self.told(said, "w", AXES[axis], begins - still[axis], SPEED))
+            found.append(self.named(said, "w", AXES[axis], begins - still[axis], SPEED))
         return found
 
     def _kept(self, axis: int, time: Expression | None) -> Expression:

@@ -73,12 +73,6 @@ class Fields:
         """The number of the force of a kind."""
         return next((n for n in self.forces if isinstance(self.setting.mechanism.forces[n].law, kind)), None)
 
-    def _told(self, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
-        step = self.book.open("field")
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
-
     # ---- what acts
 
     @cached_property
@@ -89,7 +83,9 @@ class Fields:
             return None
         charge = self._read(lambda m: _magnetic(m.forces[number]))
         said = "The magnetic force is square to the velocity and turns it clockwise at the rate"
-        return self._told(said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, latex("rad/s"))
+        return self.book.told(
+            "field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, latex("rad/s")
+        )
 
     @cached_property
     def damping(self) -> Symbol | None:
@@ -99,7 +95,7 @@ class Fields:
             return None
         drag = self._read(lambda m: getattr(m.forces[number].law, "linear", 0.0)).expression()
         said = "The medium slows it at the rate"
-        return self._told(said, self.book.fresh(r"\gamma"), drag / self.mass, RATE)
+        return self.book.told("field", said, self.book.fresh(r"\gamma"), drag / self.mass, RATE)
 
     @cached_property
     def drag(self) -> Expression:
@@ -113,7 +109,7 @@ class Fields:
         vx, vy = self.launch
         said = "The medium slows it at first at the rate"
         formula = square.expression() * Root(Power(vx, 2) + Power(vy, 2)) / self.mass
-        return self._told(said, self.book.fresh(r"\gamma"), formula, RATE)
+        return self.book.told("field", said, self.book.fresh(r"\gamma"), formula, RATE)
 
     @cached_property
     def drive(self) -> Drive | None:
@@ -127,21 +123,21 @@ class Fields:
         strength = self._part(number, "value", axis) / self.mass
         first = "" if law.profile.uniform else " at first" if law.profile.steady is False else " at the origin"
         said = f"The electric force accelerates it along {AXES[axis]}{first} by"
-        name = self._told(said, self.book.fresh("a", r"\text{E}"), strength, latex("m/s^2"))
+        name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, latex("m/s^2"))
         profile = law.profile
         if profile.frequency:
             frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
             return Drive(axis, name, frequency=frequency)
         if profile.rate:
             growth, more = self._part(number, "rate", axis) / self.mass, "In each second that grows by"
-            return Drive(axis, name, growth=self._told(more, self.book.fresh("j"), growth, latex("m/s^3")))
+            return Drive(axis, name, growth=self.book.told("field", more, self.book.fresh("j"), growth, latex("m/s^3")))
         if profile.slope:
             along = next(n for n in (0, 1) if abs(profile.axis[n]) > 0.5)
             slope, more = (
                 self._part(number, "slope", axis) / self.mass,
                 f"For each metre along {AXES[along]} that grows by",
             )
-            slope = self._told(more, self.book.fresh("k"), slope, latex("1/s^2"))
+            slope = self.book.told("field", more, self.book.fresh("k"), slope, latex("1/s^2"))
             return Drive(axis, name, slope=slope, along=along)
         return Drive(axis, name)
 

@@ -48,27 +48,20 @@ class KeplerOrbit:
         """A name that says whose it is, if that needs to be said."""
         return self.book.fresh(base, ",".join(part for part in (mark, self._mark) if part))
 
-    def result(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "") -> Symbol:
-        """A step of one sentence that ends with a law by itself."""
-        step = self.book.open(kind)
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
-
     # ---- the ellipse
 
     @cached_property
     def parameter(self) -> Symbol:
         """µ = G M."""
         constant = gravitational_constant(self.book, self.setting.mechanism.attractions[0].constant)
-        return self.result("parameter", "Let", self.named(r"\mu"), constant * self._heavy, PARAMETER)
+        return self.book.told("parameter", "Let", self.named(r"\mu"), constant * self._heavy, PARAMETER)
 
     @cached_property
     def radius(self) -> Symbol:
         """How far away it is at the start."""
         formula = Root(squares(self.place))
         said = f"At first the distance of {self.setting.called(self.body)} is"
-        return self.result("distance", said, self.named("r", "0"), formula, METRES)
+        return self.book.told("distance", said, self.named("r", "0"), formula, METRES)
 
     @cached_property
     def axis(self) -> Symbol:
@@ -79,19 +72,19 @@ class KeplerOrbit:
             raise UnsolvedError("its orbit is no ellipse")
         said = r"Its energy per unit of mass, $\tfrac12 v^{2} - \mu/r$, is that of an ellipse, $-\mu/(2a)$, whose "
         said += "semi-major axis is"
-        return self.result("energy", said, self.named("a"), formula, METRES)
+        return self.book.told("energy", said, self.named("a"), formula, METRES)
 
     @cached_property
     def period(self) -> Symbol:
         """Kepler's third law."""
         formula = TWO * PI * Root(Power(self.axis, 3) / self.parameter)
-        return self.result("period", "By Kepler's third law the period is", self.named("T"), formula, SECONDS)
+        return self.book.told("period", "By Kepler's third law the period is", self.named("T"), formula, SECONDS)
 
     @cached_property
     def mean_motion(self) -> Symbol:
         """The mean angular velocity, √(µ/a³)."""
         formula = Root(self.parameter / Power(self.axis, 3))
-        return self.result("mean motion", "The mean motion is", self.named("n"), formula, latex("rad/s"))
+        return self.book.told("mean motion", "The mean motion is", self.named("n"), formula, latex("rad/s"))
 
     @cached_property
     def dot(self) -> Expression:
@@ -103,13 +96,13 @@ class KeplerOrbit:
         """The angular momentum per unit of mass, positive about z."""
         formula = self.place[0] * self.rate[1] - self.place[1] * self.rate[0]
         said = "The angular momentum per unit of mass about the centre is"
-        return self.result("angular momentum", said, self.named("h"), formula, AREAL)
+        return self.book.told("angular momentum", said, self.named("h"), formula, AREAL)
 
     @cached_property
     def along(self) -> Symbol:
         """Of the product e cos E₀, the value."""
         said = r"Of the eccentric anomaly $E$ at the start, $e \cos E$ is"
-        return self.result("anomaly", said, self.named("p"), ONE - self.radius / self.axis)
+        return self.book.told("anomaly", said, self.named("p"), ONE - self.radius / self.axis)
 
     @cached_property
     def across(self) -> Expression:
@@ -117,7 +110,7 @@ class KeplerOrbit:
         if self.dot == ZERO:
             return ZERO  # it begins at an apsis
         formula = self.dot / Root(self.parameter * self.axis)
-        return self.result(
+        return self.book.told(
             "anomaly", r"Of the eccentric anomaly $E$ at the start, $e \sin E$ is", self.named("q"), formula
         )
 
@@ -125,13 +118,13 @@ class KeplerOrbit:
     def eccentricity(self) -> Symbol:
         """From energy and angular momentum."""
         formula = Root(ONE - Power(self.momentum, 2) / (self.parameter * self.axis))
-        return self.result("eccentricity", "The eccentricity is", self.named("e"), formula)
+        return self.book.told("eccentricity", "The eccentricity is", self.named("e"), formula)
 
     def apsis(self, *, far: bool) -> Symbol:
         """The greatest or the least distance."""
         e, which = self.eccentricity, "greatest" if far else "least"
         formula = self.axis * (ONE + e if far else ONE - e)
-        return self.result("apsis", f"The {which} distance is", self.named("r"), formula, METRES)
+        return self.book.told("apsis", f"The {which} distance is", self.named("r"), formula, METRES)
 
     # ---- how far it has come
 
@@ -154,9 +147,9 @@ class KeplerOrbit:
             return self.period
         if grown == PI:
             said = "From one apsis to the other it takes half of that,"
-            return self.result("time", said, self.named("t"), HALF * self.period, SECONDS)
+            return self.book.told("time", said, self.named("t"), HALF * self.period, SECONDS)
         formula = self._grown(grown) / self.mean_motion
-        return self.result("time", "By Kepler's equation that takes", self.named("t"), formula, SECONDS)
+        return self.book.told("time", "By Kepler's equation that takes", self.named("t"), formula, SECONDS)
 
     def _grown(self, angle: Expression) -> Expression:
         return angle - self.along * Call("sin", angle) + self.across * (ONE - Call("cos", angle))
@@ -173,7 +166,7 @@ class KeplerOrbit:
         where = "farthest" if far else "nearest"
         which = r"180^\circ" if far else "0"
         said = f"It is {where} where $E$ is ${which}$ or whole turns more, so that $E$ has grown by"
-        return self.result("apsis", said, self.named(r"\eta"), formula, RADIANS)
+        return self.book.told("apsis", said, self.named(r"\eta"), formula, RADIANS)
 
     def to_distance(self, distance: Symbol) -> Symbol:
         """By how much it has grown when the body is first so far from where it began."""
@@ -195,7 +188,7 @@ class KeplerOrbit:
         name, angle = self.named("d"), self.named(r"\eta")
         if self.dot == ZERO:
             said = "It begins at an end of the major axis, from which the other end is farthest:"
-            return self.result("distance", said, name, TWO * self.axis, METRES)
+            return self.book.told("distance", said, name, TWO * self.axis, METRES)
         sine, cosine = Call("sin", angle), Call("cos", angle)
         turned = (self.radius / self.axis * cosine + self.across * sine) / self.mean_motion
         less, more = self.weights(angle)
@@ -213,7 +206,7 @@ class KeplerOrbit:
         step.say(f"{said} {law}; found numerically,")
         step.say(f"{step.result(angle, NumericRoot(residual, angle.name, near), RADIANS)}.")
         step.close()
-        return self.result("distance", "There the distance is", name, Root(square), METRES)
+        return self.book.told("distance", "There the distance is", name, Root(square), METRES)
 
     def _away(self, angle: Expression) -> Expression:
         """The square of the displacement, when the anomaly has grown by an angle."""

@@ -64,20 +64,20 @@ class OrbitPlace(ABC):
             place = orbit.place[axis] + self.component("s", axis)
             formula, unit = -(orbit.parameter * place / Power(self.radius, 3)), ACCELERATION
             said = f"The acceleration points to the centre; along {label} it is"
-        return orbit.result("component", said, orbit.named(kind, label), formula, unit)
+        return orbit.book.told("component", said, orbit.named(kind, label), formula, unit)
 
     @cached_property
     def speed(self) -> Symbol:
         """From the energy: the vis-viva equation."""
         orbit = self.orbit
         formula = Root(orbit.parameter * (TWO / self.radius - ONE / orbit.axis))
-        return orbit.result("energy", "By the same energy its speed is", orbit.named("v"), formula, SPEED)
+        return orbit.book.told("energy", "By the same energy its speed is", orbit.named("v"), formula, SPEED)
 
     @cached_property
     def pull(self) -> Symbol:
         """The size of the acceleration."""
         orbit, formula = self.orbit, self.orbit.parameter / Power(self.radius, 2)
-        return orbit.result("attraction", "Its acceleration is", orbit.named("a"), formula, ACCELERATION)
+        return orbit.book.told("attraction", "Its acceleration is", orbit.named("a"), formula, ACCELERATION)
 
 
 class AtAnomaly(OrbitPlace):
@@ -101,7 +101,7 @@ class AtAnomaly(OrbitPlace):
         orbit, angle = self.orbit, self.grown
         near = ONE - orbit.along * Call("cos", angle) + orbit.across * Call("sin", angle)
         said = "The distance from the centre is then"
-        return orbit.result("distance", said, orbit.named("r"), orbit.axis * near, METRES)
+        return orbit.book.told("distance", said, orbit.named("r"), orbit.axis * near, METRES)
 
     @cached_property
     def _weights(self) -> dict[str, Symbol]:
@@ -130,7 +130,7 @@ class AtAnomaly(OrbitPlace):
             formula = ONE - orbit.axis / self.radius * rest
         whole, part = "displacement" if number in "12" else "velocity", "place" if number in "13" else "velocity"
         unit = {"2": latex("s"), "3": latex("1/s")}.get(number, "")
-        return orbit.result("weights", f"In the {whole}, the first {part} has the weight", name, formula, unit)
+        return orbit.book.told("weights", f"In the {whole}, the first {part} has the weight", name, formula, unit)
 
     def _moved(self, axis: int) -> Expression:
         return self._combined("12", axis)
@@ -152,14 +152,14 @@ class Turned(OrbitPlace):
     def _rectum(self) -> Symbol:
         orbit, formula = self.orbit, Power(self.orbit.momentum, 2) / self.orbit.parameter
         said = "The semi-latus rectum of the ellipse is"
-        return orbit.result("conic", said, orbit.named(r"\ell"), formula, METRES)
+        return orbit.book.told("conic", said, orbit.named(r"\ell"), formula, METRES)
 
     @cached_property
     def _outward(self) -> Symbol:
         """How fast it recedes at the start."""
         orbit = self.orbit
         said = "At first it recedes with"
-        return orbit.result("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
+        return orbit.book.told("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
 
     def _distance(self) -> Symbol:
         """ℓ/r = 1 + e cos ν: ahead by 180° the cosine has the other sign, by 90° it is minus the sine."""
@@ -170,7 +170,7 @@ class Turned(OrbitPlace):
         else:
             formula = self._rectum / (ONE - self._across)
             said = r"By the conic, a right angle on $\ell/r$ is $1 - e \sin\nu$ with the first $\nu$, so that"
-        return orbit.result("conic", said, orbit.named("r"), formula, METRES)
+        return orbit.book.told("conic", said, orbit.named("r"), formula, METRES)
 
     @property
     def _across(self) -> Expression:
@@ -186,7 +186,7 @@ class Turned(OrbitPlace):
         orbit = self.orbit
         swift = orbit.momentum if self._sense > 0.0 else -orbit.momentum
         formula = orbit.parameter / swift * (self._rectum / orbit.radius - ONE)
-        return orbit.result("recedes", "There it recedes with", orbit.named("u"), formula, SPEED)
+        return orbit.book.told("recedes", "There it recedes with", orbit.named("u"), formula, SPEED)
 
     @property
     def _direction(self) -> tuple[Expression, Expression]:
@@ -217,4 +217,4 @@ class Turned(OrbitPlace):
         if orbit.book.value(formula) <= 0.0:
             formula = formula + TWO * PI
         said = r"As $e \cos E$ is $1 - r/a$ at both places, $E$ has grown by"
-        return orbit.result("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)
+        return orbit.book.told("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)

@@ -4,12 +4,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions.book import Book, UnsolvedError, subscript
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import STILL, Shared
+from sim2reason.solutions.subscripts import subscript
 from sim2reason.solutions.written_dynamics import WrittenDynamics
 
 SECONDS, METRES, SPEED = r"\ \text{s}", r"\ \text{m}", r"\ \text{m/s}"

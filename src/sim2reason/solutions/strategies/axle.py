@@ -82,13 +82,7 @@ class _Turning(SwingAngle):
             formula = -formula
         if isinstance(formula, Symbol):
             return formula
-        return self._told("answer", why or "So", self.book.fresh(base), formula, unit)
-
-    def _told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
-        step = self.book.open(kind)
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
+        return self.book.told("answer", why or "So", self.book.fresh(base), formula, unit)
 
     @property
     def _vertical(self) -> bool:
@@ -172,7 +166,7 @@ class _Turning(SwingAngle):
         size = moment if self.book.value(moment) > 0.0 else -moment
         formula = size * self.gravity * self.sine / self.arm.inertia
         said = "The torque of gravity over the moment of inertia is the angular acceleration"
-        return self._told("torque", said, self.book.fresh(r"\alpha"), formula, latex("rad/s^2"))
+        return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, latex("rad/s^2"))
 
     def _period(self, query: PeriodQuery) -> Symbol:
         """Small oscillations: ω² = S g/I."""
@@ -183,12 +177,12 @@ class _Turning(SwingAngle):
         )
         said += "with the angular frequency"
         formula = Root(size * self.gravity / self.arm.inertia)
-        rate = self._told("oscillation", said, self.book.fresh(r"\omega"), formula, RATE)
+        rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, RATE)
         if query.measure == "angular frequency":
             return rate
         if query.measure == "frequency":
-            return self._told("period", "The frequency is", self.book.fresh("f"), rate / (TWO * PI), latex("Hz"))
-        return self._told("period", "The period is", self.book.fresh("T"), TWO * PI / rate, latex("s"))
+            return self.book.told("period", "The frequency is", self.book.fresh("f"), rate / (TWO * PI), latex("Hz"))
+        return self.book.told("period", "The period is", self.book.fresh("T"), TWO * PI / rate, latex("s"))
 
     # ---- quantities
 

@@ -121,8 +121,8 @@ class _InFields(Way):
             raise UnsolvedError("it does not go round a circle")
         size = turns if self.book.value(turns) > 0.0 else -turns
         if query.measure == "frequency":
-            return self.moment.told("period", "The frequency is", self.book.fresh("f"), size / (TWO * PI), latex("Hz"))
-        return self.moment.told("period", "One turn takes", self.book.fresh("T"), TWO * PI / size, SECONDS)
+            return self.book.told("period", "The frequency is", self.book.fresh("f"), size / (TWO * PI), latex("Hz"))
+        return self.book.told("period", "One turn takes", self.book.fresh("T"), TWO * PI / size, SECONDS)
 
     def _potential(self) -> Symbol:
         """Minus the work of the electric force."""
@@ -135,7 +135,7 @@ class _InFields(Way):
                 raise UnsolvedError("the field has no potential")
             work = work + HALF * self.fields.mass * drive.slope * Power(moved, 2)
         said = "The potential energy changes by minus the work of the electric force,"
-        return self.moment.told("energy", said, self.book.fresh("U"), -work, latex("J"))
+        return self.book.told("energy", said, self.book.fresh("U"), -work, latex("J"))
 
     # ---- for goals
 
@@ -170,7 +170,7 @@ class _InFields(Way):
         if formula == ZERO or isinstance(formula, Symbol):
             return formula
         said = f"Its {NOUNS[kind]} along {AXES[axis]} is"
-        return self.moment.told("component", said, self.book.fresh(kind, AXES[axis]), formula, UNITS[kind])
+        return self.book.told("component", said, self.book.fresh(kind, AXES[axis]), formula, UNITS[kind])
 
     def _component(self, kind: str) -> Callable[[int], Expression]:
         return lambda axis: self.rate(kind, self.fields.coordinates[axis]).expression()

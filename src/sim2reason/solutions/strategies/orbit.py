@@ -171,7 +171,7 @@ class _OnOrbit(Way):
         if query.functional == "area swept":
             swift = orbit.momentum if self.book.value(orbit.momentum) > 0.0 else -orbit.momentum
             said = "Half the angular momentum per unit of mass is the area swept out per unit of time, so that it is"
-            return orbit.result("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
+            return orbit.book.told("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
         if query.functional == "greatest displacement":
             return orbit.farthest()
         which, far = FUNCTIONALS[query.functional]

@@ -76,12 +76,6 @@ class _Rocking:
             raise UnreadError(f"the {field} is not said")
         return Symbol(given.symbol)
 
-    def _told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
-        step = self.book.open(kind)
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
-
     # ---- the body
 
     @cached_property
@@ -103,14 +97,14 @@ class _Rocking:
     def offset(self) -> Symbol:
         """Of the centre of mass from the axis."""
         said = "As the hole lacks on one side, the centre of mass lies on the other, from the axis at a distance of"
-        return self._told("table", said, self.book.fresh("c"), self._spread[0], latex("m"))
+        return self.book.told("table", said, self.book.fresh("c"), self._spread[0], latex("m"))
 
     @cached_property
     def own(self) -> Symbol:
         """The moment of inertia about the centre of mass."""
         _ = self.offset
         said = "About its centre of mass the moment of inertia is, the whole body less the hole,"
-        return self._told("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], latex("kg m^2"))
+        return self.book.told("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], latex("kg m^2"))
 
     @cached_property
     def about(self) -> Symbol:
@@ -119,7 +113,7 @@ class _Rocking:
         across = ez * ux - ex * uz
         square = Power(self.radius, 2) + Power(self.offset, 2) + TWO * self.radius * self.offset * across
         said = "About the line of contact it is, by the parallel-axis theorem and the cosine rule,"
-        return self._told("inertia", said, self.book.fresh("I"), self.own + self.mass * square, latex("kg m^2"))
+        return self.book.told("inertia", said, self.book.fresh("I"), self.own + self.mass * square, latex("kg m^2"))
 
     @cached_property
     def growth(self) -> Symbol:
@@ -136,7 +130,7 @@ class _Rocking:
                 "The torque about the line of contact, clockwise, with what the circling of the centre of mass adds, "
             )
             said += "over that is the angular acceleration"
-        return self._told("torque", said, self.book.fresh(r"\alpha"), torque / self.about, latex("rad/s^2"))
+        return self.book.told("torque", said, self.book.fresh(r"\alpha"), torque / self.about, latex("rad/s^2"))
 
     @cached_property
     def acceleration(self) -> list[Expression]:
@@ -149,7 +143,7 @@ class _Rocking:
             formula = self.radius * grown * along + self.offset * grown * turned - self.offset * square * inward
             way = "to the right" if label == "x" else "upward"
             said = f"The centre of mass is accelerated {way} with the axis and by the turning:"
-            found.append(self._told("acceleration", said, self.book.fresh("a", label), formula, latex("m/s^2")))
+            found.append(self.book.told("acceleration", said, self.book.fresh("a", label), formula, latex("m/s^2")))
         return found
 
     # ---- what is asked
@@ -168,14 +162,14 @@ class _Rocking:
         if quantity in ("angular acceleration", "torque"):
             size = self.growth if self.book.value(self.growth) > 0.0 else -self.growth
             if quantity == "torque":
-                return self._told(
+                return self.book.told(
                     "answer", "About its centre that is", self.book.fresh("M"), self.own * size, latex("N m")
                 )
             return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", latex("rad/s^2"))
         return self._contact(quantity)
 
     def _sized(self, formula: Expression, base: str, unit: str) -> Symbol:
-        return self._told("answer", "Its size is", self.book.fresh(base), formula, unit)
+        return self.book.told("answer", "Its size is", self.book.fresh(base), formula, unit)
 
     def _accelerated(self, quantity: str, way: tuple[float, float, float] | None) -> Symbol:
         if way is None:
@@ -188,7 +182,7 @@ class _Rocking:
             part = self.acceleration[found[0] // 2]
             formula = part if way[found[0]] > 0.0 else -part
         if quantity == "net force":
-            return self._told(
+            return self.book.told(
                 "answer", "Mass times acceleration:", self.book.fresh("F"), self.mass * formula, latex("N")
             )
         return formula if isinstance(formula, Symbol) else self._sized(formula, "a", latex("m/s^2"))
@@ -201,7 +195,7 @@ class _Rocking:
         formula = self.mass * part
         formula = formula if self.book.value(formula) > 0.0 else -formula
         said = f"Newton's second law {'along' if along else 'square to'} the plane gives the {quantity}"
-        return self._told("newton", said, self.book.fresh("f" if along else "N"), formula, latex("N"))
+        return self.book.told("newton", said, self.book.fresh("f" if along else "N"), formula, latex("N"))
 
     def _period(self, query: PeriodQuery) -> Symbol:
         """About where the centre of mass is above the contact: ω² = m g c cos ψ/I."""
@@ -221,7 +215,7 @@ class _Rocking:
         deep = self.offset if level else self.offset * Call("cos", tilt)
         high = self.radius - deep if level else self.radius * cosine - deep
         said = f"{capital(self.setting.called(self.body))} then has about the line of contact the moment of inertia"
-        about = self._told(
+        about = self.book.told(
             "inertia", said, self.book.fresh("I"), self.own + self.mass * Power(high, 2), latex("kg m^2")
         )
         said = (
@@ -229,12 +223,12 @@ class _Rocking:
         )
         said += "angular frequency"
         formula = Root(self.mass * self.gravity * deep / about)
-        rate = self._told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
+        rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
         if query.measure == "angular frequency":
             return rate
         if query.measure == "frequency":
-            return self._told("period", "The frequency is", self.book.fresh("f"), rate / (TWO * PI), latex("Hz"))
-        return self._told("period", "The period is", self.book.fresh("T"), TWO * PI / rate, latex("s"))
+            return self.book.told("period", "The frequency is", self.book.fresh("f"), rate / (TWO * PI), latex("Hz"))
+        return self.book.told("period", "The period is", self.book.fresh("T"), TWO * PI / rate, latex("s"))
 
 
 def _slide(m: Mechanism) -> tuple[float, float, float]:

@@ -114,23 +114,19 @@ class _Oscillating:
         self.natural = lexicon.read(Both(here.length, there.length)).expression()
         self.mass = lexicon.read(Both(sides[0].bodies[0].mass, sides[1].bodies[0].mass)).expression()
 
-    def _told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str) -> Symbol:
-        step = self.book.open(kind)
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
-
     @cached_property
     def length(self) -> Symbol:
         """At the start."""
         formula = Root(squares(self.apart))
-        return self._told("length", "At first the spring is as long as", self.book.fresh(r"\ell", "1"), formula, METRES)
+        return self.book.told(
+            "length", "At first the spring is as long as", self.book.fresh(r"\ell", "1"), formula, METRES
+        )
 
     @cached_property
     def strain(self) -> Symbol:
         """The extension at the start: the amplitude, up to a sign."""
         said = "It is let go at rest, so that the extension oscillates as a cosine, beginning with"
-        return self._told("strain", said, self.book.fresh("x", "0"), self.length - self.natural, METRES)
+        return self.book.told("strain", said, self.book.fresh("x", "0"), self.length - self.natural, METRES)
 
     @property
     def amplitude(self) -> Expression:
@@ -142,7 +138,7 @@ class _Oscillating:
         """ω = √(k/m)."""
         said = "Along the spring the force is in proportion to its extension; the angular frequency is"
         formula = Root(self.stiffness / self.mass)
-        return self._told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
+        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
 
     @cached_property
     def phase(self) -> Expression:
@@ -151,7 +147,7 @@ class _Oscillating:
         if isinstance(moment, AtTime):
             time = self.book.fresh("t")
             self.book.say_given(time.name, moment.after, SECONDS)
-            return self._told("phase", "The phase is then", self.book.fresh(r"\phi"), self.rate * time, RADIANS)
+            return self.book.told("phase", "The phase is then", self.book.fresh(r"\phi"), self.rate * time, RADIANS)
         if isinstance(moment, NaturalLength):
             return HALF * PI
         if isinstance(moment, Stopped):
@@ -162,7 +158,7 @@ class _Oscillating:
             formula = Call("arccos", ONE - name / self.amplitude)
             who = capital(self.setting.called(self.setting.mechanism.bodies[0].name))
             said = f"{who} has come so far when the extension has changed by as much, at the phase"
-            return self._told("phase", said, self.book.fresh(r"\phi"), formula, RADIANS)
+            return self.book.told("phase", said, self.book.fresh(r"\phi"), formula, RADIANS)
         stretched = self.book.value(self.strain) > 0.0
         return TWO * PI if isinstance(moment, MostStretched) == stretched else PI
 
@@ -186,11 +182,11 @@ class _Oscillating:
             return (
                 formula
                 if isinstance(formula, Symbol)
-                else self._told("answer", said, self.book.fresh(base), formula, unit)
+                else self.book.told("answer", said, self.book.fresh(base), formula, unit)
             )
         if query.target is None:
             formula = self.phase / self.rate
-            return self._told("time", "At this phase the time is", self.book.fresh("t"), formula, SECONDS)
+            return self.book.told("time", "At this phase the time is", self.book.fresh("t"), formula, SECONDS)
         kind, base, unit, said = self.WAYS[query.target.quantity]
         formula = getattr(self, kind)()
         sense = query.target.sense
@@ -199,7 +195,9 @@ class _Oscillating:
         elif query.target.quantity != "extension" and self.book.value(formula) < 0.0:
             formula = -formula
         return (
-            formula if isinstance(formula, Symbol) else self._told("answer", said, self.book.fresh(base), formula, unit)
+            formula
+            if isinstance(formula, Symbol)
+            else self.book.told("answer", said, self.book.fresh(base), formula, unit)
         )
 
     def _along(self, way: tuple[float, float, float]) -> Expression:
@@ -216,8 +214,10 @@ class _Oscillating:
         if query.measure == "angular frequency":
             return self.rate
         if query.measure == "frequency":
-            return self._told("period", "The frequency is", self.book.fresh("f"), self.rate / (TWO * PI), latex("Hz"))
-        return self._told("period", "The period is", self.book.fresh("T"), TWO * PI / self.rate, SECONDS)
+            return self.book.told(
+                "period", "The frequency is", self.book.fresh("f"), self.rate / (TWO * PI), latex("Hz")
+            )
+        return self.book.told("period", "The period is", self.book.fresh("T"), TWO * PI / self.rate, SECONDS)
 
     def _extension(self) -> Expression:
         return self.strain * self._trig("cos")
