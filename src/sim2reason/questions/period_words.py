@@ -9,7 +9,6 @@ from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.query import Query
-from sim2reason.questions.repetition import attracted_by
 from sim2reason.questions.words import Words
 
 COUNTS = {2: "two", 3: "three"}
@@ -136,3 +135,12 @@ def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
         f"oscillations about {place} have {COUNTS[count]} {plural}; what is the {which} of them?",
         f"of the {COUNTS[count]} {plural} of oscillations about {place}, find the {which}.",
     )
+
+
+def attracted_by(mechanism: Mechanism, name: str) -> str:
+    """The fixed body about which another one goes, drawn by it; empty if there is none."""
+    for pull in mechanism.attractions:
+        for one, other in ((pull.a, pull.b), (pull.b, pull.a)):
+            if one == name and not center_path(mechanism, other).ways:
+                return other
+    return ""

@@ -1,17 +1,36 @@
-"""Whether a motion comes back to where it began, so that nothing new ever happens in it."""
+"""Whether a motion, of all or of one body, comes back to where it began, so that nothing new happens afterwards."""
 
-from math import copysign, pi
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import islice
+from math import pi
 
 import numpy as np
 
 from sim2reason.dsl.fields import Magnetic, Push
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.questions.choices import at
-from sim2reason.questions.crossing import Excess, crossings
+from sim2reason.quantities.subjects.paths import chain
+from sim2reason.questions.choices import apart, at
+from sim2reason.questions.crossing import crossings
 from sim2reason.simulation.trace import Trace
 
-SAME = 1e-6  # of the largest value: what differs by less is the same
+SAME = 1e-6  # of the greatest excursion and of the greatest speed: what differs by less is the same
+MOST = 12  # instants that are tried
+
+
+@dataclass(frozen=True, slots=True)
+class Repetition:
+    """The first time that a body, and all that carries it, is where it was at the start and moves as it did then."""
+
+    name: str
+
+    def time(self, trace: Trace) -> float | None:
+        """When that is, s; None if it does not happen while the motion is described, or at an event."""
+        mechanism = trace.mechanism
+        names = [c.name for body in chain(mechanism, self.name) for c in body.coordinates]
+        time = _first_return(trace, [mechanism.number[name] for name in names])
+        return time if time is not None and apart(time, trace) else None
 
 
 def is_autonomous(mechanism: Mechanism) -> bool:
@@ -26,52 +45,36 @@ def first_return(trace: Trace) -> float | None:
 
     None if they do not return while the motion is described, or if time has a part in the equations.
     """
-    if not is_autonomous(trace.mechanism) or not trace.mechanism.coordinates:
+    mechanism = trace.mechanism
+    return _first_return(trace, range(len(mechanism.coordinates))) if is_autonomous(mechanism) else None
+
+
+def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
+    """When some coordinates and their velocities are what they were, whole turns of hinges aside.
+
+    Then a sum of the coordinates that grows at the start, or of the velocities of what begins at rest, does so again.
+    """
+    mechanism, start, number = trace.mechanism, at(trace, 0.0), list(numbers)
+    hinges = np.array([mechanism.coordinates[n].kind == "hinge" for n in number], dtype=np.bool_)
+    far, fast = (float(np.abs(held[:, number]).max(initial=0.0)) for held in (trace.scan.q, trace.scan.v))
+    speeds = start.v[0, number]
+    moves = bool((np.abs(speeds) > SAME * fast).any())
+    way = speeds if moves else start.a[0, number]
+    if not way.any():
         return None
-    start = at(trace, 0.0)
-    spans = np.abs(trace.scan.q).max(axis=0), np.abs(trace.scan.v).max(axis=0)
-    number = int(np.argmax(np.abs(start.v[0])))
-    if np.abs(start.v[0]).max() > SAME * spans[1].max():
-        ways = [_back_at_start(number, start, turn) for turn in _turns(trace.mechanism, number)]
-    else:
-        ways = [_back_at_rest(int(np.argmax(np.abs(start.a[0]))), start)]
-    times = sorted(time for excess in ways for time in crossings(trace, excess))
-    return next((time for time in times if _alike(at(trace, time), start, spans)), None)
+    turned = hinges & (not any(line.wheels for line in mechanism.lines))  # unless a line is wound up
 
+    def gone(state: State) -> Array:
+        """How far from the start."""
+        return state.q[:, number] - start.q[0, number]
 
-def _alike(here: State, start: State, spans: tuple[Array, Array]) -> bool:
-    """Whether an instant has the places and velocities of the start, whole turns aside."""
-    apart = here.q[0] - start.q[0]
-    for number, coordinate in enumerate(here.mechanism.coordinates):
-        turn = _turns(here.mechanism, number)[-1]
-        if turn and coordinate.kind == "hinge":
-            apart[number] -= turn * round(apart[number] / turn)
-    return bool((np.abs(apart) <= SAME * spans[0].max()).all()) and bool(
-        (np.abs(here.v[0] - start.v[0]) <= SAME * spans[1].max()).all()
-    )
+    def excess(state: State) -> Array:
+        """How far it has gone the way that it went at first, or how fast it goes it."""
+        return (np.where(turned, np.sin(gone(state)), gone(state)) if moves else state.v[:, number]) @ way
 
+    def alike(here: State) -> bool:
+        off = np.where(turned, np.remainder(gone(here) + pi, 2.0 * pi) - pi, gone(here))
+        changed = here.v[:, number] - speeds
+        return float(np.abs(off).max()) <= SAME * far and float(np.abs(changed).max()) <= SAME * fast
 
-def _turns(mechanism: Mechanism, number: int) -> tuple[float, ...]:
-    """After what angles, rad, a coordinate is where it was; a hinge after a whole turn, unless a line is wound up."""
-    winds = any(line.wheels for line in mechanism.lines)
-    return (0.0, 2.0 * pi) if mechanism.coordinates[number].kind == "hinge" and not winds else (0.0,)
-
-
-def _back_at_start(number: int, start: State, turn: float) -> Excess:
-    """How far a coordinate is ahead of its start, and of a turn from there, in the direction in which it began."""
-    way = copysign(1.0, float(start.v[0, number]))
-
-    def ahead(state: State) -> Array:
-        return way * (state.q[:, number] - start.q[0, number]) - turn
-
-    return ahead
-
-
-def _back_at_rest(number: int, start: State) -> Excess:
-    """How fast a coordinate moves in the direction in which it began to: it comes back against that and stops."""
-    way = copysign(1.0, float(start.a[0, number]))
-
-    def forwards(state: State) -> Array:
-        return way * state.v[:, number]
-
-    return forwards
+    return next((time for time in islice(crossings(trace, excess), MOST) if alike(at(trace, time))), None)

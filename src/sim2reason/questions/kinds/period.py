@@ -11,9 +11,9 @@ from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.quantities.subjects.paths import is_pulley_wheel
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.kinds import Kind, Measured, kind
-from sim2reason.questions.period_words import COUNTS, PeriodQuery, movers, sentences
+from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, sentences
 from sim2reason.questions.query import Query
-from sim2reason.questions.repetition import Repetition, attracted_by
+from sim2reason.questions.recurrence import Repetition
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words

@@ -10,7 +10,8 @@ from motions import Motion, charge, light_rod, orbit, rolling_ball, slab, spring
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.fields import Magnetic, Profile, Push
 from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
-from sim2reason.questions.repetition import Repetition, attracted_by
+from sim2reason.questions.period_words import attracted_by
+from sim2reason.questions.recurrence import Repetition
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8
