@@ -60,7 +60,8 @@ def test_nothing_is_told_from_zero_or_from_the_text() -> None:
     assert "zero" in reason("degenerate", candidate(ramp(angle=10.0, friction=0.7), AtTime(0.5), speed))
     assert "stated" in reason("degenerate", candidate(ramp(speed=3.0), AtStart(), speed))
     assert "stated" in reason("degenerate", candidate(table(), AtTime(0.1), Target("velocity", LEFT)))
-    assert not reason("degenerate", candidate(table(), AtTime(0.9), Target("velocity", LEFT), -0.3))
+    assert not reason("degenerate", candidate(table(), AtTime(0.9), Target("velocity", LEFT), 0.3))
+    assert "negative" in reason("degenerate", candidate(table(), AtTime(0.9), Target("velocity", LEFT), -0.3))
 
 
 def test_what_a_hit_has_not_changed_yet_is_no_question() -> None:

@@ -1,6 +1,7 @@
 """A quantity, a moment and a kind of question, each one new file: asked, told, parsed, certified, recorded, plotted."""
 
 import importlib.util
+import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -209,6 +210,7 @@ ADDED = {
     "moment": (MOMENT, MOMENTS),
     "kind": (KIND, KINDS),
     "subject": (SUBJECT, QUANTITIES),
+    "sense": (re.sub(" *magnitude = .*\n", "", SUBJECT), QUANTITIES),
     "functional": (FUNCTIONAL, FUNCTIONALS),
 }
 Wanted = Callable[[Query], bool]
@@ -221,7 +223,7 @@ WANTED: list[tuple[str, str, str, Wanted, tuple[Scene, ...]]] = [
     ("a subject", "subject", "", lambda q: q.target == Target("gap", PUCKS), (three(),)),
     (
         "a sense",
-        "subject",
+        "sense",
         "",
         lambda q: q.target not in (None, Target("gap", PUCKS)) and q.subject == PUCKS,
         (three(),),

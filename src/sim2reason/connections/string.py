@@ -39,13 +39,15 @@ HANGING = (
     "{tied} hangs from {string}, which {verbs}.",
 )
 """Of what hangs: how the string leaves there need not be said."""
-AGAIN = (
+CALLED = (
     ("a light string",),
     ("another light string", "a second light string"),
-    ("another light string", "a further light string", "one more light string"),
+    *((f"a {which} light string",) for which in ("third", "fourth", "fifth", "sixth", "seventh", "eighth")),
 )
-"""What a string is called as the first one, after one and after more."""
-_ONE = re.compile(r"light string(?!s)|another (?:joins|runs|leads)")
+"""What a string is called as the first one, the second and so on."""
+AGAIN = ("one more light string", "a further light string")
+"""What it is called where nobody counts."""
+_ONE = re.compile(r"light string(?!s)|(?:another|one more) (?:joins|runs|leads)")
 OVER, UNDER, ROUND = "passes over ", "passes under ", "passes round "
 WAYS = (OVER, UNDER, ROUND)
 LEVEL = 1e-9  # of a pull's direction: less is rounding
@@ -114,7 +116,7 @@ class String(Connection):
         if not isinstance(first.port, StringEnd) or not _worth(first):
             raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
         opening = writer.choose((*HANGING, *OPENINGS) if first.port.hangs else OPENINGS)
-        string = writer.choose(AGAIN[told_before(writer.finished)])
+        string = writer.choose(string_names(writer.finished))
         tied = writer.render(first.port.tied, first.owner)
         leaves = first.port.leaves and opening not in HANGING
         verbs = [writer.render(first.port.leaves, first.owner)] if leaves else []
@@ -144,10 +146,11 @@ def passed_by(stops: Sequence[Stop], index: int, builder: Builder) -> str:
     return winding(turn, builder) if all(builder.faces[site] for site in turn) else OVER
 
 
-def told_before(sentences: Iterable[str]) -> int:
-    """How many strings some sentences tell, 2 standing for more."""
+def string_names(sentences: Iterable[str]) -> tuple[str, ...]:
+    """What a string may be called after some sentences, by how many they tell; those of a row are not counted."""
     text = " ".join(sentences)
-    return min(2, len(_ONE.findall(text)) + 2 * text.count("light strings"))
+    count = len(_ONE.findall(text))
+    return AGAIN if "light strings" in text or count >= len(CALLED) else CALLED[count]
 
 
 def _worth(stop: Stop) -> int:
@@ -218,7 +221,7 @@ class SentenceParser(Generic[S]):
         if place >= len(self._matcher.pieces):
             return
         self._text = self._matcher.pieces[place]
-        names = AGAIN[told_before(self._matcher.pieces[:place])]
+        names = string_names(self._matcher.pieces[:place])
         for hangs, openings in ((False, OPENINGS), (True, (*HANGING, *OPENINGS))):
             for number, opening in enumerate(openings):
                 for which, string in enumerate(names):

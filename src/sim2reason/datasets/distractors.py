@@ -1,6 +1,7 @@
 """Wrong answers that an item carries, and what of its scene it marks as having no bearing."""
 
 from sim2reason.datasets.item import Distractor
+from sim2reason.dsl.entity import Part
 from sim2reason.filters import Candidate
 from sim2reason.filters.parts.effects import Effect, effects
 from sim2reason.filters.parts.numbers import elasticities, matters
@@ -50,4 +51,10 @@ def _reason(effect: Effect, description: Description) -> str:
 
 
 def _called(subject: str, description: Description) -> str:
-    return description.mention(subject) if subject in description.scene.bodies else subject
+    """As the text calls a body, or a sentence another part; of what is neither, the name."""
+    scene = description.scene
+    if subject in scene.bodies:
+        return description.mention(subject)
+    forces = {force.name for force in scene.mechanism.forces}
+    part = scene.value(subject) if subject in forces else None
+    return part.called if isinstance(part, Part) and part.called else subject

@@ -24,6 +24,9 @@ class Part(Model):
     model_config = ConfigDict(ignored_types=PORT_TYPES)
     says: ClassVar[tuple[Saying, ...]] = ()
     words: ClassVar[dict[str, Word]] = {}
+    called: ClassVar[str] = (
+        ""  # what a sentence about all of it calls it, *the electric field*; empty if none speaks of it
+    )
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:

@@ -62,7 +62,7 @@ class SpringBlock(Entity):
             "springs",
             "{springs.*} joins {block} to a nail at ({springs.*.x}, {springs.*.y}).",
             "from {block} {springs.*} runs to a fixed point at ({springs.*.x}, {springs.*.y}).",
-            "a nail at ({springs.*.x}, {springs.*.y}) holds one end of {springs.*}, and {block} the other.",
+            "between {block} and a fixed point at ({springs.*.x}, {springs.*.y}) runs {springs.*}.",
             table=(
                 "light {noun}s run from {block} to fixed points; each {noun}'s {columns} are listed below.",
                 "{block} is tied to fixed points by light {noun}s, and the list below gives the {columns} of each.",
@@ -73,7 +73,7 @@ class SpringBlock(Entity):
         DASHPOTS,
         either(
             "at first {block} is at the point ({x}, {y}).",
-            "{block} starts from the point ({x}, {y}).",
+            "the starting point of {block} is ({x}, {y}).",
             "at the start {block} is held at ({x}, {y}).",
         ),
         starting(

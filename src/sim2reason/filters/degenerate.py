@@ -14,7 +14,7 @@ SAME = 2e-3  # relative: what rounds to the same three digits
 
 
 class Degenerate(Filter):
-    """The answer is zero, too small to be told from zero, one of the stated numbers, or what it was at the start."""
+    """The answer is negative, nothing, one of the stated numbers, or what it was at the start."""
 
     order = 0
 
@@ -25,7 +25,9 @@ class Degenerate(Filter):
             and candidate.question.formula.latex in candidate.question.formula.symbols
         ):
             return "the answer is one symbol"
-        answer = abs(candidate.question.answer)
+        if candidate.question.answer < 0.0:
+            return "the answer is negative, so that a constant below zero could be right"
+        answer = candidate.question.answer
         if abs(candidate.question.result) <= max(_least(candidate), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"
         near = candidate.tolerance * answer  # who repeats it is paid

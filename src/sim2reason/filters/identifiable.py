@@ -9,7 +9,7 @@ from sim2reason.modes.reverse import another
 class Identifiable(Filter):
     """Another value of the unknown gives the same result, or the text does not speak of it as of an unknown."""
 
-    order = 8
+    order = 9
 
     def reason(self, candidate: Candidate) -> str:
         """Solve the scene with other values within ten times the range from which the number is drawn."""

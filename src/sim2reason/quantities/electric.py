@@ -7,7 +7,6 @@ from sim2reason.dsl.mechanism import Force, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import Number, Triple
 from sim2reason.quantities import Quantity, quantity
-from sim2reason.quantities.energy import INCREASE
 from sim2reason.quantities.subjects.bodies import Bodies
 
 FAR = (1e3, 1e3, 1e3)  # m; anywhere but at a charge
@@ -19,9 +18,7 @@ class ElectricPotentialEnergy(Quantity):
 
     name, unit, symbol = "electric potential energy", "J", "U"
     of = Bodies()
-    signed = "the change in {body}'s electric potential energy"
-    how = "by how much has {body}'s electric potential energy changed {when}?"
-    sense = INCREASE
+    magnitude = "the magnitude of the change in {body}'s electric potential energy"
     needs = ("charge",)
     floor, heavy = 0.1, True
     panel, pooled, order = "energy", True, 9

@@ -9,11 +9,8 @@ from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.momentum import AngularMomentum
 from sim2reason.quantities.rotation import AngularVelocity
-from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path
-
-INCREASE = Sense("an increase", (0.0, 0.0, 0.0))
 
 
 class Energy(Quantity):
@@ -94,9 +91,7 @@ class PotentialEnergy(Energy):
     """The gravitational potential energy of a body less that at the start, in a uniform field or near what is fixed."""
 
     name, symbol = "potential energy", "U"
-    signed = "the change in {body}'s gravitational potential energy"
-    how = "by how much has {body}'s gravitational potential energy changed {when}?"
-    sense = INCREASE
+    magnitude = "the magnitude of the change in {body}'s gravitational potential energy"
     panel, pooled, order = "energy", True, 8
 
     @staticmethod

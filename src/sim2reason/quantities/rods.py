@@ -18,7 +18,6 @@ class RodForce(Quantity):
     name, unit, symbol = "rod force", "N", "T"
     of = Rods()
     magnitude = "the magnitude of the force in {rod}"
-    signed = "the force in {rod}"
     needs = ("mass",)
     immediate = True
     weight = 2.0

@@ -5,7 +5,6 @@ import numpy as np
 from sim2reason.dsl.mechanism import Elastic, Line
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import Quantity, quantity
-from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.springs import Springs
 
 
@@ -23,10 +22,8 @@ class Extension(Quantity):
     name, unit, symbol = "extension", "m", "x"
     of = Springs()
     magnitude = "the amount by which {spring} is stretched or compressed"
-    signed = "the change in the length of {spring} from its natural length"
     how = "by how much is {spring} stretched or compressed {when}?"
     indirect = "by how much {spring} is stretched or compressed"
-    sense = Sense("an extension", (0.0, 0.0, 0.0))
     weight = 2.0
     floor = 0.01
     given = True

@@ -25,6 +25,7 @@ class OwnSymbol:
         return f"${self.symbol}$"
 
 
+METRE, LONG, KILO = "m", 1e4, 1e3  # the unit of which so many are told as kilometres
 OWN = {
     "s": ("a time", ("t", "t_1", "t_2")),
     "m": ("a distance", ("d", "s", "D")),
@@ -50,13 +51,16 @@ def spoken_of(symbol: str, said: str, units: UnitSystem) -> tuple[str, OwnSymbol
 
 
 def say(value: float, unit: str) -> str:
-    """Two significant digits and the unit."""
+    """Two significant digits and the unit; long ways in kilometres."""
+    if unit == METRE and value >= LONG:
+        return join_unit(two_digits(value / KILO), "km")
     return join_unit(two_digits(value), unit)
 
 
 def said(text: str, unit: str) -> list[float]:
     """The numbers of a unit that stand in a text."""
-    return [float(number) for number in _number(unit).findall(text)]
+    found = [float(number) for number in _number(unit).findall(text)]
+    return [*found, *(KILO * number for number in said(text, "km"))] if unit == METRE else found
 
 
 @cache

@@ -107,7 +107,11 @@ def _askable(quantity: Quantity, name: str, words: Words) -> bool:
 
 
 def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:
-    """Magnitudes, then components along each sense, then what has a sense of its own."""
+    """Magnitudes, then components along the axes of the text, then what has a sense of its own.
+
+    Where the question would have to say which way is positive, it would tell the way: the size is asked for, if there
+    are words for it.
+    """
     if not asked:
         return
     filler = _Filler(name, words)
@@ -118,7 +122,7 @@ def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tupl
             yield Target(quantity.name, name), noun
     signed = [quantity for quantity in asked if quantity.signed]
     senses = signed[0].of.senses(words.mechanism, name) if signed else []
-    along = [(sense, quantity) for sense in senses for quantity in signed if quantity.sense is None]
+    along = [(sense, q) for sense in senses for q in signed if q.sense is None and (sense.fixed or not q.magnitude)]
     own = [(quantity.sense, quantity) for quantity in signed if quantity.sense is not None]
     for sense, quantity in [*along, *own]:
         component = f"{sense.axis} component of the " if sense.axis else ""

@@ -28,8 +28,8 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.bearing import idle
 from sim2reason.recipes.parts.ranges import SIZES
 
-NEAR = {**SIZES, "distance": Range(0.15, 0.8), "side?": 0.4, "side": ("beyond the axle",)}
-FAR = {"distance": Range(0.3, 1.2), "side?": 0.4, "side": ("beyond the axle",)}
+NEAR = {**SIZES, "distance": Range(0.15, 0.8), "side?": 0.4, "side": ("from the axle, on the other side",)}
+FAR = {"distance": Range(0.3, 1.2), "side?": 0.4, "side": ("from the axle, on the other side",)}
 PUSH = Range(2.5, 6.0)  # rad/s
 SOLID = {AxialPiece: 0.4, RoundPiece: 0.2, CappedPiece: 0.1, TiltedPiece: 0.1, HoledPiece: 0.1, BarPiece: 0.1}
 SMALL = 0.5  # the chance that a further piece is a small ball
@@ -67,7 +67,7 @@ def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
 
 
 def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...]:
-    """One that is large, and others, perhaps small, where there is room on the arm."""
+    """One that is large, and others, perhaps small, where there is room on the arm; last those beyond the axle."""
     count, found = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), list[WeldedPiece]()
     shares = np.array(list(SOLID.values()))
     while len(found) < count:
@@ -77,7 +77,7 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
             continue
         if not any(_overlap(piece, other) for other in found):
             found.append(piece)
-    return tuple(found)
+    return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
 
 
 def _overlap(one: WeldedPiece, other: WeldedPiece) -> bool:

@@ -47,10 +47,10 @@ class WeldedArm(Entity):
     words: ClassVar[dict[str, Word]] = {
         "start": Word(
             "angle",
-            {0.0: "{arm} hangs straight down"},
-            "{arm} points {angle} to the right of the downward vertical",
+            {0.0: "{pieces.first.body} is straight below the axle"},
+            "the line from the axle to {pieces.first.body} points {angle} to the right of the downward vertical",
         ),
-        "sent": Word("angle", {0.0: "to the right"}, "downwards"),
+        "sent": Word("angle", {0.0: "{pieces.first.body} moving to the right"}, "{pieces.first.body} moving downwards"),
     }
     LINES: ClassVar[tuple[Saying, ...]] = (
         lines_of("pieces"),
@@ -61,9 +61,9 @@ class WeldedArm(Entity):
         ),
         either("at first {start}.", "{start} at first.", "when the motion begins, {start}."),
         starting(
-            "{arm} starts turning {sent} at {rate}.",
-            "at t = 0 {arm} turns {sent} at {rate}.",
-            "with an angular velocity of {rate} {arm} is set turning {sent}.",
+            "{arm} starts turning at {rate}, {sent}.",
+            "at t = 0 {arm} turns at {rate}, {sent}.",
+            "{arm} is set turning with an angular velocity of {rate}, {sent}.",
         ),
     )
 
@@ -72,7 +72,9 @@ class WeldedArm(Entity):
         if self.angle == 0.0 and self.rate is None:
             raise ValueError("angle, rate: the arm hangs at rest; give it a rate, or an angle that is not zero")
         if self.pieces[0].place < 0.0:
-            raise ValueError("pieces.0: it is beyond the axle; begin with a piece on the side to which the arm points")
+            raise ValueError(
+                "pieces.0: it is on the other side of the axle; begin with a piece on the side to which the arm points"
+            )
         thick = [(number, p.span) for number, p in enumerate(self.pieces) if not isinstance(p.shape, UniformRod)]
         for (i, one), (j, other) in combinations(thick, 2):
             if one[0] < other[1] and other[0] < one[1]:

@@ -26,7 +26,7 @@ from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Axes, axes_along, seen
 
 Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d"), Range(0.15, 1.2)]
-Side = Literal["from the axle", "beyond the axle"]
+Side = Literal["from the axle", "from the axle, on the other side"]
 Tilt = Annotated[float, Gt(0), Lt(90), Measure("tilt", "deg", r"\beta", decimals=0), Range(15.0, 75.0)]
 Edge = Literal["length", "width", "thickness"]
 Axial = UniformRod | Cylinder | Disc | Hoop | PolygonalPrism
@@ -51,7 +51,7 @@ class WeldedPiece(Part):
 
     @property
     def place(self) -> float:
-        """Where it is along the arm, m; negative beyond the axle."""
+        """Where it is along the arm, m; negative on the other side of the axle."""
         return self.distance if self.side == "from the axle" else -self.distance
 
     @property
@@ -96,8 +96,8 @@ class RoundPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm with its centre on it, {distance} {side}.",
-            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side}.",
+            "{body} is fixed with its centre on the arm, {distance} {side}.",
+            "rigidly attached to the arm is {body}, centred {distance} {side}.",
             "the arm carries {body}, welded to it and centred {distance} {side}.",
         ),
     )
@@ -121,8 +121,8 @@ class AxialPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm with its centre on it, {distance} {side}, and its {body.axis} {axis}.",
-            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side} and whose {body.axis} is {axis}.",
+            "{body} is fixed with its centre on the arm, {distance} {side}, and its {body.axis} {axis}.",
+            "rigidly attached to the arm is {body}, centred {distance} {side}, its {body.axis} {axis}.",
             "the arm carries {body}, welded to it and centred {distance} {side}, its {body.axis} {axis}.",
         ),
     )
@@ -149,8 +149,8 @@ class TiltedPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm with its centre on it, {distance} {side}, and its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
-            "rigidly attached to the arm is {body}, whose centre lies on it {distance} {side} and whose {body.axis} makes {tilt} with the arm, in the plane of arm and axle.",
+            "{body} is fixed with its centre on the arm, {distance} {side}, and its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
+            "rigidly attached to the arm is {body}, centred {distance} {side}, its {body.axis} at {tilt} to the arm, in the plane of arm and axle.",
             "the arm carries {body}, welded to it and centred {distance} {side}, its {body.axis} in the plane of arm and axle, at {tilt} to the arm.",
         ),
     )

@@ -10,6 +10,7 @@ import numpy as np
 
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import AT_ONCE, at, bears_from, has_met, least
+from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.phrasing import asking_then, naming_then
@@ -229,11 +230,9 @@ def _bears(study: Study, moment: Moment) -> bool:
 
 
 def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
-    """Whether a quantity at a moment is something, neither stated nor what it was just after the start.
+    """Whether a quantity at a moment is something, neither stated nor what it was at the start or is at other moments.
 
-    Else the moment would decorate the question.
-
-    At an event whose words name no side of it, it must not jump either.
+    Else the moment would decorate the question. At an event whose words name no side of it, it must not jump either.
     """
     time, trace = study.time(moment), study.trace
     if time is None:
@@ -243,11 +242,18 @@ def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
 
     def differs(target: Target) -> bool:
         value = target.value(here)
-        if not abs(value) > least(study.mechanism, QUANTITIES[target.quantity]):  # NaN is no more
+        if not is_something(value, target, study):
             return False
         known = [target.value(start), *(number for number, unit in moment.stated if unit == target.unit)]
         if any(abs(value - said) <= SAME * abs(value) for said in (*known, *(-number for number in known[1:]))):
             return False
-        return all(abs(value - target.value(side)) <= JUMP * abs(value) for side in sides)
+        if any(abs(value - target.value(side)) > JUMP * abs(value) for side in sides):
+            return False
+        return hangs_on(moment, trace, time, lambda times: target.values(trace.sample(times)))
 
     return differs
+
+
+def is_something(value: float, target: Target, study: Study) -> bool:
+    """Whether a value is large enough to be asked for, and positive: no constant below zero is ever right."""
+    return value > least(study.mechanism, QUANTITIES[target.quantity])  # NaN is no more

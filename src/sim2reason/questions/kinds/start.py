@@ -1,4 +1,4 @@
-"""What is the quantity just after the start?"""
+"""What is the quantity just after the start, or all along?"""
 
 import numpy as np
 
@@ -6,11 +6,14 @@ from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import at, least, only_falls, pick
-from sim2reason.questions.kinds import ValueKind, drawn, kind
+from sim2reason.questions.choices import at, only_falls, pick
+from sim2reason.questions.constancy import lasts
+from sim2reason.questions.kinds import ValueKind, drawn, is_something, kind
+from sim2reason.questions.moments.all_along import AllAlong
+from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Target, Targets
+from sim2reason.questions.targets import Targets
 from sim2reason.questions.words import Words
 
 FEW = 2  # forces beside weight
@@ -25,20 +28,21 @@ class StartKind(ValueKind):
     timeless = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A quantity that differs from zero before anything has moved.
+        """A quantity that differs from zero before anything has moved; just then, if it does not last.
 
         None where the text gives what can not bear on it yet, fuel or a speed that changes no equation, and where it
         is Newton's second law in one line.
         """
-        moment, mechanism, here = drawn(self.moments(), study, words, rng), study.mechanism, at(study.trace, 0.0)
-        if moment is None or mechanism.burns or _one_line(mechanism) or _speeds_idle(mechanism):
+        mechanism, trace = study.mechanism, study.trace
+        if not drawn(self.moments(), study, words, rng) or mechanism.burns:
             return None
-
-        def is_something(target: Target) -> bool:
-            return abs(target.value(here)) > least(mechanism, QUANTITIES[target.quantity])
-
-        target = pick([t for t in targets if QUANTITIES[t.quantity].immediate], rng, is_something)
-        return Query(self.name, target, moment) if target is not None else None
+        if _one_line(mechanism) or _speeds_idle(mechanism):
+            return None
+        here, immediate = at(trace, 0.0), [t for t in targets if QUANTITIES[t.quantity].immediate]
+        target = pick(immediate, rng, lambda target: is_something(target.value(here), target, study))
+        if target is None:
+            return None
+        return Query(self.name, target, AllAlong() if lasts(target, trace) else AtStart())
 
 
 def _one_line(mechanism: Mechanism) -> bool:

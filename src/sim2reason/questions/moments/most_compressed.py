@@ -13,7 +13,7 @@ class MostCompressed(SpringTurn):
     """The first time that a spring is compressed the most."""
 
     label = "greatest compression"
-    verb = Verb("begins to lengthen from a compressed state", "begin to lengthen from a compressed state")
+    verb = Verb("reaches a maximum compression", "reach a maximum compression")
 
     def sign(self) -> float:
         """Its length is then the shortest."""

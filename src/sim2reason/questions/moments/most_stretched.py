@@ -13,7 +13,7 @@ class MostStretched(SpringTurn):
     """The first time that a spring is stretched the most."""
 
     label = "greatest extension"
-    verb = Verb("begins to shorten from a stretched state", "begin to shorten from a stretched state")
+    verb = Verb("reaches a maximum extension", "reach a maximum extension")
 
     def sign(self) -> float:
         """Its length is then the longest."""

@@ -21,7 +21,6 @@ FRONTS = (
     "For the motion below, ",
     "In the situation below, ",
     "In the following situation, ",
-    "In what follows, ",
     "In the case below, ",
 )
 

@@ -14,7 +14,7 @@ class ForceLeftOut(ChangedMechanism):
     """The force of a field, or the drag of a medium, is left out."""
 
     name = "force left out"
-    reason = "one of the forces on the body is left out"
+    reason = "the force of {subject} is left out"
     part = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:

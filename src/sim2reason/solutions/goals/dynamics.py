@@ -73,12 +73,14 @@ class PotentialEnergyGoal(Goal):
         return "s"
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """The rise, then the change in energy."""
+        """The rise, then the size of the change in energy."""
         body = target.subject
         rise = known.component(METRES.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()
         noun, mark = VectorName("U", r"\ \text{J}", "energy"), known.setting.mark(body)
-        return finish(known, formula, noun, mark, f"the change in the potential energy of {known.setting.called(body)}")
+        size = formula if known.book.value(formula) >= 0.0 else -formula
+        what = f"the size of the change in the potential energy of {known.setting.called(body)}"
+        return finish(known, size, noun, mark, what)
 
 
 GOALS.add("momentum", MassTimes(VectorName("p", r"\ \text{kg m/s}", "momentum"), SPEED))

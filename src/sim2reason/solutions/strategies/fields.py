@@ -135,7 +135,8 @@ class _InFields(Way):
                 raise UnsolvedError("the field has no potential")
             work = work + HALF * self.fields.mass * drive.slope * Power(moved, 2)
         said = "The potential energy changes by minus the work of the electric force,"
-        return self.book.told("energy", said, self.book.fresh("U"), -work, latex("J"))
+        size = -work if self.book.value(work) <= 0.0 else work
+        return self.book.told("energy", f"{said} whose size is", self.book.fresh("U"), size, latex("J"))
 
     # ---- for goals
 

@@ -192,7 +192,7 @@ class _Oscillating:
         sense = query.target.sense
         if sense is not None and any(sense.vector):
             formula = formula * self._along(sense.vector)
-        elif query.target.quantity != "extension" and self.book.value(formula) < 0.0:
+        elif self.book.value(formula) < 0.0:
             formula = -formula
         return (
             formula
@@ -275,7 +275,7 @@ class _Oscillating:
         "greatest displacement": ("_farthest", "d", METRES, "The other end of the oscillation is away by"),
     }
     WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit, what is said
-        "extension": ("_extension", "x", METRES, "The extension is"),
+        "extension": ("_extension", "x", METRES, "It is longer or shorter than when relaxed by"),
         "spring length": ("_current_length", r"\ell", METRES, "The natural length and the extension are"),
         "spring force": ("_pull", "F", latex("N"), "The spring pulls or pushes with"),
         "spring energy": ("_stored", "U", latex("J"), "It stores"),

@@ -5,7 +5,7 @@ from typing import Annotated, Literal, TypeVar
 
 from annotated_types import Le
 
-from sim2reason.authoring import LEAST, Law, Measure, Part, Range, Vector, Word, X, Y, Z, scale
+from sim2reason.authoring import LEAST, Law, Measure, Part, Range, Vector, X, Y, Z, scale
 from sim2reason.dsl.model import Model
 from sim2reason.registry import Registry
 
@@ -13,7 +13,6 @@ ElectricStrength = Annotated[float, LEAST, Le(1e6), Measure("electric field", "N
 MagneticStrength = Annotated[float, LEAST, Le(1e6), Measure("magnetic field", "T", "B"), Range(0.4, 1.2)]
 Direction = Literal["positive x", "negative x", "positive y", "negative y"]
 Trend = Literal["increases", "decreases"]
-SUM = {"sum": Word("trend", {"increases": "+", "decreases": "\N{MINUS SIGN}"})}  # of a strength and how it changes
 AXES: Mapping[str, Vector] = {"x": X, "y": Y, "z": Z}
 
 
@@ -47,13 +46,19 @@ def force_field(cls: type[F]) -> type[F]:
 class ElectricField(ForceField):
     """An electric field in the plane of the motion."""
 
+    called = "the electric field"
+
 
 class MagneticField(ForceField):
     """A magnetic field square to the plane of the motion."""
 
+    called = "the magnetic field"
+
 
 class Medium(ForceField):
     """What resists the motion."""
+
+    called = "the medium"
 
 
 def along(way: str) -> Vector:

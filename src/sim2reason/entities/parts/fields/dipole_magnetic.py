@@ -56,9 +56,9 @@ class DipoleMagnetic(MagneticField):
 
     says = (
         either(
-            "a magnetic field in the {way} direction has the strength b/r³ at the distance r from the point ({x}, {y}), with b = {strength}.",
-            "around the point ({x}, {y}) a magnetic field in the {way} direction falls off with the distance r as b/r³, where b = {strength}.",
-            "with r as the distance from the point ({x}, {y}), a magnetic field of b/r³ points in the {way} direction, b being {strength}.",
+            "a magnetic field in the {way} direction falls off as the cube of the distance from the point ({x}, {y}); its strength times that cube is {strength}.",
+            "around the point ({x}, {y}) there is a magnetic field in the {way} direction; its strength times the cube of the distance from there is everywhere {strength}.",
+            "a magnetic field points in the {way} direction; its strength is {strength} divided by the cube of the distance from the point ({x}, {y}).",
         ),
     )
 

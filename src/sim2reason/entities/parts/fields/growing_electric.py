@@ -6,7 +6,6 @@ from annotated_types import Le
 
 from sim2reason.authoring import LEAST, Law, Measure, Profile, Push, Range, either
 from sim2reason.entities.parts.fields import (
-    SUM,
     Direction,
     ElectricField,
     ElectricStrength,
@@ -27,12 +26,11 @@ class GrowingElectric(ElectricField):
     trend: Trend
     growth: Growth
 
-    words = SUM
     says = (
         either(
-            "a uniform electric field has only a component in the {way} direction, which is {strength} {sum} ({growth}) t.",
-            "the only component of a uniform electric field is that in the {way} direction, {strength} {sum} ({growth}) t.",
-            "in the {way} direction, and in no other, a uniform electric field has the component {strength} {sum} ({growth}) t.",
+            "a uniform electric field has only a component in the {way} direction, which is {strength} at t = 0 and {trend} at the rate {growth}.",
+            "the only component of a uniform electric field is that in the {way} direction; it is {strength} at t = 0 and {trend} at the rate {growth}.",
+            "in the {way} direction, and in no other, a uniform electric field has a component, which is {strength} at t = 0 and {trend} at the rate {growth}.",
         ),
     )
 

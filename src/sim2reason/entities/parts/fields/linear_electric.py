@@ -8,7 +8,6 @@ from annotated_types import Le
 from sim2reason.authoring import LEAST, Law, Measure, Profile, Push, Range, either
 from sim2reason.entities.parts.fields import (
     AXES,
-    SUM,
     Direction,
     ElectricField,
     ElectricStrength,
@@ -30,12 +29,11 @@ class LinearElectric(ElectricField):
     axis: Literal["x", "y"]
     slope: Slope
 
-    words = SUM
     says = (
         either(
-            "an electric field has only a component in the {way} direction, which is {strength} {sum} ({slope}) {axis}.",
-            "the only component of an electric field is that in the {way} direction, {strength} {sum} ({slope}) {axis}.",
-            "in the {way} direction, and in no other, an electric field has the component {strength} {sum} ({slope}) {axis}.",
+            "an electric field has only a component in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
+            "the only component of an electric field is that in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
+            "in the {way} direction, and in no other, an electric field has a component, which is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
         ),
     )
 

@@ -7,7 +7,6 @@ from annotated_types import Le
 from sim2reason.authoring import LEAST, Law, Magnetic, Measure, Profile, Range, either
 from sim2reason.entities.parts.fields import (
     AXES,
-    SUM,
     MagneticField,
     MagneticStrength,
     Trend,
@@ -28,12 +27,11 @@ class LinearMagnetic(MagneticField):
     axis: Literal["x", "y"]
     slope: Slope
 
-    words = SUM
     says = (
         either(
-            "a magnetic field has only a component in the {way} direction, which is {strength} {sum} ({slope}) {axis}.",
-            "the only component of a magnetic field is that in the {way} direction, {strength} {sum} ({slope}) {axis}.",
-            "in the {way} direction, and in no other, a magnetic field has the component {strength} {sum} ({slope}) {axis}.",
+            "a magnetic field has only a component in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
+            "the only component of a magnetic field is that in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
+            "in the {way} direction, and in no other, a magnetic field has a component, which is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
         ),
     )
 

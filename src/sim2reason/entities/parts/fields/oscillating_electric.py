@@ -26,8 +26,8 @@ class OscillatingElectric(ElectricField):
 
     says = (
         either(
-            "a uniform electric field in the {way} direction oscillates as {strength} · cos(ωt), with ω = {frequency}.",
-            "in the {way} direction there is a uniform electric field of strength {strength} · cos(ωt), where ω = {frequency}.",
+            "a uniform electric field in the {way} direction oscillates as the cosine of time, with amplitude {strength} and angular frequency {frequency}.",
+            "in the {way} direction there is a uniform electric field that varies as a cosine of time; its amplitude is {strength}, its angular frequency {frequency}.",
             "a uniform electric field oscillates with an angular frequency of {frequency}; it is greatest at t = 0, when it is {strength} in the {way} direction.",
         ),
     )

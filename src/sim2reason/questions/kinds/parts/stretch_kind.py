@@ -4,10 +4,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
+from math import nan
 from typing import ClassVar
 
 import numpy as np
 
+from sim2reason.dsl.state import Array
+from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.kinds import Kind, Measured, by_cause
@@ -43,7 +46,8 @@ class StretchKind(Kind):
 
     Class data:
         whole: whether answers are whole numbers.
-        ends_matter: whether the answer hangs on where the stretch ends, so that it may end by a stated number.
+        ends_matter: whether the answer hangs on where the stretch ends. Where it does not, no stated number may say
+            that; where it does, and is no whole number, another end must change it.
     """
 
     whole: ClassVar[bool] = False
@@ -55,7 +59,7 @@ class StretchKind(Kind):
         offered = list(self._offered(words))
         ends = _ends(study, words, rng) if offered else []
         if not self.ends_matter:
-            ends.sort(key=lambda moment: bool(moment.stated))
+            ends = [moment for moment in ends if not moment.stated]
         for _ in range(TRIES):
             if not offered:
                 break
@@ -77,7 +81,20 @@ class StretchKind(Kind):
         functional, end, answer = FUNCTIONALS[query.functional], _end(query, study), _value(query, study)
         if end is None or answer is None or not answer > functional.least:
             return False
-        return functional.worth(study, query.name, end)
+        return functional.worth(study, query.name, end) and (self._end_matters(query, study) or self.whole)
+
+    def _end_matters(self, query: StretchQuery, study: Study) -> bool:
+        """Whether another end would change the answer, if one may ask that of this kind."""
+        functional, moment = FUNCTIONALS[query.functional], query.moment
+        if not self.ends_matter or moment is None:
+            return True
+        time = study.time(moment)
+
+        def values(times: Array) -> Array:
+            found = (functional.value(study.trace, query.name, end) for end in times.tolist())
+            return np.array([value if value is not None else nan for value in found])
+
+        return time is not None and hangs_on(moment, study.trace, time, values)
 
     def answer(self, query: Query, study: Study) -> float | None:
         """The functional's value."""

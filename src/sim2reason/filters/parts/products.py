@@ -1,0 +1,145 @@
+"""Answers that are products of stated numbers: the powers are measured, the factor in front must be a simple one."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import cos, isclose, log, pi, radians, sin, sqrt, tan
+
+from sim2reason.dsl.units import parse_unit
+from sim2reason.filters import Candidate
+from sim2reason.filters.parts.numbers import SHIFT, givens, shifted
+
+EXACT = 1e-5  # relative: how well the product must be the answer
+NEAR = 5.0 * SHIFT  # how near to a multiple of a half a measured power must be
+NOTHING = 1e-6  # a smaller power is none
+HIGHEST = 2.0  # power
+SIMPLE = (1.0, 2.0, 4.0, sqrt(2.0), pi, 2.0 * pi)  # factors in front, and their inverses
+ANGLE = "deg"
+View = Callable[[float], float]
+"""What of the answer may be a product: itself, or of an angle a trigonometric function."""
+VIEWS: dict[str, View] = {
+    "": radians,
+    "sine": lambda angle: sin(radians(angle)),
+    "cosine": lambda angle: cos(radians(angle)),
+    "tangent": lambda angle: tan(radians(angle)),
+}
+POWERS: tuple[tuple[View, View], ...] = (
+    (float, lambda _: 1.0),
+    (sin, lambda angle: angle / tan(angle)),
+    (cos, lambda angle: -angle * tan(angle)),
+    (tan, lambda angle: angle / (sin(angle) * cos(angle))),
+)
+"""Functions of an angle, rad, each with the power with which it goes with the angle."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Factor:
+    """A stated number in SI units, and the power with which the answer goes with it."""
+
+    path: str
+    unit: str
+    value: float
+    power: float
+
+
+def product_of(candidate: Candidate) -> str:
+    """The product of stated numbers that the answer is, in a few words; empty if it is none."""
+    unit = candidate.question.unit
+    views = VIEWS if unit == ANGLE else {"": lambda answer: answer * parse_unit(unit).factor}
+    for name, view in views.items():
+        factors = _factors(candidate, view)
+        total = _product(factors) if factors else None
+        if not factors or not total:
+            continue
+        rest = abs(view(candidate.question.answer) / total)
+        if any(isclose(rest, known, rel_tol=EXACT) for simple in SIMPLE for known in (simple, 1.0 / simple)):
+            what = f"the {name} of the answer" if name else "the answer"
+            return f"{what} is a product of {', '.join(factor.path for factor in factors)}"
+    return ""
+
+
+def _product(factors: Sequence[_Factor]) -> float | None:
+    """That of all factors, of which those whose powers are no multiples of a half are the terms of one sum."""
+    total, terms = 1.0, list[_Factor]()
+    for factor in factors:
+        plain = _plain(factor)
+        if plain is None:
+            terms.append(factor)
+        total *= 1.0 if plain is None else plain
+    if not terms:
+        return total
+    rates = [term.power / term.value for term in terms]  # of (Σ ± x)^E the power of x is ± E x/Σ
+    alike = max(map(abs, rates)) <= (1.0 + 4.0 * NEAR) * min(map(abs, rates))
+    if not alike or len({term.unit for term in terms}) > 1:
+        return None
+    of_all = sum(term.value if rate * rates[0] > 0.0 else -term.value for term, rate in zip(terms, rates, strict=True))
+    return total * abs(of_all) ** (round(2.0 * sum(term.power for term in terms)) / 2.0) if of_all else None
+
+
+def _plain(factor: _Factor) -> float | None:
+    """The factor that a number is by its power, a multiple of a half; an angle, by that of one of its functions."""
+    if factor.unit != ANGLE:
+        halves = _halves(factor.power)
+        return factor.value ** (halves / 2.0) if halves is not None else None
+    for function, power in POWERS:
+        halves = _halves(factor.power / power(factor.value))
+        if halves:
+            return abs(function(factor.value)) ** (halves / 2.0)
+    return None
+
+
+def _halves(power: float) -> int | None:
+    """Twice a power, which is a small multiple of a half; None if it is not."""
+    found = round(2.0 * power)
+    return found if abs(2.0 * power - found) <= 2.0 * NEAR and abs(power) <= HIGHEST + NEAR else None
+
+
+def _factors(candidate: Candidate, view: View) -> list[_Factor] | None:
+    """The numbers on which what is seen of the answer hangs; None if one is a vector, or the answer is lost with it."""
+    study, question, found = candidate.study, candidate.question, list[_Factor]()
+    for given in givens(study.scene, question.unknown):
+        other = shifted(study, given, candidate.until)
+        there = candidate.response(other)
+        if other is None or there is None:
+            return None
+        here, new = (float(scene.value(given.paths[0])) for scene in (study.scene, other.scene))
+        power = _power(view(question.answer), view(there), new / here)
+        if power is None or (power and len(given.paths) > 1):
+            return None
+        found.append(_Factor(given.paths[0], given.unit, _in_si(here, given.unit), power))
+    own = _of_question(candidate, view)
+    return [factor for factor in (*found, *own) if factor.power] if own is not None else None
+
+
+def _of_question(candidate: Candidate, view: View) -> list[_Factor] | None:
+    """Those that the question itself states; None if the answer is lost with one."""
+    question, found = candidate.question, list[_Factor]()
+    if question.unknown and question.given is not None:
+        own = question.given
+        found.append(_Factor("what is given", own.unit, _in_si(own.value, own.unit), 1.0 / question.elasticity))
+    moment = question.query.moment
+    for place, (number, unit) in enumerate(moment.stated if moment is not None else ()):
+        assert moment is not None
+        numbers = [value * (1.0 + SHIFT * (n == place)) for n, (value, _) in enumerate(moment.stated)]
+        there = candidate.kind.answer(replace(question.query, moment=moment.having(numbers)), candidate.study)
+        if there is None:
+            return None
+        shown = (question.result, there) if question.unknown else (view(question.answer), view(there))
+        power = _power(*shown, 1.0 + SHIFT)
+        if power is None:
+            return None
+        power = -power / question.elasticity if question.unknown else power
+        found.append(_Factor("what the question states", unit, _in_si(number, unit), power))
+    return found
+
+
+def _power(here: float, there: float, factor: float) -> float | None:
+    """That with which something goes with a number that is taken times a factor; None if it changes its sign."""
+    if not there / here > 0.0:
+        return None
+    power = log(there / here) / log(factor)
+    return power if abs(power) > NOTHING else 0.0
+
+
+def _in_si(value: float, unit: str) -> float:
+    """A number in SI units; an angle in radians."""
+    return value * parse_unit(unit).factor

@@ -1,0 +1,58 @@
+"""Whether a value hangs on the moment at which it is asked for, or lasts."""
+
+from collections.abc import Callable
+from math import inf
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.questions.choices import AT_ONCE
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.targets import Target
+from sim2reason.simulation.trace import Event, Trace
+
+CLEARLY = 0.05  # relative: what changes by less is paid at any moment
+SAME = 1e-6  # relative: what changes by less does not change
+ENDINGS = frozenset({"reach", "limit"})  # events of which texts say that they do not come
+SHARES = np.array([0.07, 0.3, 0.6, 0.93])  # of a stretch between two events: where a value is looked at
+Values = Callable[[Array], Array]
+"""A value at some instants, s: (n,) to (n,); NaN where there is none."""
+
+
+def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
+    """Whether a value is clearly another one elsewhere between the events next to a moment, or jumps at the moment.
+
+    Else whoever asks for it at another moment gives the same answer, so that the moment decorates the question.
+    """
+    here = float(values(np.array([moment.side(time)]))[0])
+    before, after = _between(trace, time)
+    others = np.concatenate([before + SHARES * (time - before), time + SHARES * (after - time)])
+    if moment.event:
+        others = np.append(others, [np.nextafter(time, 0.0), time])
+    return bool(np.any(np.abs(values(others) - here) > CLEARLY * abs(here)))
+
+
+def lasts(target: Target, trace: Trace) -> bool:
+    """Whether a quantity never changes: not while the motion is described, nor, as nothing stops, after that.
+
+    What rubs against something and does not begin at rest may stop later on.
+    """
+    mechanism = trace.mechanism
+    still = not any(coordinate.speed for coordinate in mechanism.coordinates)
+    rubs = any(0.0 < face.friction < inf for face in mechanism.faces)
+    if any(map(_changes_something, trace.events)) or (rubs and not still):
+        return False
+    values = target.values(trace.sample(np.append(0.0, SHARES * trace.stable_until)))
+    return bool(np.all(np.abs(values - values[0]) <= SAME * abs(values[0])))
+
+
+def _between(trace: Trace, time: float) -> tuple[float, float]:
+    """The events next to a time, or where the motion that is described begins and ends, s."""
+    times = [event.time for event in trace.events if _changes_something(event)]
+    before = max((found for found in times if found < time * (1.0 - AT_ONCE)), default=0.0)
+    after = min((found for found in times if found > time * (1.0 + AT_ONCE)), default=trace.stable_until)
+    return before, max(time, min(after, trace.stable_until))
+
+
+def _changes_something(event: Event) -> bool:
+    return event.kind != "turn" and event.kind not in ENDINGS
