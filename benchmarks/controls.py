@@ -3,8 +3,8 @@
 Negative controls on fresh items: zero, the best of all positive and of all negative constants, every number that the
 prompt states, and the median of what the same recipe and kind of question ask for.
 
-The best constant of a few items owes much to luck: it is chosen on one half of the items and judged by the other. A
-negative constant can be right only where an answer is negative, as a component against its axis is.
+The best constant of a few items owes much to luck: it is chosen on one half of the items and judged by the other. No
+negative one is right, for no answer is negative.
 """
 
 import re
@@ -21,7 +21,7 @@ from sim2reason.datasets.plan import Config
 from sim2reason.recipes import all_recipes
 
 NUMBER = re.compile(r"(?<![\w.])[−-]?\d+(?:\.\d+)?")
-CONSTANT, NEGATIVE, REPEATED = 0.03, 0.005, 0.02  # what each may earn at most
+CONSTANT, NEGATIVE, REPEATED = 0.03, 0.0, 0.02  # what each may earn at most
 MEDIAN = 0.2  # of a cell: where its median earns more, the cell should be drawn less
 LEAST = 20  # items of a cell whose median says anything
 

@@ -2,6 +2,7 @@
 
 Each prompt is read back into a scene and a question. Then every stated number is halved and doubled (angles are turned
 by 10°), and every slip is made: how many numbers leave the answer where it is, and how many problems pay for a slip?
+How many answers are one line, and how many quantities are the same at other moments?
 """
 
 import sys
@@ -15,7 +16,10 @@ from sim2reason.datasets.plan import Config
 from sim2reason.filters import Candidate
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import elasticities, givens, matters
+from sim2reason.filters.parts.products import product_of
 from sim2reason.questions import Question
+from sim2reason.questions.constancy import ENDINGS
+from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.recipes import RECIPES, known
 
@@ -30,6 +34,23 @@ def candidate_of(item: Item) -> Candidate:
     return Candidate(parsed.study, question, item.prompt, difficulty=difficulty, tolerance=item.answer.tolerance)
 
 
+def is_idle(found: Candidate) -> bool:
+    """Whether a quantity is within 2 % the same at nine instants of the whole stretch between the events around it."""
+    query, trace = found.question.query, found.study.trace
+    if query.target is None or query.moment is None or found.time is None or query.kind == "time_to_event":
+        return False
+    events = [event.time for event in trace.events if event.kind not in {"turn", *ENDINGS}]
+    if query.kind == "start" and (events or type(query.moment) is not AtStart):
+        return False  # what comes later may differ, or it is asked of all the motion
+    before = max((time for time in events if time < found.time * (1.0 - 1e-9)), default=0.0)
+    after = min((time for time in events if time > found.time * (1.0 + 1e-9)), default=trace.stable_until)
+    instants = np.linspace(before, after, 11)[1:-1]
+    if query.moment.sided is not None:
+        instants = np.append(instants, [np.nextafter(found.time, 0.0), found.time])
+    values = query.target.values(trace.sample(instants))
+    return bool(np.all(np.abs(values - found.question.result) <= 0.02 * abs(found.question.result)))
+
+
 class Count:
     """What was found so far."""
 
@@ -37,7 +58,7 @@ class Count:
         """Nothing."""
         self.items, self.stated, self.idle, self.cancelling = 0, 0, 0, 0
         self.paid, self.marked = Counter[str](), Counter[str]()
-        self.paying = 0
+        self.paying = self.lines = self.idle_moments = 0
         self.by_recipe: dict[str, list[int]] = {}
 
     def add(self, item: Item) -> None:
@@ -52,6 +73,14 @@ class Count:
             (self.marked if aside else self.paid)[effect.simplification.name] += 1
             print(f"  {item.id}: {effect.simplification.name} {effect.subject} pays ({effect.change:.2g})")
         self.paying += bool(paid) and not aside
+        self._trivial(item, found)
+
+    def _trivial(self, item: Item, found: Candidate) -> None:
+        line = product_of(found) if not found.kind.measured(found.question.query).whole else ""
+        idle = is_idle(found)
+        self.lines, self.idle_moments = self.lines + bool(line), self.idle_moments + idle
+        if line or idle:
+            print(f"  {item.id}: {line or 'the moment decorates'}")
 
     def _numbers(self, item: Item, found: Candidate) -> None:
         stated = [given for given in givens(found.study.scene) if given.owner != "world"]
@@ -68,7 +97,7 @@ class Count:
 
 
 def main(items: int = 300, seed: int = 21) -> int:
-    """Print the shares; exit code 1 if more than 6 % of the numbers are idle or 3 % of the problems pay a slip."""
+    """Print the shares; exit code 1 if over 6 % of the numbers are idle, 3 % of the problems pay a slip, or one is trivial."""
     config, count = Config(items=items, recipes=tuple(RECIPES), seed=seed), Count()
     for position in range(items):
         item = make(config.request(position)).item
@@ -79,8 +108,9 @@ def main(items: int = 300, seed: int = 21) -> int:
         print(f"{recipe:16} {stated:6} {idle / stated:5.1%} {every / stated:5.1%}")
     idle, paying = count.idle / count.stated, count.paying / count.items
     print(f"{count.items} items: {idle:.1%} of {count.stated} numbers idle ({count.cancelling} masses that cancel)")
+    print(f"{count.lines} are one line, {count.idle_moments} have a moment that decorates")
     print(f"{paying:.1%} pay a slip: {dict(count.paid.most_common())}; beside marked parts: {dict(count.marked)}")
-    return int(idle > 0.06 or paying > 0.03)
+    return int(idle > 0.06 or paying > 0.03 or count.lines + count.idle_moments > 0)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 """Prompts: the text of a scene, one question, one line on how to answer, in one of several shapes."""
 
+import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +10,7 @@ from sim2reason.dsl.measures import show_unit
 from sim2reason.prose.naming import symbols
 from sim2reason.prose.phrases import join
 from sim2reason.prose.writer import Description
-from sim2reason.questions import KINDS, Question, Words
+from sim2reason.questions import KINDS, Formula, Question, Words
 from sim2reason.questions.shapes import SHAPES
 
 FORMATS = (
@@ -37,7 +39,12 @@ SYMBOLIC = (
     "Write the final answer as a formula in terms of {symbols}, in \\boxed{{}}.",
     "The answer is a formula in {symbols}; put it in \\boxed{{}}.",
 )
-"""Where the numbers are symbols; an angle is one in radians."""
+"""Where the numbers are symbols."""
+ANGLES, IN_RADIANS = ("deg", "rad"), "in radians"
+_TURNED = re.compile(
+    r"\\(?:sin|cos|tan)(?:\^\{?\d\}?)?(?:\\left\(.*?\\right\)| ?\\?[A-Za-z]+(?:_\{.*?\}|_\\?[A-Za-z0-9]+)?)"
+)
+"""A trigonometric function with its argument."""
 
 
 @dataclass(frozen=True)
@@ -81,11 +88,19 @@ def _last_line(question: Question, rng: np.random.Generator) -> str:
     """How to give the answer."""
     if question.formula is not None:
         form = SYMBOLIC[int(rng.random() * len(SYMBOLIC))]
-        return form.format(symbols=join([f"${symbol}$" for symbol in question.formula.symbols]))
+        own = f", {IN_RADIANS}" if question.unit in ANGLES else ""
+        return form.format(symbols=f"{join(list(_named(question.formula)))}{own}")
     whole = KINDS[question.query.kind].measured(question.query).whole
     forms = WHOLE if whole else FORMATS if question.unit else PLAIN_FORMATS
     form = forms[int(rng.random() * len(forms))]
     return form.format(unit=unit_in_words(question.unit)) if forms is FORMATS else form
+
+
+def _named(formula: Formula) -> Iterator[str]:
+    """The symbols; an angle that stands in the formula as a number, too, is one in radians."""
+    plain = _TURNED.sub("", formula.latex)
+    for symbol, unit in zip(formula.symbols, formula.units, strict=True):
+        yield f"${symbol}$ ({IN_RADIANS})" if unit in ANGLES and symbol in plain else f"${symbol}$"
 
 
 def unit_in_words(unit: str) -> str:

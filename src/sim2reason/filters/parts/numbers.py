@@ -100,7 +100,7 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
     study, given, time = candidate.study, found.given, candidate.time or 0.0
     until = None if candidate.time is None else SLOWER * time
     for factor, turn in ((2.0, TURN), (0.5, -TURN)):
-        other = _with(study, given.at(study.scene, (factor, factor), turn), until)
+        other = with_values(study, given.at(study.scene, (factor, factor), turn), until)
         answer = candidate.response(other)
         if answer is None and (other is None or other.trace.stable_until < SLOWER * time):
             continue
@@ -115,13 +115,14 @@ def shifted(study: Study, given: Given, until: float | None) -> Study | None:
     The components of a vector are shifted to opposite sides, so that it turns.
     """
     for factors in ((1.0 + SHIFT, 1.0 - SHIFT), (1.0 - SHIFT, 1.0 + SHIFT)):
-        other = _with(study, given.at(study.scene, factors), until)
+        other = with_values(study, given.at(study.scene, factors), until)
         if other is not None:
             return other
     return None
 
 
-def _with(study: Study, values: Mapping[str, float], until: float | None) -> Study | None:
+def with_values(study: Study, values: Mapping[str, float], until: float | None) -> Study | None:
+    """The motion with other values at some addresses of the scene; None if there is none."""
     try:
         scene = study.scene.having_all(values)
     except (SceneError, ValueError):

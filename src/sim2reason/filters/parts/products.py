@@ -1,19 +1,22 @@
 """Answers that are products of stated numbers: the powers are measured, the factor in front must be a simple one."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import cos, isclose, log, pi, radians, sin, sqrt, tan
+from itertools import product
+from math import cos, isclose, log, pi, prod, radians, sin, sqrt, tan
 
 from sim2reason.dsl.units import parse_unit
 from sim2reason.filters import Candidate
-from sim2reason.filters.parts.numbers import SHIFT, givens, shifted
+from sim2reason.filters.parts.numbers import SHIFT, givens, shifted, with_values
 
 EXACT = 1e-5  # relative: how well the product must be the answer
 NEAR = 5.0 * SHIFT  # how near to a multiple of a half a measured power must be
-NOTHING = 1e-6  # a smaller power is none
+NOTHING = 1e-4  # a smaller power is none
+FAR = 5.0  # deg: by how much an angle is turned to see whether it is the function that its power says
 HIGHEST = 2.0  # power
 SIMPLE = (1.0, 2.0, 4.0, sqrt(2.0), pi, 2.0 * pi)  # factors in front, and their inverses
 ANGLE = "deg"
+OWN = "what the question states"
 View = Callable[[float], float]
 """What of the answer may be a product: itself, or of an angle a trigonometric function."""
 VIEWS: dict[str, View] = {
@@ -35,7 +38,7 @@ POWERS: tuple[tuple[View, View], ...] = (
 class _Factor:
     """A stated number in SI units, and the power with which the answer goes with it."""
 
-    path: str
+    path: str  # empty for one of the question's own
     unit: str
     value: float
     power: float
@@ -43,48 +46,65 @@ class _Factor:
 
 def product_of(candidate: Candidate) -> str:
     """The product of stated numbers that the answer is, in a few words; empty if it is none."""
-    unit = candidate.question.unit
-    views = VIEWS if unit == ANGLE else {"": lambda answer: answer * parse_unit(unit).factor}
+    question = candidate.question
+    views = VIEWS if question.unit == ANGLE else {"": float}
+    scale = 1.0 if question.unit == ANGLE else parse_unit(question.unit).factor
     for name, view in views.items():
         factors = _factors(candidate, view)
-        total = _product(factors) if factors else None
-        if not factors or not total:
+        if not factors:
             continue
-        rest = abs(view(candidate.question.answer) / total)
-        if any(isclose(rest, known, rel_tol=EXACT) for simple in SIMPLE for known in (simple, 1.0 / simple)):
-            what = f"the {name} of the answer" if name else "the answer"
-            return f"{what} is a product of {', '.join(factor.path for factor in factors)}"
+        for total in _products(factors, candidate, view):
+            rest = abs(scale * view(question.answer) / total)
+            if any(isclose(rest, known, rel_tol=EXACT) for simple in SIMPLE for known in (simple, 1.0 / simple)):
+                what = f"the {name} of the answer" if name else "the answer"
+                return f"{what} is a product of {', '.join(factor.path or OWN for factor in factors)}"
     return ""
 
 
-def _product(factors: Sequence[_Factor]) -> float | None:
-    """That of all factors, of which those whose powers are no multiples of a half are the terms of one sum."""
-    total, terms = 1.0, list[_Factor]()
-    for factor in factors:
-        plain = _plain(factor)
-        if plain is None:
-            terms.append(factor)
-        total *= 1.0 if plain is None else plain
-    if not terms:
-        return total
+def _products(factors: Sequence[_Factor], candidate: Candidate, view: View) -> Iterator[float]:
+    """What that of all factors may be; those whose powers are no multiples of a half are the terms of one sum."""
+    each = [list(_plain(factor, candidate, view)) for factor in factors]
+    terms = [factor for factor, plain in zip(factors, each, strict=True) if not plain]
+    rest = _sum(terms) if terms else 1.0
+    if rest is not None:
+        yield from (rest * prod(some) for some in product(*(plain for plain in each if plain)))
+
+
+def _sum(terms: Sequence[_Factor]) -> float | None:
+    """A power of a sum of all terms, with either sign; None if their powers are not those of one."""
     rates = [term.power / term.value for term in terms]  # of (Σ ± x)^E the power of x is ± E x/Σ
     alike = max(map(abs, rates)) <= (1.0 + 4.0 * NEAR) * min(map(abs, rates))
     if not alike or len({term.unit for term in terms}) > 1:
         return None
     of_all = sum(term.value if rate * rates[0] > 0.0 else -term.value for term, rate in zip(terms, rates, strict=True))
-    return total * abs(of_all) ** (round(2.0 * sum(term.power for term in terms)) / 2.0) if of_all else None
+    return abs(of_all) ** (round(2.0 * sum(term.power for term in terms)) / 2.0) if of_all else None
 
 
-def _plain(factor: _Factor) -> float | None:
-    """The factor that a number is by its power, a multiple of a half; an angle, by that of one of its functions."""
+def _plain(factor: _Factor, candidate: Candidate, view: View) -> Iterator[float]:
+    """What a number may be as a factor, by its power, a multiple of a half; an angle, by that of a function of it."""
     if factor.unit != ANGLE:
         halves = _halves(factor.power)
-        return factor.value ** (halves / 2.0) if halves is not None else None
+        yield from [factor.value ** (halves / 2.0)] if halves else []
+        return
     for function, power in POWERS:
         halves = _halves(factor.power / power(factor.value))
-        if halves:
-            return abs(function(factor.value)) ** (halves / 2.0)
-    return None
+        if halves and _goes_with(
+            candidate, view, factor, lambda angle, f=function, h=halves: abs(f(angle)) ** (h / 2.0)
+        ):
+            yield abs(function(factor.value)) ** (halves / 2.0)
+
+
+def _goes_with(candidate: Candidate, view: View, angle: _Factor, function: View) -> bool:
+    """Whether what is seen of the answer goes with a function of an angle of the scene, as far as that is turned."""
+    study = candidate.study
+    if not angle.path:
+        return True
+    turned = {angle.path: float(study.scene.value(angle.path)) + FAR}
+    there = candidate.response(with_values(study, turned, candidate.until))
+    if there is None:
+        return False
+    ratio = function(angle.value + radians(FAR)) / function(angle.value)
+    return isclose(view(there) / view(candidate.question.answer), ratio, rel_tol=NEAR)
 
 
 def _halves(power: float) -> int | None:
@@ -115,20 +135,21 @@ def _of_question(candidate: Candidate, view: View) -> list[_Factor] | None:
     question, found = candidate.question, list[_Factor]()
     if question.unknown and question.given is not None:
         own = question.given
-        found.append(_Factor("what is given", own.unit, _in_si(own.value, own.unit), 1.0 / question.elasticity))
+        found.append(_Factor("", own.unit, _in_si(own.value, own.unit), 1.0 / question.elasticity))
     moment = question.query.moment
-    for place, (number, unit) in enumerate(moment.stated if moment is not None else ()):
-        assert moment is not None
+    if moment is None:
+        return found
+    for place, (number, unit) in enumerate(moment.stated):
         numbers = [value * (1.0 + SHIFT * (n == place)) for n, (value, _) in enumerate(moment.stated)]
         there = candidate.kind.answer(replace(question.query, moment=moment.having(numbers)), candidate.study)
         if there is None:
             return None
-        shown = (question.result, there) if question.unknown else (view(question.answer), view(there))
-        power = _power(*shown, 1.0 + SHIFT)
+        shown = float if question.unknown else view
+        power = _power(shown(question.result), shown(there), 1.0 + SHIFT)
         if power is None:
             return None
         power = -power / question.elasticity if question.unknown else power
-        found.append(_Factor("what the question states", unit, _in_si(number, unit), power))
+        found.append(_Factor("", unit, _in_si(number, unit), power))
     return found
 
 

@@ -30,7 +30,7 @@ class GrowingElectric(ElectricField):
         either(
             "a uniform electric field has only a component in the {way} direction, which is {strength} at t = 0 and {trend} at the rate {growth}.",
             "the only component of a uniform electric field is that in the {way} direction; it is {strength} at t = 0 and {trend} at the rate {growth}.",
-            "in the {way} direction, and in no other, a uniform electric field has a component, which is {strength} at t = 0 and {trend} at the rate {growth}.",
+            "a uniform electric field has a single component, in the {way} direction; it is {strength} at t = 0 and {trend} at the rate {growth}.",
         ),
     )
 

@@ -33,7 +33,7 @@ class LinearElectric(ElectricField):
         either(
             "an electric field has only a component in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
             "the only component of an electric field is that in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
-            "in the {way} direction, and in no other, an electric field has a component, which is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
+            "an electric field has a single component, in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
         ),
     )
 

@@ -31,7 +31,7 @@ class LinearMagnetic(MagneticField):
         either(
             "a magnetic field has only a component in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
             "the only component of a magnetic field is that in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
-            "in the {way} direction, and in no other, a magnetic field has a component, which is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
+            "a magnetic field has a single component, in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
         ),
     )
 

@@ -1,0 +1,59 @@
+"""What is no more than a product of stated numbers, by formulas that every textbook has."""
+
+import numpy as np
+import pytest
+
+from plain_scenes import atwood, ramp, swing
+from sim2reason.dsl.scene import Scene
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.questions import KINDS, Moment, Query, Question, Study, Target
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.moved import Moved
+
+BLOCK, HANGING, BOB = "ramp.blocks.0", "one.system.blocks.0", "swing.bob"
+
+
+def reason(scene: Scene, moment: Moment, target: Target | None) -> str:
+    study = Study.of(scene, np.linspace(0.0, 2.0, 41))
+    query = Query(moment.kind if target else "time_to_event", target, moment)
+    answer = KINDS[query.kind].answer(query, study)
+    assert answer is not None
+    unit = KINDS[query.kind].measured(query).unit
+    return FILTERS["one line"].reason(Candidate(study, Question("numeric", query, "?", answer, unit), "a b c"))
+
+
+@pytest.mark.parametrize(
+    ("moment", "quantity"),
+    [
+        pytest.param(AtTime(0.5), "normal force", id="m g cos θ"),
+        pytest.param(AtTime(0.5), "net force", id="m g sin θ"),
+        pytest.param(AtTime(0.5), "velocity", id="g t sin θ"),
+        pytest.param(AtTime(0.5), "displacement", id="½ g t² sin θ"),
+        pytest.param(Moved(BLOCK, 0.7), "velocity", id="√(2 g s sin θ)"),
+        pytest.param(Moved(BLOCK, 0.7), None, id="√(2 s/(g sin θ))"),
+    ],
+)
+@pytest.mark.parametrize("angle", [30.0, 37.0, 45.0])
+def test_on_a_smooth_slope_one_line_is_enough(moment: Moment, quantity: str | None, angle: float) -> None:
+    target = Target(quantity, BLOCK) if quantity else None
+    assert "product" in reason(ramp(angle=angle), moment, target)
+
+
+def test_two_forces_are_more() -> None:
+    """a = g (sin θ − μ cos θ)."""
+    assert reason(ramp(angle=30.0, friction=0.2), AtTime(0.5), Target("velocity", BLOCK)) == ""
+    assert "product" in reason(ramp(angle=30.0, friction=0.2), AtTime(0.5), Target("friction force", BLOCK)), (
+        "μ m g cos θ"
+    )
+
+
+def test_two_bodies_are_more() -> None:
+    """a = g (M − m)/(M + m) has two sums, T = 2 M m g/(M + m) has one, in which both stand twice."""
+    assert reason(atwood(), AtTime(0.5), Target("velocity", HANGING)) == ""
+    assert reason(atwood(), AtTime(0.5), Target("tension", "tendon_1")) == ""
+
+
+def test_a_special_angle_makes_no_product() -> None:
+    """v = √(2 g l (1 − cos θ)), of which 1 − cos 60° = ½ is no reason."""
+    assert reason(swing(), LowestPoint(BOB), Target("velocity", BOB)) == ""

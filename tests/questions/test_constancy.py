@@ -1,0 +1,60 @@
+"""Whether a moment matters for what is asked, against motions that are known in closed form."""
+
+import numpy as np
+import pytest
+
+from plain_scenes import arm, atwood, ramp, table
+from sim2reason.dsl.scene import Scene
+from sim2reason.prose.writer import describe
+from sim2reason.questions import KINDS, Moment, Study, Target
+from sim2reason.questions.constancy import hangs_on, lasts
+from sim2reason.questions.moments.all_along import AllAlong
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.targets import targets
+
+LEFT, RIGHT = "table.pucks.0", "table.pucks.1"
+BLOCK = "ramp.blocks.0"
+TENSION = Target("tension", "tendon_1")
+
+
+def study(scene: Scene) -> Study:
+    return Study.of(scene, np.linspace(0.0, 2.0, 41))
+
+
+def matters(scene: Scene, moment: Moment, target: Target) -> bool:
+    seen = study(scene)
+    time = seen.time(moment)
+    assert time is not None
+    return hangs_on(moment, seen.trace, time, lambda times: target.values(seen.trace.sample(times)))
+
+
+def test_velocities_of_free_pucks_hang_on_which_collision_has_been_alone() -> None:
+    """Between collisions nothing acts: only that one has just happened tells more than any time after it."""
+    assert not matters(table(), AtTime(0.9), Target("velocity", LEFT))
+    assert matters(table(), Collided(f"{LEFT} & {RIGHT}", after=True), Target("velocity", LEFT))
+    assert matters(table(), AtTime(0.9), Target("displacement", RIGHT))
+
+
+def test_constant_forces_last() -> None:
+    """In an Atwood machine a = g (M − m)/(M + m) and T = 2 M m g/(M + m), all the while."""
+    trace = study(atwood()).trace
+    assert lasts(TENSION, trace)
+    assert not lasts(Target("velocity", "one.system.blocks.0"), trace)
+    assert not matters(atwood(), AtTime(0.5), TENSION)
+    assert matters(atwood(), AtTime(0.5), Target("velocity", "one.system.blocks.0"))
+
+
+def test_what_rubs_and_did_not_begin_at_rest_may_stop() -> None:
+    """Up a slope a block slows down at g (sin θ + μ cos θ), down it speeds up at g (sin θ − μ cos θ)."""
+    assert lasts(Target("net force", BLOCK), study(ramp(friction=0.2)).trace)
+    assert not lasts(Target("net force", BLOCK), study(ramp(friction=0.2, speed=2.0)).trace)
+
+
+@pytest.mark.parametrize(("scene", "moment"), [(atwood(), AllAlong), (arm(), AtStart)])
+def test_a_start_is_named_where_it_matters(scene: Scene, moment: type[Moment]) -> None:
+    words, seen = words_of(describe(scene)), study(scene)
+    drawn = (KINDS["start"].draw(seen, words, targets(words), np.random.default_rng(seed)) for seed in range(6))
+    assert {type(query.moment) for query in drawn if query is not None} == {moment}
