@@ -97,7 +97,7 @@ class Count:
 
 
 def main(items: int = 300, seed: int = 21) -> int:
-    """Print the shares; exit code 1 if over 6 % of the numbers are idle, 3 % of the problems pay a slip, or one is trivial."""
+    """Print the shares; exit code 1 if over 6 % of the numbers are idle, 3 % pay a slip, or one is trivial."""
     config, count = Config(items=items, recipes=tuple(RECIPES), seed=seed), Count()
     for position in range(items):
         item = make(config.request(position)).item

@@ -45,16 +45,17 @@ def _least(candidate: Candidate) -> float:
 
 
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
-    """The numbers of a unit in the text of the scene and in the question."""
+    """The numbers of a unit in the text of the scene; of any unit g and those of the question, with which it ends."""
     for parameter in candidate.study.scene.parameters:
         open_to_all = not parameter.hidden and parameter.path != candidate.question.unknown
-        if open_to_all and parameter.value is not None and parameter.measure.unit == unit:
+        alike = parameter.measure.unit == unit or parameter.path.startswith("world.")
+        if open_to_all and parameter.value is not None and alike:
             yield parameter.value
     given = candidate.question.given
-    if given is not None and given.unit == unit:
+    if given is not None:
         yield given.value
-    moment, units = candidate.question.query.moment, candidate.study.mechanism.units
-    yield from (number for number, of in (moment.stated if moment is not None else ()) if units.spell(of) == unit)
+    moment = candidate.question.query.moment
+    yield from (number for number, _ in (moment.stated if moment is not None else ()))
 
 
 def _asked(candidate: Candidate) -> Quantity | None:

@@ -121,11 +121,12 @@ def _factors(candidate: Candidate, view: View) -> list[_Factor] | None:
         there = candidate.response(other)
         if other is None or there is None:
             return None
-        here, new = (float(scene.value(given.paths[0])) for scene in (study.scene, other.scene))
+        first = given.paths[0]
+        here, new = (float(scene.value(first)) for scene in (study.scene, other.scene))
         power = _power(view(question.answer), view(there), new / here)
         if power is None or (power and len(given.paths) > 1):
             return None
-        found.append(_Factor(given.paths[0], given.unit, _in_si(here, given.unit), power))
+        found.append(_Factor(first, given.unit, _in_si(here, given.unit), power))
     own = _of_question(candidate, view)
     return [factor for factor in (*found, *own) if factor.power] if own is not None else None
 
