@@ -131,6 +131,27 @@ def test_the_second_engine_sees_both_sides(scene: Scene, outcome: str, name: str
     assert KINDS["threshold"].answer(wrong, known) == pytest.approx(found, rel=1e-4)
 
 
+@pytest.mark.parametrize(
+    ("scene", "outcome", "name", "path"),
+    [
+        (ramp(angle=25.0, friction=0.3), "slides", "ramp.blocks.0", "ramp.plane.friction"),
+        (lifted(friction=0.2), "rises", "one.system.blocks.0", "one.system.blocks.0.mass"),
+        (pendulum(LightRod(length=1.2), 29.0, 2.0), "goes_round", "p.hanger", "p.speed"),
+        (pendulum(Cord(length=1.6), 40.0, 2.0), "goes_slack", "p.hanger", "p.angle"),
+    ],
+)
+def test_secants_lead_where_halving_does(
+    scene: Scene, outcome: str, name: str, path: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Both close in on the same number to 1e-9; by halving, an interval of a tenth takes log2(1e8) = 27 trials."""
+    trial = Trial(study(scene), OUTCOMES[outcome](name), path)
+    found, tried = trial.change(), len(trial._known)
+    monkeypatch.setattr(Trial, "_aimed", lambda *_: None)
+    halving = Trial(study(scene), OUTCOMES[outcome](name), path)
+    assert halving.change() == pytest.approx(found, rel=2e-9)
+    assert len(halving._known) > tried + 10
+
+
 @pytest.mark.parametrize("outcome", list(OUTCOMES))
 def test_every_outcome_has_words_for_both(outcome: str) -> None:
     """Its clauses differ, three shapes at least ask for it, and each is read back."""

@@ -2,22 +2,34 @@
 
 from collections.abc import Iterable
 from itertools import islice, pairwise
+from typing import NamedTuple
 
 import numpy as np
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.outcomes import PossibleOutcome
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import ENOUGH, Study
 from sim2reason.questions.unknown import range_of, usual_range
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES
+from sim2reason.simulation.trace import ENGINES, FINEST
 
 SAMPLES = 65
 SPARSE = 16  # a first scan takes every sixteenth point: without a change there, none is looked for
 LONGER = 7  # times that a motion is followed twice as long
 EXACT, ROUGH = 1e-9, 1e-5  # relative: of closing in; where it only matters by how much it differs
+SAME = 5e-7  # relative: a change that is no farther from where one is known is in the same place
+COARSE = 1e-6  # relative: what a step may err by where two values are a tenth apart
 CLOSE, WIDER, WIDEST = 0.02, 3.0, 5  # relative: how near a known change another one is looked for first; times; turns
+BENT = 2.0  # times what a secant misses of a parabola about zero: how far to its sides one looks
+HALVED = 2  # guesses in which what is left should at least be halved
+
+
+class _Found(NamedTuple):
+    """What a trial found: whether the outcome comes about, and how far it is from where that changes."""
+
+    happens: bool
+    excess: float | None
 
 
 class Trial:
@@ -26,25 +38,29 @@ class Trial:
     def __init__(self, study: Study, outcome: PossibleOutcome, path: str, engine: str = RECORDED) -> None:
         """`study` is that of a scene in which that number has any value."""
         self._scene, self._outcome, self._path, self._engine = study.scene, outcome, path, engine
-        self._known: dict[float, bool | None] = {}
+        self._known: dict[tuple[float, float], _Found | None] = {}
 
-    def __call__(self, value: float) -> bool | None:
-        """Whether it does; None if there is no such motion."""
-        if value not in self._known:
+    def __call__(self, value: float, error: float = FINEST) -> bool | None:
+        """Whether it does; None if there is no such motion. `error` is what a step may err by."""
+        found = self._tried(value, error)
+        return None if found is None else found.happens
+
+    def _tried(self, value: float, error: float) -> _Found | None:
+        if (value, error) not in self._known:
             try:
-                self._known[value] = self._followed(self._scene.having(self._path, value))
+                self._known[value, error] = self._followed(self._scene.having(self._path, value), error)
             except (SceneError, SimulationError, UnsupportedError, ValueError):
-                self._known[value] = None
-        return self._known[value]
+                self._known[value, error] = None
+        return self._known[value, error]
 
-    def _followed(self, scene: Scene) -> bool | None:
+    def _followed(self, scene: Scene, error: float) -> _Found | None:
         """Whether it does in one scene, which is followed for ever longer until that is clear."""
         duration = self._outcome.duration(scene)
         for _ in range(LONGER):
-            times = np.linspace(0.0, duration, SAMPLES)
-            found = self._outcome.happens(ENGINES[self._engine](scene.mechanism, times))
+            trace = ENGINES[self._engine](scene.mechanism, np.linspace(0.0, duration, SAMPLES), error)
+            found = self._outcome.happens(trace)
             if found is not None:
-                return found
+                return _Found(found, self._outcome.excess(trace) if found is self._outcome.tells else None)
             duration *= 2.0
         return None
 
@@ -61,7 +77,7 @@ class Trial:
 
     def _turns(self, values: Iterable[float]) -> list[tuple[float, float]]:
         """Between which neighbours among some values it changes; no more than two such pairs."""
-        told = ((value, found) for value in values if (found := self(value)) is not None)
+        told = ((value, found) for value in values if (found := self(value, COARSE)) is not None)
         return list(islice(((low, high) for (low, one), (high, other) in pairwise(told) if one != other), 2))
 
     def _is_usual(self, low: float, high: float) -> bool:
@@ -71,19 +87,49 @@ class Trial:
 
     def near(self, about: float) -> float | None:
         """Where it changes, looked for ever farther from a number: just there, if that is where it does."""
-        for width in (EXACT, *(CLOSE * WIDER**turn for turn in range(WIDEST))):
+        for width in (SAME, *(CLOSE * WIDER**turn for turn in range(WIDEST))):
             low, high = about / (1.0 + width), about * (1.0 + width)
-            if {self(low), self(high)} == {True, False}:
-                return about if width == EXACT else self.between(low, high, ROUGH)
+            if {self(low, ENOUGH), self(high, ENOUGH)} == {True, False}:
+                return about if width == SAME else self.between(low, high, ROUGH, ENOUGH)
         return None
 
-    def between(self, low: float, high: float, exact: float = EXACT) -> float | None:
-        """Where it changes between two numbers that differ in it, by halving; None if a motion is missing there."""
-        below = self(low)
+    def between(self, low: float, high: float, exact: float = EXACT, error: float = FINEST) -> float | None:
+        """Where it changes between two numbers that differ in it; None if they do not, or a motion is missing there.
+
+        Where the outcome tells on one side how far it is from the change, by secants from that side, else by halving.
+        """
+        below = self(low, error)
+        if {below, self(high, error)} != {True, False}:
+            return None
+        low, high = self._narrowed(low, high, error)
+        left, guesses = high - low, 0
         while high - low > exact * abs(high):
-            middle = 0.5 * (low + high)
-            found = self(middle)
+            aimed = self._aimed(low, high, exact) if guesses < HALVED else None
+            at = 0.5 * (low + high) if aimed is None else aimed
+            found = self(at, error)
             if found is None:
                 return None
-            low, high = (middle, high) if found == below else (low, middle)
+            low, high = (at, high) if found == below else (low, at)
+            guesses += 1
+            if high - low <= 0.5 * left:
+                left, guesses = high - low, 0
         return 0.5 * (low + high)
+
+    def _narrowed(self, low: float, high: float, error: float) -> tuple[float, float]:
+        """The nearest numbers that differ in it among those that are known between two that do."""
+        tried = sorted((at, f.happens) for (at, by), f in self._known.items() if by == error and f is not None)
+        between = [found for found in tried if low <= found[0] <= high]
+        return next((one, other) for (one, a), (other, b) in pairwise(between) if a != b)
+
+    def _aimed(self, low: float, high: float, exact: float) -> float | None:
+        """A number close to where a secant leads, beyond it first, then before it; None if there is none to draw."""
+        told = {at: found.excess for (at, _), found in self._known.items() if found and found.excess is not None}
+        near = next((end for end in (low, high) if end in told), None)
+        other = min(told.keys() - {near}, key=lambda at: min(abs(at - low), abs(at - high)), default=None)
+        if near is None or other is None or told[near] == told[other]:
+            return None
+        change = near - told[near] * (other - near) / (told[other] - told[near])
+        aside = max(0.4 * exact * abs(high), BENT * abs((near - change) * (other - change) / (change or 1.0)))
+        far, ahead = (high, 1.0) if near == low else (low, -1.0)
+        found = change + ahead * (aside if abs(far - change) > 2.0 * aside else -aside)
+        return found if low < found < high else None

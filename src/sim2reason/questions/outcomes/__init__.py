@@ -23,9 +23,11 @@ class PossibleOutcome(ABC):
 
     Class data:
         of: the kind of subject.
+        tells: on which side of where the outcome changes the motion tells how far that is: where it happens, or not.
     """
 
     of: ClassVar[Subject]
+    tells: ClassVar[bool] = True
 
     name: str
 
@@ -51,6 +53,13 @@ class PossibleOutcome(ABC):
     @abstractmethod
     def happens(self, trace: Trace) -> bool | None:
         """Whether it does it in a motion of any engine; None if that must be followed for longer."""
+
+    def excess(self, trace: Trace) -> float | None:
+        """What goes to zero evenly towards where the outcome changes, in a motion that `tells`; by default none.
+
+        It only saves trials: whether the outcome happens decides where it changes.
+        """
+        del trace
 
     @abstractmethod
     def does(self, words: Words) -> tuple[str, ...]:

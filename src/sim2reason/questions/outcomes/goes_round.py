@@ -36,6 +36,12 @@ class GoesRound(Swinging):
             return False
         return bool(np.abs(AngleTurned.evaluate(trace.state, self.name)).max() >= FULL) or None
 
+    def excess(self, trace: Trace) -> float:
+        """The square of the least rate at which it turns: it grows as the energy that is left at the top does."""
+        number = trace.mechanism.number
+        hinges = [number[name] for name, _ in turning_axes(trace.mechanism, self.name)]
+        return float(np.square(trace.scan.v[:, hinges].sum(axis=1)).min())
+
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: the rod makes a full turn."""
         subject = self.subject(words)

@@ -17,6 +17,7 @@ class GoesSlack(Swinging):
     """The string of a pendulum goes slack, in its first swings or never."""
 
     of = SwingingLines()
+    tells = False
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
@@ -32,6 +33,10 @@ class GoesSlack(Swinging):
         level = {c.name for c in trace.mechanism.coordinates if c.axis[2] == 0.0}
         sides = sum(event.kind == "turn" and event.subjects[0] in level for event in trace.events)
         return False if sides >= BOTH else None
+
+    def excess(self, trace: Trace) -> float:
+        """The least tension."""
+        return float(trace.scan.tension[self.name].min())
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: the string goes slack."""

@@ -33,8 +33,12 @@ class Rises(Onset):
 
     def happens(self, trace: Trace) -> bool:
         """Whether it has an upward velocity."""
+        return self.excess(trace) > 0.0
+
+    def excess(self, trace: Trace) -> float:
+        """That velocity, but for what is none."""
         free = float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
-        return bool(Velocity.evaluate(trace.state, self.name)[-1, 2] > STILL * free)
+        return float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - STILL * free
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: block A starts to move up the slope."""

@@ -31,9 +31,12 @@ class Slides(Onset):
 
     def happens(self, trace: Trace) -> bool:
         """Whether it has a velocity on its face."""
-        state = trace.state
-        free = float(np.linalg.norm(trace.mechanism.gravity)) * float(state.times[-1])
-        return bool(np.abs(slip(state, self.name)).max() > STILL * free)
+        return self.excess(trace) > 0.0
+
+    def excess(self, trace: Trace) -> float:
+        """The fastest that it slips, but for what is none."""
+        free = float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
+        return float(np.abs(slip(trace.state, self.name)).max()) - STILL * free
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: block A slips on the plane."""

@@ -44,8 +44,12 @@ class SlipsRolling(PossibleOutcome):
 
     def happens(self, trace: Trace) -> bool:
         """Whether it ever slips."""
+        return self.excess(trace) > 0.0
+
+    def excess(self, trace: Trace) -> float:
+        """The fastest that it slips, but for what is none."""
         free = float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
-        return bool(np.abs(slip(trace.state, self.name)).max() > STILL * free)
+        return float(np.abs(slip(trace.state, self.name)).max()) - STILL * free
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: the cylinder slips."""
