@@ -19,6 +19,7 @@ from time import process_time
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Request
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.datasets.worker import collect_seldom
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.recipes import DIFFICULTIES, RECIPES
@@ -33,8 +34,9 @@ FIRST = "import sim2reason; sim2reason.item(recipe='hybrid', difficulty='hard', 
 
 
 def items(count: int, mode: str) -> None:
-    """Cell by cell in this process, after one item to load what is loaded lazily."""
+    """Cell by cell in this process, set up as a worker is, after one item to load what is loaded lazily."""
     make(Request("pulley", "easy", mode, SEED + 1, 0))
+    collect_seldom()
     total, texts = 0.0, set[str]()
     for recipe, difficulty in CELLS:
         start, found = process_time(), set[str]()

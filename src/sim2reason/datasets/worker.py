@@ -1,5 +1,6 @@
 """What runs in a worker process: it makes items, batch after batch, and dies with its parent."""
 
+import gc
 import os
 import signal
 from collections.abc import Sequence
@@ -12,6 +13,8 @@ from threading import Thread
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import Made, Maker, Request, load_maker
 from sim2reason.errors import DatasetError
+
+YOUNG = 20_000  # objects more than before, after which the cycles among the new ones are looked for
 
 Batch = Sequence[tuple[int, Request]]
 """Positions and their requests."""
@@ -43,10 +46,21 @@ def serve(pipe: "Connection[Message, Batch]", maker: str) -> None:
     except DatasetError as error:
         pipe.send(error)
         return
+    collect_seldom()
     with suppress(EOFError, OSError):  # the parent is gone
         pipe.send(None)
         while True:
             pipe.send([outcome(make, position, request) for position, request in pipe.recv()])
+
+
+def collect_seldom() -> None:
+    """Let the collector of garbage pass over what was loaded, which stays, and look at what is new less often.
+
+    It took a twelfth of the time that items take.
+    """
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(YOUNG)
 
 
 def outcome(make: Maker, position: int, request: Request) -> Attempt:
