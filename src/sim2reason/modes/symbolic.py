@@ -6,6 +6,7 @@ from itertools import combinations
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.prose.symbol_names import with_names
@@ -20,6 +21,7 @@ from sim2reason.questions.spoken import OwnSymbol, symbol_for
 from sim2reason.questions.targets import targets
 from sim2reason.solutions import STRATEGIES, Setting, solve
 from sim2reason.solutions.closed_forms import ClosedForm, ClosedFormError, closed_form
+from sim2reason.solutions.strategies import Strategy
 
 POINTS = 8  # beside the scene's own
 NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
@@ -49,9 +51,10 @@ class Symbolic(QuestionMode):
         if study.mechanism is not study.scene.mechanism:
             return None
         names = [kind] if kind else [found.name for found in by_share(rng)]
-        kinds = [name for name in names if name in self.kinds]
+        fitting = _fitting(study.mechanism)
+        kinds = [name for name in names if name in self.kinds and any(name in strategy.kinds for strategy in fitting)]
         found = (MODES["numeric"].ask(study, words, name, rng) for name in kinds)
-        asked = (question for question in found if question is not None and _solvable(question.query, study, words))
+        asked = (question for question in found if question and _solvable(question.query, study, words, fitting))
         return next((replace(question, mode=self.name) for question in asked), None)
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
@@ -103,11 +106,16 @@ class Symbolic(QuestionMode):
         return super().solution(reading, study, words)
 
 
-def _solvable(query: Query, study: Study, words: Words) -> bool:
-    """Whether some strategy of worked solutions does not refuse it at once."""
+def _fitting(mechanism: Mechanism) -> tuple[Strategy, ...]:
+    """The strategies that derive formulas and may apply to questions about a mechanism."""
+    derives = (strategy for strategy in STRATEGIES.values() if not strategy.integrates)
+    return tuple(strategy for strategy in derives if not strategy.unfit(mechanism))
+
+
+def _solvable(query: Query, study: Study, words: Words, fitting: Sequence[Strategy]) -> bool:
+    """Whether some of the strategies does not refuse it at once."""
     setting = Setting(study.scene, words, words.symbols, study, query)
-    derives = (held for held in STRATEGIES.values() if query.kind in held.kinds and not held.integrates)
-    return any(not strategy.refusal(setting) for strategy in derives)
+    return any(query.kind in strategy.kinds and not strategy.refusal(setting) for strategy in fitting)
 
 
 class _Varied:

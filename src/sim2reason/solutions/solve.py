@@ -44,7 +44,8 @@ def solve(setting: Setting) -> Solution:
 def by(strategy: Strategy, setting: Setting) -> Solution:
     """The solution by one strategy, without an answer where it finds none."""
     kind = setting.query.kind
-    refused = strategy.refusal(setting) if kind in strategy.kinds else f"no way to the kind {kind}"
+    refused = "" if kind in strategy.kinds else f"no way to the kind {kind}"
+    refused = refused or strategy.unfit(setting.mechanism) or strategy.refusal(setting)
     if refused:
         return Solution(strategy.name, reason=refused)
     book = Book(setting.words.units, asks_time=setting.sought is not None and not setting.unknown)

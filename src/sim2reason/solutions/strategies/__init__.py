@@ -3,6 +3,9 @@
 from abc import ABC, abstractmethod
 from typing import ClassVar
 
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions import Moment
 from sim2reason.registry import Registry
 from sim2reason.solutions.book import Book
@@ -25,9 +28,14 @@ class Strategy(ABC):
     kinds: ClassVar[frozenset[str]] = frozenset({"start", "state", "event", "time_to_event"})
     integrates: ClassVar[bool] = False
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Why it applies to nothing that could be asked about a mechanism, in a few words; by default it may apply."""
+        del mechanism
+        return ""
+
     @abstractmethod
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply, in a few words; empty if it does."""
+        """Why it does not apply to a question about a mechanism for which it is not unfit; empty if it does."""
 
     @abstractmethod
     def write(self, setting: Setting, book: Book) -> str:
@@ -41,6 +49,11 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
     """Enter a strategy under its name."""
     STRATEGIES.add(cls.name, cls())
     return cls
+
+
+def accelerates(mechanism: Mechanism) -> str:
+    """That accelerations change as it moves; empty where they only change at events."""
+    return "accelerations change as it moves" if changing(mechanism, start(mechanism)) else ""
 
 
 def no_goal(setting: Setting, moments: tuple[type[Moment], ...]) -> str:

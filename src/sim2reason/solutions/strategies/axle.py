@@ -5,6 +5,7 @@ from math import atan2, cos, pi
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.arm import Arm, Piece, lone_axle
@@ -29,10 +30,12 @@ class Axle(Strategy):
     cost = 1.1
     kinds = Strategy.kinds | {"extremum", "period"}
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether nothing turns by itself."""
+        return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if not lone_axle(setting.mechanism):
-            return "nothing turns about a fixed axle by itself"
         if isinstance(setting.query, PeriodQuery):
             return "" if setting.query.small else "only integration gives the period of large swings"
         return unasked(setting, _Turning.WAYS)

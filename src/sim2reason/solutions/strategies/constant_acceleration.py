@@ -6,6 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved
@@ -21,7 +22,7 @@ from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import NEWTONS
 from sim2reason.solutions.stage import METRES, SECONDS, End, Stage
 from sim2reason.solutions.stage_part import StagePart
-from sim2reason.solutions.strategies import Strategy, no_goal, strategy
+from sim2reason.solutions.strategies import Strategy, accelerates, no_goal, strategy
 from sim2reason.solutions.way import STILL, Way
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping)
@@ -35,13 +36,15 @@ class ConstantAcceleration(Strategy):
     cost = 1.0
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether accelerations change."""
+        return accelerates(mechanism)
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if any(segment.flow for segment in setting.motion.segments):
-            return "accelerations change as it moves"
         if unknown := no_goal(setting, MOMENTS):
             return unknown
-        if any(event.kind == "collision" and event.time < setting.time for event in setting.motion.events):
+        if any(event.kind == "collision" and event.time < setting.time for event in setting.study.trace.events):
             return "there are collisions"
         return ""
 

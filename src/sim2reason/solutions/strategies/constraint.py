@@ -6,6 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.dynamics import Dynamics
@@ -17,7 +18,7 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import Measure
 from sim2reason.solutions.stage import METRES
 from sim2reason.solutions.stage_part import StagePart
-from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.strategies import Strategy, accelerates, strategy
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.written_dynamics import WrittenDynamics
 
@@ -30,6 +31,12 @@ class Constraint(Strategy):
     cost = 0.5
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether accelerations change, or it does not begin at rest."""
+        if any(coordinate.speed for coordinate in mechanism.coordinates):
+            return "it does not begin at rest"
+        return accelerates(mechanism)
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         target, moment = setting.target, setting.query.moment
@@ -37,9 +44,7 @@ class Constraint(Strategy):
             return "no distance is stated"
         if target.quantity not in GOALS or GOALS[target.quantity].uses != "s":
             return "no distance is asked for"
-        if any(segment.flow for segment in setting.motion.segments) or len(setting.motion.segments) > 1:
-            return "something changes on the way"
-        return "it does not begin at rest" if any(c.speed for c in setting.mechanism.coordinates) else ""
+        return "something changes on the way" if len(setting.motion.segments) > 1 else ""
 
     def write(self, setting: Setting, book: Book) -> str:
         """Displacements in proportion, then the goal."""

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from functools import cached_property
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
@@ -44,17 +45,19 @@ class FieldsStrategy(Strategy):
     cost = 1.0
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum", "period"})
 
-    def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
-        m = setting.mechanism
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether no lone body moves in fields without end."""
+        m = mechanism
         moving = [body for body in m.bodies if body.coordinates]
         other = m.lines or m.faces or m.attractions or m.burns or m.meetings or m.feet
         if not m.forces or len(moving) != 1 or len(m.coordinates) != 2 or other:
             return "no lone body moves in fields"
         if any(abs(c.axis[2]) > 1e-9 or c.kind != "slide" for c in m.coordinates):
             return "it does not move in a level plane"
-        if any(force.region is not None for force in m.forces):
-            return "the fields have an end"
+        return "the fields have an end" if any(force.region is not None for force in m.forces) else ""
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
         return _unasked(setting)
 
     def write(self, setting: Setting, book: Book) -> str:

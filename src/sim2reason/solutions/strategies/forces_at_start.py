@@ -27,6 +27,7 @@ class ForcesAtStart(Strategy):
 
     name = "forces at the start"
     cost = 1.2
+    kinds = frozenset({"start"})
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""

@@ -6,6 +6,7 @@ from math import inf
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
@@ -27,7 +28,7 @@ from sim2reason.solutions.oblique import Flights
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
-from sim2reason.solutions.strategies import Strategy, no_goal, strategy
+from sim2reason.solutions.strategies import Strategy, accelerates, no_goal, strategy
 from sim2reason.solutions.struck import FlightPart, StruckBodies
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.worked import NumericRoot
@@ -43,10 +44,12 @@ class Impulse(Strategy):
     cost = 0.8
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether accelerations change."""
+        return accelerates(mechanism)
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if any(segment.flow for segment in setting.motion.segments):
-            return "accelerations change as it moves"
         if unknown := no_goal(setting, MOMENTS):
             return unknown
         return ""

@@ -43,11 +43,13 @@ class Orbit(Strategy):
     cost = 1.0
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether what moves is attracted by what moves, or other forces act."""
+        return "" if _by_itself(mechanism) else "no light body goes round a fixed one by itself"
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         query = setting.query
-        if not _by_itself(setting.mechanism):
-            return "no light body goes round a fixed one by itself"
         if isinstance(query, PeriodQuery):
             return "" if query.measure == "period" and not query.small else "no orbital period is asked for"
         if isinstance(query, StretchQuery):

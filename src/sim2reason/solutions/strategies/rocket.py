@@ -33,12 +33,15 @@ class RocketFlight(Strategy):
     name = "rocket"
     cost = 1.0
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether there is no lone rocket."""
+        moving = [body for body in mechanism.bodies if body.coordinates]
+        alone = len(mechanism.burns) == len(moving) == len(mechanism.coordinates) == 1
+        return "" if alone else "there is no lone rocket"
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         m = setting.mechanism
-        moving = [body for body in m.bodies if body.coordinates]
-        if len(m.burns) != 1 or len(moving) != 1 or len(m.coordinates) != 1:
-            return "there is no lone rocket"
         if unknown := no_goal(setting, MOMENTS):
             return unknown
         if m.attractions and not isinstance(setting.query.moment, AtStart | BurnedOut):

@@ -31,15 +31,20 @@ class Rocking(Strategy):
     cost = 1.1
     kinds = frozenset({"start", "period"})
 
-    def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
-        m, query = setting.mechanism, setting.query
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether no lone body rocks."""
+        m = mechanism
         other = m.lines or m.forces or m.attractions or m.burns or m.meetings or m.feet
         kinds = sorted(c.kind for c in m.coordinates)
         if len(m.bodies) != 1 or kinds != ["hinge", "slide"] or len(m.faces) != 1 or other:
             return "no lone body rolls"
         if m.faces[0].friction != inf or not any(m.bodies[0].center):
             return "it may slip, or its centre of mass lies on its axis"
+        return ""
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the period of large swings"
         if not isinstance(query.moment, AtStart) or query.target is None:

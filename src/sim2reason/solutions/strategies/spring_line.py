@@ -35,11 +35,13 @@ class SpringLine(Strategy):
     cost = 1.0
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether there is no lone body on a spring."""
+        return "" if _lone_spring(mechanism) else "no lone body is let go on a single spring"
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        m, query = setting.mechanism, setting.query
-        if not _lone_spring(m):
-            return "no lone body is let go on a single spring"
+        query = setting.query
         if _reaches_its_end(setting):
             return "it passes through the fixed end of the spring"
         if isinstance(query, PeriodQuery):

@@ -1,5 +1,6 @@
 """Swing: a small body on a string or a light rod; its energy gives the speed, circular motion the force."""
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
@@ -24,10 +25,12 @@ class Swing(Strategy):
     cost = 1.0
     kinds = Strategy.kinds | {"extremum"}
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether no small body swings."""
+        return "it is no small body that swings about a fixed point" if pivot(mechanism) is None else ""
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if pivot(setting.mechanism) is None:
-            return "it is no small body that swings about a fixed point"
         if unknown := unasked(setting, _Angular.WAYS):
             return unknown
         kinds = {event.kind for event in setting.motion.events if event.time < setting.time * (1.0 - 1e-9)}
