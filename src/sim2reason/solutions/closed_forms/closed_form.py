@@ -52,7 +52,7 @@ def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
     every = (relation for step in solution.steps for relation in step.relations if relation.role == "given")
     given = {relation.left.latex() for relation in every} - solution.constants.keys()
     whole = Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
-    found = shortest(whole)
+    found = shortest(whole, LONGEST)
     latex = found.latex()
     if len(latex) > LONGEST:
         raise ClosedFormError(f"it takes {len(latex)} characters")

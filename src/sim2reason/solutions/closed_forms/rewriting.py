@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import reduce
 from itertools import product
+from math import inf
 from operator import add, mul, truediv
 from typing import Any
 
@@ -46,13 +47,22 @@ class TooLongError(Exception):
     """A formula that grew beyond what anybody would write."""
 
 
-def shortest(held: Expression) -> Expression:
-    """The shortest formula that is found for one: brought over one denominator as a whole, or part by part."""
+def shortest(held: Expression, room: float = inf) -> Expression:
+    """The shortest formula that is found for one: brought over one denominator as a whole, or part by part.
+
+    Parts are given up once the symbols in them alone take more than `room`, in characters.
+    """
     found = min((*_over_one(held), held), key=length)
     many = sum(1 for _ in held.symbols()) > PARTED
     if many or length(found) <= SHORT or not any(name.startswith("\\sqrt") for name in _functions(held)):
         return found
-    parted = held.built_of([shortest(part) for part in held.parts])
+    parts = list[Expression]()
+    for part in held.parts:
+        parts.append(shortest(part, room))
+        room -= sum(map(len, parts[-1].symbols()))
+        if room < 0.0:
+            return found
+    parted = held.built_of(parts)
     return parted if length(parted) < CLEARLY * length(found) else found
 
 
