@@ -41,6 +41,7 @@ FUNCTIONS = {
     "sqrt": sqrt,
     "ln": log,
     "exp": exp,
+    "abs": abs,
 }
 TERMS: dict[str, Any] = {
     "arcsin": sympy.asin,
@@ -52,6 +53,7 @@ TERMS: dict[str, Any] = {
     "sqrt": sympy.sqrt,
     "ln": sympy.log,
     "exp": sympy.exp,
+    "abs": sympy.Abs,
 }
 ANGULAR = "arcsin|arccos|arctan|sin|cos|tan|ln"
 RAISED = re.compile(rf"\b({ANGULAR}) *\^ *\{{ *(\d+) *\}} *\(")
@@ -88,6 +90,7 @@ def program(latex: str, names: Mapping[str, str]) -> str:
     for symbol in sorted(names, key=len, reverse=True):
         before = "" if symbol.startswith("\\") else r"(?<![A-Za-z\\])"
         latex = re.sub(rf"{before}{re.escape(symbol)}(?![A-Za-z])", f" {names[symbol]} ", latex)
+    latex = latex.replace(r"\left|", r"\abs\left(").replace(r"\right|", r"\right)")
     latex = latex.replace(r"\left", " ").replace(r"\right", " ").replace(r"\,", " ").replace(r"\cdot", "*")
     latex = latex.replace(r"\ROOT", "sqrt").replace("\\", " ")
     latex = re.sub(rf"\b({ANGULAR}) *\^ *\{{ *(\d+) *\}} *(s\d+_)", r"(\1(\3)**\2)", latex)

@@ -12,6 +12,7 @@ from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearc
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
+from sim2reason.filters.few_symbols import FewSymbols
 from sim2reason.grading import formula
 from sim2reason.modes.parts.variations import ProblemSymbol, Variations
 from sim2reason.prose.formula_numbers import said_in
@@ -164,3 +165,21 @@ def test_one_symbol_is_no_answer() -> None:
     same = replace(asked, query=query, formula=replace(asked.formula, latex="v"))
     text = prompt(search.description, asked, np.random.default_rng(0))
     assert Degenerate().reason(Candidate(search.study, same, text)) == "the answer is one symbol"
+
+
+def test_a_formula_in_too_few_symbols_is_no_answer() -> None:
+    """The speed after a way down a smooth slope, √(2 g d sin θ), in d and θ: enough where one block moves, if easy."""
+    block = "ramp.blocks.0"
+    search = QuestionSearch(ramp(), 0)
+    asked = MODES["symbolic"].completed(
+        Question("symbolic", Query("event", Target("velocity", block), Moved(block, 0.5)), "", 1.0, "m/s"),
+        search.study,
+        search.words,
+        np.random.default_rng(0),
+    )
+    assert asked is not None
+    assert asked.formula is not None
+    assert asked.formula.within == (r"\theta", "d")
+    candidate = Candidate(search.study, asked, "", difficulty="easy")
+    assert FewSymbols().reason(candidate) == ""
+    assert FewSymbols().reason(replace(candidate, difficulty="hard")) == "2 symbols of 3"

@@ -1,6 +1,6 @@
 """The symbolic mode: every number of the text is a symbol, and a formula is asked for."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 
@@ -20,7 +20,8 @@ from sim2reason.questions.regimes import FEW, Regime, possible, regimes
 from sim2reason.questions.spoken import OwnSymbol, symbol_for
 from sim2reason.questions.targets import targets
 from sim2reason.solutions import STRATEGIES, Setting, solve
-from sim2reason.solutions.closed_forms import ClosedForm, ClosedFormError, closed_form
+from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, put_together, shortened
+from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.strategies import Strategy
 
 POINTS = 8  # beside the scene's own
@@ -28,7 +29,7 @@ NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as
 WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
 TRIES, WIDELY = 16, 24
 SAME = 1e-6  # relative: how well the formula agrees with the engine
-ASSUME = "Assume that "
+ASSUME, JOINT = "Assume that ", " and that "
 
 
 @mode
@@ -54,31 +55,33 @@ class Symbolic(QuestionMode):
         fitting = _fitting(study.mechanism)
         kinds = [name for name in names if name in self.kinds and any(name in strategy.kinds for strategy in fitting)]
         found = (MODES["numeric"].ask(study, words, name, rng) for name in kinds)
-        asked = (question for question in found if question and _solvable(question.query, study, words, fitting))
+        asked = (q for q in found if q and _derived(q.query, study, words, fitting) is not None)
         return next((replace(question, mode=self.name) for question in asked), None)
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
         """In symbols, with a formula; None if none is found that agrees with the engine wherever it should."""
         query, spoken = question.query, _spoken(words, question.query)
-        if spoken is None:
+        whole = _derived(query, study, words)
+        if spoken is None or whole is None:
             return None
         symbols = _symbols(study, spoken)
-        solution = solve(Setting(study.scene, words, words.symbols, study, query))
-        if not solution.derived:
+        varied = _Varied(Variations(study, query, symbols), factor(question.unit))
+        if not varied.of_scene(whole):
             return None
         try:
-            found = closed_form(solution, [held.symbol for held in symbols if not held.path])
+            found = shortened(whole)
         except ClosedFormError:
             return None
-        varied = _Varied(Variations(study, query, symbols), found, factor(question.unit))
-        near = varied.near(rng)
-        assumed = varied.assumed(rng, words) if near else None
-        if assumed is None:
+        assumed = varied.assumed(found, rng, words) if varied.near(found, rng) else None
+        if assumed is None and varied.beyond and not question.sign:
+            found = found.of_sizes(varied.beyond)
+            assumed = varied.assumed(found, rng, words)
+        if assumed is None or len(found.latex) > LONGEST:
             return None
         noun = targets(words)[query.target] if query.target is not None else None
         asked = sentence(chosen(KINDS[query.kind].shapes(query, spoken, noun), rng))
         text = f"{_assuming(assumed, words)} {asked}" if assumed else asked
-        return replace(question, text=text, formula=varied.formula(near, symbols))
+        return replace(question, text=text, formula=varied.formula(found, symbols))
 
     def described(self, question: Question, description: Description) -> Description:
         """Every number but zero as a symbol, each with its name."""
@@ -95,8 +98,11 @@ class Symbolic(QuestionMode):
             return None
         if not assumed:
             return Reading(self.name, query)
-        some = (held for held in _some(possible(study, words)) if _assuming(held, words) == assumed)
-        return next((Reading(self.name, query, assumed=held) for held in some), None)
+        clauses = {held.clause(words): held for held in possible(study, words)}
+        said = assumed.removeprefix(ASSUME).removesuffix(".").split(JOINT)
+        held = tuple(clauses[clause] for clause in said if clause in clauses)
+        whole = len(held) == len(said) and _assuming(held, words) == assumed
+        return Reading(self.name, query, assumed=held) if whole else None
 
     def solution(self, reading: Reading, study: Study, words: Words) -> float | None:
         """The answer with the numbers that the symbols have; None with those for which what is assumed is not so."""
@@ -112,64 +118,102 @@ def _fitting(mechanism: Mechanism) -> tuple[Strategy, ...]:
     return tuple(strategy for strategy in derives if not strategy.unfit(mechanism))
 
 
-def _solvable(query: Query, study: Study, words: Words, fitting: Sequence[Strategy]) -> bool:
-    """Whether some of the strategies does not refuse it at once."""
+def _derived(query: Query, study: Study, words: Words, fitting: Sequence[Strategy] = ()) -> Expression | None:
+    """The formulas of a worked solution put into each other; None if there is none in symbols."""
+    return study.once(("formula", query), lambda: _worked_out(query, study, words, fitting))
+
+
+def _worked_out(query: Query, study: Study, words: Words, fitting: Sequence[Strategy]) -> Expression | None:
+    spoken = _spoken(words, query)
+    if spoken is None:
+        return None
     setting = Setting(study.scene, words, words.symbols, study, query)
-    return any(query.kind in strategy.kinds and not strategy.refusal(setting) for strategy in fitting)
+    tried = [held for held in fitting or _fitting(study.mechanism) if query.kind in held.kinds]
+    if all(strategy.refusal(setting) for strategy in tried):
+        return None
+    solution = solve(setting)
+    try:
+        return put_together(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
+    except ClosedFormError:
+        return None
 
 
 class _Varied:
-    """A formula and the scenes in which it must hold."""
+    """The scenes in which a formula must hold; each is simulated when it is first needed."""
 
-    def __init__(self, variations: Variations, formula: ClosedForm, factor: float) -> None:
+    def __init__(self, variations: Variations, factor: float) -> None:
         """`factor` makes the engine's answers those of formulas: radians of degrees."""
-        self._variations, self._formula, self._factor = variations, formula, factor
+        self._variations, self._factor = variations, factor
         self._near: list[Variation] = []
+        self._wide: list[Variation] = []
+        self._more: Iterator[Variation] | None = None
 
-    def near(self, rng: np.random.Generator) -> list[Variation]:
-        """The scene's own numbers and as many fresh ones as are needed, of one regime; none if the formula fails."""
+    def of_scene(self, whole: Expression) -> bool:
+        """Whether a formula holds with the scene's own numbers, which are those that cost least."""
         own = self._variations.own()
-        if own is None or not self._holds(own):
-            return []
+        self._near = [own] if own is not None and self._agrees(whole, own) else []
+        return bool(self._near)
+
+    def near(self, formula: ClosedForm, rng: np.random.Generator) -> bool:
+        """Whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
+        own = self._near[0]
         for width in NEAR:
             found = [own]
             for other in self._variations.drawn(rng, width, TRIES):
-                if other.story == own.story and self._holds(other):
+                if other.story == own.story and self._agrees(formula.expression, other):
                     found.append(other)
                 if len(found) > POINTS:
                     self._near = found
-                    return found
-        return []
+                    return True
+        return False
 
-    def formula(self, near: Sequence[Variation], symbols: Sequence[ProblemSymbol]) -> Formula:
+    def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
         """As a question has it."""
         return Formula(
-            self._formula.latex,
+            found.latex,
             tuple(held.symbol for held in symbols),
             tuple(held.unit for held in symbols),
-            tuple(tuple(each.values[held.symbol] for held in symbols) for each in near),
-            tuple(each.answer * self._factor for each in near),
+            tuple(tuple(each.values[held.symbol] for held in symbols) for each in self._near),
+            tuple(each.answer * self._factor for each in self._near),
+            tuple(held.symbol for held in symbols if held.symbol in found.symbols and not held.of_world),
         )
 
-    def assumed(self, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
+    def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
         """The fewest regimes that leave no scene in which the formula does not hold; None if no few do."""
-        failing = [other for other in self._variations.drawn(rng, WIDE, WIDELY) if not self._holds(other)]
-        if not failing:
-            return ()
+        kept: list[Regime] | None = None
+        excluding: list[set[Regime]] = []
+        for other in self._widely(rng):
+            if self._agrees(formula.expression, other):
+                continue
+            kept = self._shared(words) if kept is None else kept
+            excluding.append({held for held in kept if not held.holds(other.study, other.until)})
+            if not excluding[-1]:
+                return None
+        options = (some for some in _some(kept or ()) if all(not held.isdisjoint(some) for held in excluding))
+        return next(options, None) if excluding else ()
+
+    @property
+    def beyond(self) -> list[Mapping[str, float]]:
+        """Numbers far from the scene's own for which something may be as it is not there."""
+        return [other.values for other in self._wide]
+
+    def _widely(self, rng: np.random.Generator) -> Iterator[Variation]:
+        """With numbers far from the scene's own."""
+        yield from self._wide
+        self._more = self._more or self._variations.drawn(rng, WIDE, WIDELY)
+        for other in self._more:
+            self._wide.append(other)
+            yield other
+
+    def _shared(self, words: Words) -> list[Regime]:
+        """The regimes of all scenes that are near."""
         own, *others = self._near
         found = regimes(own.study, words, own.until)
-        kept = [held for held in found if all(held.holds(other.study, other.until) for other in others)]
-        excluded = {
-            held: {n for n, other in enumerate(failing) if not held.holds(other.study, other.until)} for held in kept
-        }
-        options = (
-            some for some in _some(kept) if len(set[int]().union(*(excluded[held] for held in some))) == len(failing)
-        )
-        return next(options, None)
+        return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
 
-    def _holds(self, other: Variation) -> bool:
+    def _agrees(self, formula: Expression, other: Variation) -> bool:
         try:
-            found = self._formula.value(other.values)
+            found = formula.value(other.values)
         except (ValueError, ZeroDivisionError, OverflowError):
             return False
         return abs(found - other.answer * self._factor) <= SAME * abs(other.answer * self._factor)
@@ -183,7 +227,7 @@ def _some(found: Sequence[Regime]) -> Iterator[tuple[Regime, ...]]:
 
 def _assuming(assumed: Sequence[Regime], words: Words) -> str:
     """As in: assume that block A moves down the slope and that the string stays taut."""
-    return f"{ASSUME}{' and that '.join(sorted(held.clause(words) for held in assumed))}."
+    return f"{ASSUME}{JOINT.join(sorted(held.clause(words) for held in assumed))}."
 
 
 def _parted(text: str) -> tuple[str, str]:

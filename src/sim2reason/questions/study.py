@@ -1,7 +1,7 @@
 """A scene under study: its recorded motion, and those of scenes like it."""
 
 from collections.abc import Callable, Hashable
-from typing import Protocol, Self
+from typing import Protocol, Self, TypeVar, cast
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from sim2reason.simulation.trace import ENGINES, Trace
 SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
 ENOUGH = 1e-8  # relative: what a step may err by in a motion that is only compared with this one
 BEYOND = 1.1  # times the moment that is asked about, to which variants and the witness follow a motion
+
+
+T = TypeVar("T")
 
 
 class Timed(Hashable, Protocol):
@@ -34,6 +37,7 @@ class Study:
         self._times: dict[Timed, float | None] = {}
         self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
         self._readings: dict[str, Study | None] = {}
+        self._known: dict[Hashable, object] = {}
 
     @classmethod
     def of(cls, scene: Scene, times: Array) -> Self:
@@ -68,6 +72,12 @@ class Study:
         if reading not in self._readings:
             self._readings[reading] = make()
         return self._readings[reading]
+
+    def once(self, name: Hashable, make: Callable[[], T]) -> T:
+        """What `make` gives, worked out when it is first asked for by that name."""
+        if name not in self._known:
+            self._known[name] = make()
+        return cast("T", self._known[name])
 
     def _followed(
         self, key: object, make: Callable[[], tuple[Scene, Mechanism]], until: float | None

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Scalar, Symbol, Values, parenthesized
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Scalar, Symbol, Values, parenthesized
 
 Function = Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
 
@@ -114,6 +114,36 @@ class Call(Expression):
 
 
 @dataclass(frozen=True, slots=True)
+class Absolute(Expression):
+    """An absolute value."""
+
+    inside: Expression
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """What stands between the bars."""
+        return (self.inside,)
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """That of something else."""
+        (inside,) = parts
+        return Absolute(inside)
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """Never negative; of a complex value, the value of which the real part is not, so that it has a derivative."""
+        inside = self.inside.value(at, digits)
+        return -inside if inside.real < 0.0 else inside
+
+    def latex(self) -> str:
+        """Between bars."""
+        return rf"\left|{self.inside.latex()}\right|"
+
+    def symbols(self) -> Iterator[str]:
+        """Those between them."""
+        return self.inside.symbols()
+
+
+@dataclass(frozen=True, slots=True)
 class Pi(Expression):
     """The ratio of a circle's circumference to its diameter."""
 
@@ -132,6 +162,26 @@ class Pi(Expression):
 
 
 PI = Pi()
+
+
+def plain(held: Expression) -> Expression:
+    """A function of an inverse one without either, as √(1 − x²) for the sine of arccos x; else the formula itself."""
+    if not isinstance(held, Call) or not isinstance(held.argument, Call):
+        return held
+    x = held.argument.argument
+    beside = Root(ONE - Power(x, 2)) if held.argument.function != "arctan" else Root(ONE + Power(x, 2))
+    undone: dict[tuple[Function, Function], Expression] = {
+        ("sin", "arcsin"): x,
+        ("cos", "arccos"): x,
+        ("tan", "arctan"): x,
+        ("sin", "arccos"): beside,
+        ("cos", "arcsin"): beside,
+        ("tan", "arcsin"): x / beside,
+        ("tan", "arccos"): beside / x,
+        ("sin", "arctan"): x / beside,
+        ("cos", "arctan"): ONE / beside,
+    }
+    return undone.get((held.function, held.argument.function), held)
 
 
 def squares(parts: Iterable[Expression]) -> Expression:

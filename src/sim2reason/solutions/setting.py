@@ -69,8 +69,11 @@ class Setting:
 
     @cached_property
     def motion(self) -> Motion:
-        """The motion up to that time, in segments."""
-        return motion(self.mechanism, max(self.time * BEYOND, LEAST))
+        """The motion up to that time, in segments; that of the study is followed once, for all questions about it."""
+        until, known = max(self.time * BEYOND, LEAST), float(self.study.trace.state.times[-1])
+        if self.mechanism is not self.study.mechanism or until > known:
+            return motion(self.mechanism, until)
+        return self.study.once("motion", lambda: motion(self.mechanism, known)).through(until)
 
     @cached_property
     def answer(self) -> float | None:

@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
-from plain_scenes import atwood, ramp
+from plain_scenes import atwood, ramp, squeezed
 from sim2reason.dsl.scene import Scene
 from sim2reason.prose.writer import describe
 from sim2reason.questions import Study
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes
+from sim2reason.questions.regimes.collisions import CollideInTurn
 
 
 def study(scene: Scene, until: float = 1.0) -> Study:
@@ -46,3 +47,18 @@ def test_it_holds_where_it_is_so() -> None:
     assert down.holds(study(atwood(5.0, 2.0)), 0.5)
     assert not down.holds(study(atwood(1.0, 2.0)), 0.5)
     assert down.holds(study(atwood(5.0, 2.0)), 0.0), "what is about to move counts"
+
+
+def test_collisions_in_turn() -> None:
+    """A cart at 1 m/s meets an equal one at rest 1 m ahead at 1 s, which hits the wall, 1 m farther, at 2 s."""
+    scene = squeezed(heavy=1.0)
+    words, motion = words_of(describe(scene)), study(scene, 10.0)
+
+    def listed(until: float) -> list[str]:
+        return [r.clause(words) for r in regimes(motion, words, until) if isinstance(r, CollideInTurn)]
+
+    assert listed(0.5) == ["there is no collision before the moment in question"]
+    assert listed(1.0) == listed(0.5), "the one that is asked about does not come before itself"
+    assert listed(1.5) == ["the only collision before the moment in question is that of carts A and B"]
+    both = "that of carts A and B and that of cart B with the wall"
+    assert listed(2.5) == [f"the only collisions before the moment in question are, in this order, {both}"]

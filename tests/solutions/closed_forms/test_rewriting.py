@@ -1,7 +1,7 @@
 """Formulas made shorter keep their value, and numbers found on the way are no formulas."""
 
 from dataclasses import replace
-from math import isclose, pi
+from math import acos, asin, atan, cos, isclose, pi, sin, tan
 
 import pytest
 
@@ -9,7 +9,7 @@ from sim2reason.solutions.book import Relation, Solution, Step
 from sim2reason.solutions.closed_forms import ClosedFormError, closed_form
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.expressions import Expression, Number, Product, Quotient, Sum, Symbol
-from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.functions import PI, Call, Function, Power, Root
 from sim2reason.solutions.worked import NumericRoot, Worked
 
 a, b, c, t = (Symbol(name) for name in ("p", "q", "s", r"\theta"))
@@ -93,3 +93,33 @@ def test_a_formula_that_nobody_would_write_is_none() -> None:
     long = Sum(tuple(Quotient(Power(a, n), b + Power(c, n)) for n in range(1, 12)))
     with pytest.raises(ClosedFormError, match="characters"):
         closed_form(solution(("x", long)))
+
+
+INVERSES: list[Function] = ["arcsin", "arccos", "arctan"]
+
+
+@pytest.mark.parametrize("inverse", INVERSES)
+@pytest.mark.parametrize("function", ["sin", "cos", "tan"])
+def test_a_function_of_an_inverse_one_has_neither(function: Function, inverse: Function) -> None:
+    """sin arccos x = √(1 − x²), and the like."""
+    found = closed_form(solution(("x", Call(function, Call(inverse, Quotient(b, c))))))
+    assert "arc" not in found.latex
+    ratio = AT["q"] / AT["s"]
+    angle = {"arcsin": asin, "arccos": acos, "arctan": atan}[inverse](ratio)
+    assert found.value(AT) == pytest.approx({"sin": sin, "cos": cos, "tan": tan}[function](angle), rel=1e-12)
+
+
+def test_factors_are_found_without_a_general_method() -> None:
+    """(p + q)² (s + θ), multiplied out, is linear in s."""
+    whole = (a * a + 2.0 * a * b + b * b) * Number(1.0)
+    held = Sum(tuple(term * other for term in whole.parts for other in (c, t)))
+    assert shortest(held).latex() == r"\left(p + q\right)^{2} \left(\theta + s\right)"
+
+
+def test_sizes_stand_where_something_is_negative_elsewhere() -> None:
+    """√(p − q) s where p < q, and −p where p > 0."""
+    found = closed_form(solution(("x", Root(a - b) * c))).of_sizes([{"p": 1.0, "q": 2.0, "s": 3.0}])
+    assert found.latex == r"s \sqrt{\left|p - q\right|}"
+    assert found.value({"p": 1.0, "q": 5.0, "s": 3.0}) == pytest.approx(6.0)
+    assert closed_form(solution(("x", a - b))).of_sizes([AT]).latex == "p - q"
+    assert closed_form(solution(("x", b - a))).of_sizes([AT]).latex == r"\left|q - p\right|"

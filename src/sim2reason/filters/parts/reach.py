@@ -11,6 +11,12 @@ PARTS = 2  # of several bodies, what so many have must matter
 MASS = "kg"
 
 
+def least(candidate: Candidate) -> int:
+    """How many numbers must move the answer, at least: of two bodies in an easy problem their masses are enough."""
+    bodies = [body for body in candidate.study.mechanism.bodies if body.mass > 0.0 and body.coordinates]
+    return (ALONE if len(bodies) < 2 or candidate.difficulty == "easy" else TOGETHER)[candidate.difficulty]
+
+
 def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
     """What those that move the answer fall short of, in a few words; empty if they are enough.
 

@@ -30,6 +30,11 @@ class ProblemSymbol:
     value: float
     path: str = ""
 
+    @property
+    def of_world(self) -> bool:
+        """Whether it is a number of the world, as g is, and of nothing in it."""
+        return self.path.startswith("world.")
+
     def counted(self, value: float) -> float:
         """A value of it as formulas count: in radians and metres, where it is said in degrees or kilometres."""
         return value * factor(self.unit)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from sim2reason.solutions.book import Solution
 from sim2reason.solutions.closed_forms.rewriting import shortest
 from sim2reason.solutions.expressions import Expression, Number, Symbol
-from sim2reason.solutions.functions import Pi
+from sim2reason.solutions.functions import Absolute, Pi, Root, plain
 from sim2reason.solutions.worked import Worked
 
 SIMPLE = 60  # the largest denominator of a number that is no accident
@@ -28,6 +28,11 @@ class ClosedForm:
     latex: str
     symbols: tuple[str, ...]
 
+    def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
+        """Its absolute value, and under each root that what stands there, if it is negative at one of the points."""
+        found = _of_size(_rooted_in_sizes(self.expression, points), points)
+        return ClosedForm(found, found.latex(), self.symbols)
+
     def value(self, at: Mapping[str, float]) -> float:
         """Its value; ValueError or ZeroDivisionError where it has none."""
         found = self.expression.value(at)
@@ -36,7 +41,12 @@ class ClosedForm:
 
 
 def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
-    """The answer of a solution as one formula; ClosedFormError where it came only in numbers or would be too long.
+    """The answer of a solution as one formula, as `put_together` and `shortened` have it."""
+    return shortened(put_together(solution, own))
+
+
+def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
+    """The formulas of a solution put into each other; ClosedFormError where it came only in numbers, or grows too long.
 
     `own` are the names for the numbers that the question itself says, in its order, in place of the solution's.
     """
@@ -51,12 +61,34 @@ def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
     renamed = dict(zip(solution.stated, own, strict=False))
     every = (relation for step in solution.steps for relation in step.relations if relation.role == "given")
     given = {relation.left.latex() for relation in every} - solution.constants.keys()
-    whole = Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
+    return Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
+
+
+def shortened(whole: Expression) -> ClosedForm:
+    """A formula as one would write it; ClosedFormError if even that is too long."""
     found = shortest(whole, LONGEST)
     latex = found.latex()
     if len(latex) > LONGEST:
         raise ClosedFormError(f"it takes {len(latex)} characters")
     return ClosedForm(found, latex, tuple(sorted(set(found.symbols()))))
+
+
+def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    if not held.parts:
+        return held
+    parts = [_rooted_in_sizes(part, points) for part in held.parts]
+    return held.built_of([_of_size(part, points) for part in parts] if isinstance(held, Root) else parts)
+
+
+def _of_size(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    return Absolute(held) if any(_negative(held, at) for at in points) else held
+
+
+def _negative(held: Expression, at: Mapping[str, float]) -> bool:
+    try:
+        return held.value(at).real < 0.0
+    except (ValueError, ArithmeticError):
+        return False
 
 
 class Substitution:
@@ -89,7 +121,7 @@ class Substitution:
             case Worked():
                 found = self.of(held.inner)
             case _ if held.parts:
-                found = held.built_of([self.of(part) for part in held.parts])
+                found = plain(held.built_of([self.of(part) for part in held.parts]))
             case _:
                 raise ClosedFormError("a number in it was found numerically")
         if sum(1 for _ in found.symbols()) > MOST:

@@ -32,12 +32,13 @@ from sim2reason.solutions.functions import Call, Pi, Power, Root
 from sim2reason.solutions.polynomials import Monomial, Polynomial, written_order
 
 SHORT = 60  # characters: what is no longer needs no more looking at
+HOPELESS = 400  # characters: looked at part by part, a formula has never been found to be less than half as long
 PARTED = 80  # symbols in a formula whose parts are looked at one by one
 CLEARLY = 0.9  # of its length: one that is little shorter is not plainer
 UGLY = 8  # characters that are written to avoid a minus sign at the front
 FACTORED = 30  # terms of what is factored
 FUNCTIONS = 8  # sines, cosines and roots in one formula, at most
-TERMS = 60  # in a numerator or denominator: more is neither factored nor written
+TERMS = 40  # in a numerator or denominator: more is neither factored nor written
 
 
 OPERATIONS = ((Sum, add), (Product, mul), (Quotient, truediv))
@@ -54,7 +55,7 @@ def shortest(held: Expression, room: float = inf) -> Expression:
     """
     found = min((*_over_one(held), held), key=length)
     many = sum(1 for _ in held.symbols()) > PARTED
-    if many or length(found) <= SHORT or not any(name.startswith("\\sqrt") for name in _functions(held)):
+    if many or not SHORT < length(found) <= HOPELESS or not any(name.startswith("\\sqrt") for name in _functions(held)):
         return found
     parts = list[Expression]()
     for part in held.parts:
@@ -181,7 +182,7 @@ class RationalFunctions:
 
     def _product(self, side: Any) -> Expression:
         """A sum as a product of sums."""
-        factor, parts = side.factor_list() if len(side) <= FACTORED else (1, [(side, 1)])
+        factor, parts = _factored(side) if len(side) <= FACTORED else (1, [(side, 1)])
         number, factors = float(factor), list[Expression]()
         for part, power in sorted(parts, key=lambda held: len(held[0])):
             sign, plain = _signed(part)
@@ -210,6 +211,27 @@ class RationalFunctions:
                 rest = Polynomial({m: part for m, part in whole.terms.items() if (atom, 1) not in m})
                 options.append(rest.expression() + Product((atom, inside.factored())))
         return min(options, key=length)
+
+
+def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
+    """A number, and the irreducible factors with their powers.
+
+    What holds a symbol in its first power alone, p x + q, has those of the greatest common divisor of p and q, and what
+    is left, which is irreducible (Gauss's lemma); that costs far less than Wang's algorithm.
+    """
+    for place in range(side.ring.ngens):
+        powers = {monomial[place] for monomial in side}
+        if powers != {0, 1}:
+            continue
+        parts = [{m: part for m, part in side.items() if m[place] == power} for power in (0, 1)]
+        without = side.ring.from_dict(parts[0])
+        before = side.ring.from_dict({(*m[:place], 0, *m[place + 1 :]): part for m, part in parts[1].items()})
+        common = without.gcd(before)
+        if common.is_ground:
+            return 1, [(side, 1)]
+        number, factors = _factored(common)
+        return number, [*factors, (side.exquo(common), 1)]
+    return side.factor_list()
 
 
 def _terms(found: Any) -> int:

@@ -84,6 +84,8 @@ class _AtStart(Way):
         """Accelerations alone."""
         if kind != "a":
             raise UnsolvedError("only accelerations follow from the forces at the start")
+        if k not in self._accelerations:
+            raise UnsolvedError("what carries it is accelerated, too")
         return Polynomial.of(self._accelerations[k])
 
     # ---- places

@@ -62,6 +62,13 @@ class Motion:
     end: float  # s
     cut: str = ""  # the kind of the event that ended it early
 
+    def through(self, time: float) -> "Motion":
+        """As far as a time, s, and what begins by then."""
+        if time >= self.end:
+            return self
+        segments = tuple(segment for segment in self.segments if segment.start < time)
+        return Motion(self.mechanism, segments, tuple(e for e in self.events if e.time <= time), time)
+
     @cached_property
     def _widths(self) -> tuple[int, int, int]:
         """How many coordinates, lines that are rows, and contacts there are."""
@@ -87,7 +94,7 @@ class Motion:
         """The instants between which everything is smooth and simple: beginnings of segments and of steps, s."""
         found = [segment.start for segment in self.segments]
         found += [step.time for segment in self.segments if segment.flow for step in segment.flow.steps]
-        return np.unique([*found, self.end])
+        return np.unique([*(time for time in found if time <= self.end), self.end])
 
     def state(self, times: Array) -> State:
         """The motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""

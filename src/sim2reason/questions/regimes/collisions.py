@@ -1,0 +1,64 @@
+"""Which collisions there are, and in which order."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Self
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.quantities.subjects.pairs import AND, Pairs
+from sim2reason.questions.moments.bounced import GROUND, WALL, struck
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+MOST = 3  # collisions that a clause lists
+ORDERS = 100  # of so many: where more are possible, shorter lists are looked at alone
+BEFORE = 1e-9  # relative: what comes earlier than the moment by no more comes with it
+
+
+@REGIMES.register("collisions")
+@dataclass(frozen=True, slots=True)
+class CollideInTurn(Regime):
+    """Some collisions come before the moment that is asked about, in this order, and no other does."""
+
+    of = Pairs()
+
+    order: tuple[tuple[str, ...], ...]  # the bodies of each; one body alone meets what is fixed
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """All short lists of those for which the text has words."""
+        met = [names for names in _meetings(study.mechanism) if _said(names, words)]
+        lengths = [n for n in range(MOST + 1) if len(met) ** n <= ORDERS] if met else []
+        return [cls("", order) for n in lengths for order in product(met, repeat=n)]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether just these come there."""
+        came = [e.subjects for e in study.trace.events if e.kind == "collision" and e.time < until * (1.0 - BEFORE)]
+        return [*map(set, came)] == [*map(set, self.order)]
+
+    def clause(self, words: Words) -> str:
+        """As in: the only collision before the moment in question is that of balls A and B."""
+        said = [_said(names, words) for names in self.order]
+        if not said:
+            return "there is no collision before the moment in question"
+        if len(said) == 1:
+            return f"the only collision before the moment in question is {said[0]}"
+        listed = f"{', '.join(said[:-1])} and {said[-1]}"
+        return f"the only collisions before the moment in question are, in this order, {listed}"
+
+
+def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
+    """Who can meet whom, or what is fixed."""
+    return list(dict.fromkeys(meeting.names for meeting in mechanism.meetings))
+
+
+def _said(names: Sequence[str], words: Words) -> str:
+    """A collision as a noun phrase; empty where the text has none, or none that tells it from another one."""
+    if len(names) > 1:
+        found = words.called(Pairs()).get(AND.join(names), "")
+        return found and f"that of {found}"
+    (name,) = names
+    what = struck(words, name)
+    return f"that of {words.mentions[name]} with {what}" if what in (GROUND, WALL) else ""
