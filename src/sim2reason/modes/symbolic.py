@@ -28,6 +28,7 @@ POINTS = 8  # beside the scene's own
 NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
 WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
 TRIES, WIDELY = 16, 24
+BARREN = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
 SAME = 1e-6  # relative: how well the formula agrees with the engine
 ASSUME, JOINT = "Assume that ", " and that "
 
@@ -45,7 +46,7 @@ class Symbolic(QuestionMode):
         return frozenset(name for name in frozenset[str]().union(*derived) if KINDS[name].of_symbols)
 
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
-        """Whatever some strategy of worked solutions may lead to, still in numbers.
+        """Whatever some strategy of worked solutions leads to by formulas, still in numbers.
 
         None about a mechanism that is not its scene's, whose numbers no symbols stand for.
         """
@@ -54,9 +55,14 @@ class Symbolic(QuestionMode):
         names = [kind] if kind else [found.name for found in by_share(rng)]
         fitting = _fitting(study.mechanism)
         kinds = [name for name in names if name in self.kinds and any(name in strategy.kinds for strategy in fitting)]
-        found = (MODES["numeric"].ask(study, words, name, rng) for name in kinds)
-        asked = (q for q in found if q and _derived(q.query, study, words, fitting) is not None)
-        return next((replace(question, mode=self.name) for question in asked), None)
+        refused = study.once("refused", set[Query])
+        for name in kinds:
+            question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < BARREN else None
+            if question is not None and _derived(question.query, study, words, fitting) is not None:
+                refused.clear()
+                return replace(question, mode=self.name)
+            refused |= {question.query} if question is not None else set()
+        return None
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
         """In symbols, with a formula; None if none is found that agrees with the engine wherever it should."""

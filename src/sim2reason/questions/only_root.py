@@ -6,7 +6,8 @@ from math import isfinite
 
 from sim2reason.questions.dependence import Dependence, towards_border
 
-STRIDES = (16, 4, 1)  # of the scan: first some points far apart, which most often tell
+STRIDES = (16, 4)  # of the scan: first some points far apart, which most often tell
+SMOOTH = 0.1  # of the least distance from what is given: by how much a cubic may miss the answer where it is smooth
 NEAR = 0.02  # relative: what is closer to the root is not told from it
 DIP = 3  # guesses for the bottom of a dip
 SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into,
@@ -41,9 +42,51 @@ class Scan:
     def _tried(self, values: Sequence[float]) -> Iterator[float]:
         for stride in STRIDES:
             yield from filter(self._is_apart, values[stride // 2 :: stride])
+        yield from filter(self._is_apart, self._between(values))
         yield from self._borders()
         yield from filter(self._is_apart, self._turning_points())
         yield from self._dips()
+
+    def _between(self, values: Sequence[float]) -> Iterator[float]:
+        """The values that are left, but for those where the answer is seen to run smoothly between known ones."""
+        stride = STRIDES[-1]
+        first = stride // 2
+        last = len(values) - 1 - (len(values) - 1 - first) % stride
+        yield from (*values[:first], *values[last + 1 :])
+        for low in range(first, last, stride):
+            yield values[low + stride // 2]
+            if not self._is_smooth(values, low):
+                yield from (values[at] for at in range(low + 1, low + stride) if at != low + stride // 2)
+
+    def _is_smooth(self, values: Sequence[float], low: int) -> bool:
+        """Whether the answer rises or falls to the next known value but one, and as a cubic through them says."""
+        stride = STRIDES[-1]
+        ends = [values[at] for at in (low, low + stride)]
+        middle = values[low + stride // 2]
+        if ends[0] <= self._root <= ends[1] or any(self._differ(middle, end) for end in ends):
+            return False
+        a, b, c = (self._known.get(at) for at in (ends[0], middle, ends[1]))
+        if a is None or b is None or c is None or not min(a, c) < b < max(a, c) or not isfinite(max(a, c)):
+            return False
+        before, after = (
+            self._beside(values, at, end) for at, end in ((low - stride, ends[0]), (low + 2 * stride, ends[1]))
+        )
+        if before is not None and after is not None:
+            guess = (9.0 * (a + c) - before - after) / 16.0
+        elif before is not None or after is not None:
+            near, far, beyond = (c, a, before) if before is not None else (a, c, after)
+            assert beyond is not None
+            guess = (3.0 * near + 6.0 * far - beyond) / 8.0
+        else:
+            return False
+        return abs(b - guess) <= SMOOTH * min(a, c)
+
+    def _beside(self, values: Sequence[float], index: int, end: float) -> float | None:
+        """What is known farther out, on the same side of the root; None if nothing is, or something else happens."""
+        if not 0 <= index < len(values) or (values[index] < self._root) != (end < self._root):
+            return None
+        found = self._known.get(values[index])
+        return None if found is None or not isfinite(found) or self._differ(values[index], end) else found
 
     def _is_apart(self, at: float) -> bool:
         return abs(at - self._root) > NEAR * abs(self._root)
@@ -78,6 +121,7 @@ class Scan:
             pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
 
     def _differ(self, one: float, other: float) -> bool:
+        """Whether different things happen for two numbers."""
         courses = [self._coarse.course(at) for at in (one, other)]
         return None not in courses and courses[0] != courses[1]
 
