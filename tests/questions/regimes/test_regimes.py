@@ -60,5 +60,5 @@ def test_collisions_in_turn() -> None:
     assert listed(0.5) == ["there is no collision before the moment in question"]
     assert listed(1.0) == listed(0.5), "the one that is asked about does not come before itself"
     assert listed(1.5) == ["the only collision before the moment in question is that of carts A and B"]
-    both = "that of carts A and B and that of cart B with the wall"
-    assert listed(2.5) == [f"the only collisions before the moment in question are, in this order, {both}"]
+    both = "first that of carts A and B, then that of cart B with the wall"
+    assert listed(2.5) == [f"the only collisions before the moment in question are {both}"]

@@ -45,8 +45,7 @@ class CollideInTurn(Regime):
             return "there is no collision before the moment in question"
         if len(said) == 1:
             return f"the only collision before the moment in question is {said[0]}"
-        listed = f"{', '.join(said[:-1])} and {said[-1]}"
-        return f"the only collisions before the moment in question are, in this order, {listed}"
+        return f"the only collisions before the moment in question are first {', then '.join(said)}"
 
 
 def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
