@@ -137,7 +137,7 @@ def _worked_out(query: Query, study: Study, words: Words, fitting: Sequence[Stra
     tried = [held for held in fitting or _fitting(study.mechanism) if query.kind in held.kinds]
     if all(strategy.refusal(setting) for strategy in tried):
         return None
-    solution = solve(setting)
+    solution = solve(setting, derived=True)
     try:
         return put_together(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
     except ClosedFormError:

@@ -23,8 +23,11 @@ from sim2reason.solutions.worked import numbers
 SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it says
 
 
-def solve(setting: Setting) -> Solution:
-    """The worked solution by the cheapest strategy that finds one; else one that says why there is none."""
+def solve(setting: Setting, *, derived: bool = False) -> Solution:
+    """The worked solution by the cheapest strategy that finds one; else one that says why there is none.
+
+    With `derived`, by none that only integrates.
+    """
     reasons: list[str] = []
     setting = forward(setting)
     try:
@@ -33,7 +36,8 @@ def solve(setting: Setting) -> Solution:
         return Solution("", reason=str(error))
     if not any(setting.query.kind in strategy.kinds for strategy in STRATEGIES.values()):
         return Solution("", reason=f"no strategy applies: none has a way to the kind {setting.query.kind}")
-    for strategy in sorted(STRATEGIES.values(), key=lambda held: held.cost):
+    offered = (held for held in STRATEGIES.values() if not (derived and held.integrates))
+    for strategy in sorted(offered, key=lambda held: held.cost):
         found = by(strategy, setting)
         if found.answer is not None:
             return found
