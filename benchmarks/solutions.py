@@ -1,8 +1,10 @@
-"""Worked solutions of drawn problems: ``python benchmarks/solutions.py [ITEMS] [SEED] [RECIPE,RECIPE] [MODE]``.
+"""Worked solutions of drawn problems: ``python benchmarks/solutions.py [ITEMS] [SEED] [RECIPE,RECIPE] [MODE,MODE]``.
 
-For each recipe how many have a derivation, how many an integration alone, how many a fault, and why others have none;
-where two strategies answer one item, whether they agree; what the text alone says, and how many planted faults it
-shows; how long it takes.
+For each recipe how many have a derivation, how many an integration alone, how many a fault, and why others have none.
+Then every line of the bar, figure against bar, by difficulty: how many have a solution, whether answers, relations and
+five-digit arithmetic hold, whether two strategies agree, what the text alone says, how many planted faults it shows
+(each number 7 % larger, each sign turned, a few of each text), whether it is graded right as an answer, how long it is,
+and how long it takes.
 """
 
 import random
@@ -10,9 +12,14 @@ import re
 import sys
 import time
 from collections import Counter, defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from statistics import median
 
+from sim2reason.datasets.grade import grade
+from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.make import item_of
 from sim2reason.datasets.plan import Request
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
@@ -22,28 +29,60 @@ from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
 
 AGREED = 1e-9  # relative
+PLANTED = 6  # of each kind in one text
 SIGN, NUMBER = re.compile(r" [+-] (?=[^$]*\$)"), re.compile(r"\d+\.\d{2,}")
 DERIVED = [strategy for strategy in STRATEGIES.values() if not strategy.integrates]
+SHARES = {  # what is counted, of what, and at least how much of it
+    "have a solution": ("solved", "asked", 0.99),
+    "are derived": ("derived", "solved", 0.0),
+    "without a fault of the checks": ("sound", "solved", 1.0),
+    "two strategies agree": ("agree", "several", 1.0),
+    "equalities read and right": ("right", "equalities", 0.98),
+    "planted numbers caught": ("caught numbers", "planted numbers", 0.95),
+    "planted signs caught": ("caught signs", "planted signs", 0.95),
+    "graded right": ("graded", "solved", 1.0),
+    "short enough": ("short", "solved", 1.0),
+}
+MEDIAN, WORST = 0.1, 1.0  # s of CPU
 
 
-def problem(recipe: str, difficulty: str, mode: str, seed: int, index: int) -> Setting | None:
-    found = ItemSearch(Request(recipe, difficulty, mode, seed, index)).found()
-    return None if found is None else Setting.of(found.question, found.study, found.candidate.words, found.description)
+@dataclass
+class Tally:
+    """What is counted of one difficulty."""
+
+    count: Counter[str] = field(default_factory=Counter[str])
+    times: list[float] = field(default_factory=list[float])
+    lengths: list[int] = field(default_factory=list[int])
+
+    def lines(self, difficulty: str) -> Iterator[tuple[str, str, str, bool]]:
+        """Each line of the bar: what it is about, the figure, the bar, and whether it is kept."""
+        for said, (part, whole, least) in SHARES.items():
+            held, of = self.count[part], self.count[whole]
+            yield said, f"{held} of {of}", f"{least:.0%}", held >= least * of
+        if self.lengths:
+            yield "words, median", f"{median(self.lengths):.0f}", "", True
+            yield "words, most", f"{max(self.lengths)}", f"{WORDS[difficulty]}", max(self.lengths) <= WORDS[difficulty]
+            middle = median(self.times)
+            yield "CPU, median", f"{1e3 * middle:.1f} ms", f"{1e3 * MEDIAN:g} ms", middle <= MEDIAN
+            yield "CPU, most", f"{1e3 * max(self.times):.0f} ms", f"{WORST:g} s", max(self.times) <= WORST
 
 
-def planted(text: str, rng: random.Random) -> list[tuple[str, str]]:
-    """The text with one number 7 % larger, and with one sign turned."""
-    found: list[tuple[str, str]] = []
+def problem(recipe: str, difficulty: str, mode: str, seed: int, index: int) -> tuple[Item, Setting] | None:
+    request = Request(recipe, difficulty, mode, seed, index)
+    found = ItemSearch(request).found()
+    return None if found is None else (item_of(request, found), found.setting)
+
+
+def planted(text: str, rng: random.Random) -> Iterator[tuple[str, str]]:
+    """The text with one number 7 % larger, or with one sign turned."""
     for kind, pattern in (("numbers", NUMBER), ("signs", SIGN)):
         held = list(pattern.finditer(text))
-        if held:
-            at = rng.choice(held)
-            if kind == "numbers":
-                put = f"{1.07 * float(at[0]):.{len(at[0].split('.')[1])}f}"
+        for at in rng.sample(held, min(PLANTED, len(held))):
+            if kind == "numbers":  # two more digits, so that it is another number
+                put = f"{1.07 * float(at[0]):.{len(at[0].split('.')[1]) + 2}f}"
             else:
                 put = " - " if "+" in at[0] else " + "
-            found.append((kind, text[: at.start()] + put + text[at.end() :]))
-    return found
+            yield kind, text[: at.start()] + put + text[at.end() :]
 
 
 def disagreement(setting: Setting) -> tuple[int, bool]:
@@ -52,57 +91,85 @@ def disagreement(setting: Setting) -> tuple[int, bool]:
     return len(held), any(abs(one - held[0]) > AGREED * abs(held[0]) for one in held[1:])
 
 
-def main(items: int = 200, seed: int = 1, recipes: str = "", mode: str = "numeric") -> int:
-    """Print the figures; exit code 1 if a solution has a fault, or two strategies disagree."""
+def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numeric") -> int:
+    """Print the figures; exit code 1 if a line of the bar is not kept."""
     names = recipes.split(",") if recipes else list(RECIPES)
     count: dict[str, Counter[str]] = defaultdict(Counter)
-    why, said, times, rng = Counter[tuple[str, str, str]](), Counter[str](), list[float](), random.Random(seed)
+    why, rng = Counter[tuple[str, str, str]](), random.Random(seed)
+    tallies = {difficulty: Tally() for difficulty in DIFFICULTIES}
     for number in range(items):
         recipe, difficulty = names[number % len(names)], DIFFICULTIES[number // len(names) % len(DIFFICULTIES)]
-        setting = problem(recipe, difficulty, mode, seed, number // len(names))
-        if setting is None:
+        mode = modes.split(",")[number // len(names) // len(DIFFICULTIES) % len(modes.split(","))]
+        drawn = problem(recipe, difficulty, mode, seed, number // len(names))
+        if drawn is None:
             continue
+        item, setting = drawn
+        tally = tallies[difficulty]
         begin = time.process_time()
         solution = solve(setting)
-        times.append(time.process_time() - begin)
+        tally.times.append(time.process_time() - begin)
+        tally.count["asked"] += 1
         if solution.answer is None:
             count[recipe]["none"] += 1
             why[recipe, setting.query.kind, solution.reason[:160]] += 1
             continue
-        setting = forward(setting)
-        wrong = faults(solution, setting.answer, SEEN.get(setting.query.kind, WELL))
-        several, differ = disagreement(setting)
-        said += Counter({"two strategies": several > 1, "that disagree": differ})
+        wrong = [*_wrong(item, forward(setting), solution, tally), *_reading(solution, difficulty, tally, rng)]
         count[recipe]["faulty" if wrong else solution.strategy] += 1
         for fault in wrong:
-            print(f"{recipe} {difficulty} {setting.query.kind} {number}: {fault}")
-        _reading(solution, difficulty, said, rng)
-    _tell(names, count, why, said, times)
-    return 1 if any(found["faulty"] for found in count.values()) or said["that disagree"] else 0
-
-
-def _reading(solution: Solution, difficulty: str, said: Counter[str], rng: random.Random) -> None:
-    reading = read(solution.text)
-    said.update(equalities=len(reading.equalities), unread=len(reading.unread), broken=len(reading.broken))
-    said["too long"] += words(solution.text) > WORDS[difficulty]
-    for kind, text in planted(solution.text, rng):
-        spoiled = read(text)
-        said[f"planted {kind}"] += 1
-        said[f"caught {kind}"] += bool(spoiled.broken or spoiled.unread)
-
-
-def _tell(
-    names: list[str],
-    count: dict[str, Counter[str]],
-    why: Counter[tuple[str, str, str]],
-    said: Counter[str],
-    times: list[float],
-) -> None:
+            print(f"{item.id} {setting.query.kind}: {fault}")
     for recipe in names:
         print(f"{recipe:16} {dict(count[recipe])}")
     for held, times_said in why.most_common(40):
         print(f"{times_said:4} {': '.join(held)}")
-    print(f"{dict(said)}; CPU median {1e3 * median(times):.1f} ms, greatest {1e3 * max(times):.0f} ms")
+    return _tell(tallies)
+
+
+def _wrong(item: Item, setting: Setting, solution: Solution, tally: Tally) -> Iterator[str]:
+    """What checks, other strategies and the grader have to say."""
+    assert setting.answer is not None
+    found = faults(solution, setting.answer, SEEN.get(setting.query.kind, WELL))
+    several, differ = disagreement(setting)
+    graded = grade(item, solution.text)
+    tally.count.update(
+        solved=1,
+        derived=solution.derived,
+        sound=not found,
+        several=several > 1,
+        agree=several > 1 and not differ,
+        graded=graded.reward == 1.0,
+    )
+    yield from found
+    if differ:
+        yield "two strategies disagree"
+    if graded.reward != 1.0:
+        yield f"graded {graded}"
+
+
+def _reading(solution: Solution, difficulty: str, tally: Tally, rng: random.Random) -> Iterator[str]:
+    """What the text says."""
+    reading, size = read(solution.text), words(solution.text)
+    said = len(reading.equalities) + len(reading.sums) + len(reading.unread)
+    wrong = [*reading.broken, *reading.unread]
+    tally.lengths.append(size)
+    tally.count.update(equalities=said, right=said - len(wrong), short=size <= WORDS[difficulty])
+    yield from (f"in the text: {line}" for line in wrong)
+    if size > WORDS[difficulty]:
+        yield f"{size} words"
+    for kind, text in planted(solution.text, rng):
+        spoiled = read(text)
+        caught = bool(spoiled.broken or spoiled.unread)
+        tally.count.update({f"planted {kind}": 1, f"caught {kind}": caught})
+
+
+def _tell(tallies: dict[str, Tally]) -> int:
+    """Print each line of the bar; 1 if one is not kept."""
+    missed = False
+    for difficulty, tally in tallies.items():
+        print(f"\n{difficulty}")
+        for said, figure, bar, kept in tally.lines(difficulty):
+            missed = missed or not kept
+            print(f"  {said:32} {figure:>14} {'bar ' + bar if bar else '':12} {'' if kept else 'MISSED'}".rstrip())
+    return 1 if missed else 0
 
 
 if __name__ == "__main__":

@@ -272,6 +272,14 @@ class Writing:
         self._gives.append(name.name)
         return f"${name.latex()} = {spelled(value, relation.unit)}$"
 
+    def stated(self, formula: Expression, unit: str) -> str:
+        """What follows from what was told, in numbers: what something given comes to, or a name."""
+        value = self._book.value(formula)
+        if self._book.is_hidden(formula):
+            return f"${formula.latex()}$"
+        self._noted(Relation(formula, Number(value), "derived", unit))
+        return f"${formula.latex()} = {spelled(value, unit)}$"
+
     def closed(self, name: Symbol, formula: Expression) -> str:
         """What a symbol comes to whose value was unknown till now."""
         unit = self._book.units[name.name]

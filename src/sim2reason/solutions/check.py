@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.book import WELL, Relation, Solution
 from sim2reason.solutions.digits import DIGITS, shortened
-from sim2reason.solutions.expressions import Expression, Sum, Symbol
+from sim2reason.solutions.expressions import Expression, Number, Sum, Symbol
 from sim2reason.solutions.unit_latex import DEGREES
 from sim2reason.solutions.worked import gradient
 
@@ -19,6 +19,7 @@ ASIDE, ROUNDS = 0.03, 6  # relative: how far what is free is followed; steps bac
 AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
 SEEN = {"threshold": 1e-7}  # by kind: an engine sees that something moves from an acceleration of 1e-9 g on
+KNOWN = "given", "integrated"  # roles of what no law needs to determine
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
 
 
@@ -38,9 +39,9 @@ def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]
     if abs(solution.answer - answer) > within * abs(answer):
         found.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
     found += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
-    if not solution.derived:  # equations of motion determine the answer, but by integration
-        return found
     found += undetermined(solution)
+    if not solution.derived:  # an integration carries all digits
+        return found
     carried = by_digits(solution)
     if abs(carried - answer) > CARRIED * abs(answer):
         found.append(f"with {DIGITS} digits it gives {carried:.6g}, not {answer:.6g}")
@@ -60,31 +61,43 @@ def _size(held: Expression, at: Mapping[str, float]) -> float:
 
 
 def undetermined(solution: Solution) -> list[str]:
-    """Whether the laws that are told determine the answer, each of them is needed, and all else follows from them."""
-    relations = [r for r in solution.relations if r.role != "given"]
-    known = {name for r in solution.relations if r.role == "given" for name in r.left.symbols()}
+    """Whether the laws that are told determine the answer, each of them is needed, and all else follows from them.
+
+    Of an integration, the accelerations, at the state to which it leads.
+    """
+    relations = [r for r in solution.relations if r.role not in KNOWN]
+    known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
     names = sorted({name for r in relations for name in r.symbols()} - known)
     place = {name: number for number, name in enumerate(names)}
     values = dict(solution.values)
-    if solution.goal not in place:
-        return [] if solution.goal in known else [f"no relation speaks of {solution.goal}"]
+    goals = [solution.goal] if solution.derived else [r.left.latex() for r in relations if _is_number(r)]
+    if unknown := [name for name in goals if name not in place and name not in known]:
+        return [f"no relation speaks of {name}" for name in unknown]
     rows = [_row(r, values, place) for r in relations]
     laws = [number for number, r in enumerate(relations) if r.role == "law"]
-    goal = np.zeros(len(names))
-    goal[place[solution.goal]] = 1.0
     found: list[str] = []
     told = [rows[number] for number in laws]
-    if not _spanned(told, goal):
+    units = [np.eye(len(names))[place[name]] for name in goals if name in place]
+    if not all(_spanned(told, unit) for unit in units):
         found.append("the laws that are told do not determine the answer")
     else:
         there = _elsewhere(solution)
         others = [_row(r, there, place) for r in relations]
-        idle = [n for n in laws if all(_spanned([e[k] for k in laws if k != n], goal) for e in (rows, others))]
-        idle = [n for n in idle if _spared([relations[k] for k in laws if k != n], values, place, goal)]
+
+        def are_enough(kept: list[int]) -> bool:
+            spanned = all(_spanned([e[k] for k in kept], unit) for e in (rows, others) for unit in units)
+            return spanned and all(_spared([relations[k] for k in kept], values, place, unit) for unit in units)
+
+        idle = [n for n in laws if are_enough([k for k in laws if k != n])] if units else []
         found += [f"superfluous: {relations[number].latex()}" for number in idle]
     derived = (number for number, relation in enumerate(relations) if relation.role != "law")
     strays = [relations[number].latex() for number in derived if not _spanned(told, rows[number])]
     return found + [f"does not follow from what is told: {text}" for text in strays]
+
+
+def _is_number(relation: Relation) -> bool:
+    """Whether it says what a name comes to."""
+    return isinstance(relation.left, Symbol) and isinstance(relation.right, Number)
 
 
 def _elsewhere(solution: Solution) -> dict[str, float]:
@@ -95,7 +108,7 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
         if not isinstance(relation.left, Symbol):
             continue
         name = relation.left.name
-        if relation.role == "given":
+        if relation.role in KNOWN:
             values[name] *= 1.0 + AWAY * (1.0 + number % 7) / 7.0
         elif name not in known and all(other in known for other in relation.right.symbols()):
             values[name] = float(relation.right.value(values).real)

@@ -47,6 +47,7 @@ class EquationsOfMotion:
         self._there, two = _assembled(lexicon.twin, phase)
         self._tapes = one, two
         self._known: dict[int, Polynomial] = {}
+        self._below: dict[Expression, Polynomial] = {}  # what one is divided by
         self.roots: dict[Root, Symbol] = {}  # lengths that are named
 
     def inertia(self, k: int) -> Polynomial:
@@ -120,7 +121,22 @@ class EquationsOfMotion:
             return self._root(first)
         if operation == "neg":
             return first.scaled(-1.0)
-        return _joined(operation, first, self._node(b, d))
+        return self._joined(operation, first, self._node(b, d))
+
+    def _joined(self, operation: str, first: Polynomial, second: Polynomial) -> Polynomial:
+        """Along a line, a direction is a length by itself: 1 or -1."""
+        plain = first, second
+        for one, other in (plain, plain[::-1]) if operation == "*" else ():
+            (atom, part), *more = [*other.terms.items()] or [((), 0.0)]
+            below = self._below.get(atom[0][0]) if len(atom) == 1 and atom[0][1] == 1 and not more else None
+            if below is not None and (sign := _by_itself(one, below)):
+                return Polynomial.of(sign * part)
+        if operation == "/" and (sign := _by_itself(first, second)):
+            return Polynomial.of(sign)
+        found = _joined(operation, first, second)
+        if operation == "/" and len(second.terms) > 1 and len(found.terms) == 1 and first.number is not None:
+            self._below[next(iter(found.terms))[0][0]] = second.scaled(1.0 / first.number)
+        return found
 
     def _turned(self, operation: str, angle: Polynomial) -> Polynomial:
         symbol = angle.symbol
@@ -151,6 +167,13 @@ def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | Non
         if not (found * found - inside):
             return found if found.value(at) > 0.0 else found.scaled(-1.0)
     return None
+
+
+def _by_itself(one: Polynomial, other: Polynomial) -> float:
+    """1 or -1, where that is what one by the other comes to; else 0."""
+    if len(one.terms) < 2 or len(one.terms) != len(other.terms):
+        return 0.0
+    return 1.0 if not (one - other) else -1.0 if not (one + other) else 0.0
 
 
 def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial:

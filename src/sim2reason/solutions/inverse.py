@@ -41,6 +41,11 @@ def solved_for(name: str, formula: Expression, value: Expression, at: Mapping[st
         found = _real(held, at)
         if found is not None and abs(found - at[name]) <= NEAR * abs(at[name]):
             return held
+    return numeric_root(name, formula, value, at)
+
+
+def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> NumericRoot:
+    """The same, found numerically near where it is known to be."""
     return NumericRoot(added(formula, -value), name, at[name])
 
 

@@ -70,9 +70,13 @@ class KeplerOrbit:
         formula = ONE / (TWO / self.radius - square / self.parameter)
         if self.book.value(formula) <= 0.0:
             raise UnsolvedError("its orbit is no ellipse")
-        said = r"Its energy per unit of mass, $\tfrac12 v^{2} - \mu/r$, is that of an ellipse, $-\mu/(2a)$, whose "
-        said += "semi-major axis is"
-        return self.book.told("energy", said, self.named("a"), formula, METRES)
+        step, name = self.book.open("energy"), self.named("a")
+        energy = HALF * square - self.parameter / self.radius
+        law = step.law(energy, -(self.parameter / (TWO * name)))
+        step.say(f"Its energy per unit of mass is that of an ellipse with the semi-major axis ${name.name}$: {law},")
+        step.say(f"so {step.result(name, formula, METRES)}.")
+        step.close()
+        return name
 
     @cached_property
     def period(self) -> Symbol:

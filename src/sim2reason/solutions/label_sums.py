@@ -28,7 +28,7 @@ class LabelSum:
 
     text: str
     out: Excess
-    parts: tuple[tuple[float, Excess], ...]
+    parts: tuple[tuple[Excess, Excess], ...]  # weights, which may hold symbols, and equations
     held: tuple[Excess, ...]  # what goes on holding
     moved: tuple[str, ...]
 
@@ -41,7 +41,11 @@ class LabelSum:
         terms = [_gradient(excess, values, names) for _, excess in self.parts]
         if out is None or any(term is None for term in terms):
             return True
-        known = [weight * term for (weight, _), term in zip(self.parts, terms, strict=True) if term is not None]
+        weights = [weight(values) for weight, _ in self.parts]
+        if any(weight is None for weight in weights):
+            return False
+        pairs = zip(weights, terms, strict=True)
+        known = [weight * term for weight, term in pairs if weight is not None and term is not None]
         off = (np.sum(known, axis=0) - out) @ free
         size = max(float(np.abs(row).max(initial=0.0)) for row in (*known, out))
         return bool(np.abs(off).max(initial=0.0) <= LOOSE * size)
@@ -54,8 +58,9 @@ def label_sums(
     labelled = {match["label"]: match["formula"] for match in LABEL.finditer(text)}
     sums = list(SUM.finditer(text))
     apart = [match["formula"] for match in LABEL.finditer(text) if LIGHT in match[0]]
-    plain = re.findall(r"\$([^$]*=[^$]*)\$", text)
     outs = {match["out"] for match in sums}
+    told = text[: sums[0].start()] if sums else text  # what follows from the sums is free to move with them
+    plain = re.findall(r"\$([^$]*=[^$]*)\$", told)
     laws = [f for f in plain if f not in labelled.values() and f not in outs and f.count("=") == 1 and not _number(f)]
     held = tuple(excess for formula in dict.fromkeys((*apart, *laws)) if (excess := read(formula)) is not None)
     moved = tuple(name for name in names if name not in givens)
@@ -77,13 +82,19 @@ def _number(formula: str) -> bool:
 
 def _part(
     part: re.Match[str], labelled: Mapping[str, str], read: Callable[[str], Excess | None]
-) -> tuple[float, Excess] | None:
+) -> tuple[Excess, Excess] | None:
     sign = 1.0 if part["sign"] in ("", "+") else -1.0
     formula = labelled.get(part["label"])
     excess = read(formula) if formula is not None else None
     weight = read(f"{part['weight'].strip('$')} = 0") if part["weight"] else None
-    size = 1.0 if part["weight"] is None else (weight({}) if weight is not None else None)
-    return (sign * size, excess) if size is not None and excess is not None else None
+    if excess is None or (part["weight"] and weight is None):
+        return None
+
+    def signed(values: Mapping[str, float]) -> float | None:
+        size = weight(values) if weight is not None else 1.0
+        return None if size is None else sign * size
+
+    return signed, excess
 
 
 def _gradient(excess: Excess, values: Mapping[str, float], names: Sequence[str]) -> Array | None:

@@ -8,7 +8,7 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
-from sim2reason.solutions.inverse import put, solved_for
+from sim2reason.solutions.inverse import numeric_root, put, solved_for
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.worked import Chain, NumericRoot, numbers
 
@@ -60,6 +60,8 @@ class Inversion:
             later = [name for name in names if name != self.unknown]
             if len(names) == 1:
                 found = solved_for(names[0], formula, value, book.values)
+                if len(found.latex()) > LONG:
+                    found = numeric_root(names[0], formula, value, book.values)
                 if not isinstance(found, NumericRoot) or names[0] == self.unknown:
                     self._close(names[0], found, at)
                     if names[0] == self.unknown:

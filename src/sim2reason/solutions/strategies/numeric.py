@@ -10,7 +10,7 @@ from sim2reason.questions import KINDS
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError, Writing
 from sim2reason.solutions.equations_of_motion import EquationsOfMotion, Names, phase_at
-from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.lexicon import Both, Lexicon
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
@@ -21,6 +21,7 @@ from sim2reason.solutions.unit_latex import DEGREES, latex
 
 LONG = 900  # characters of an equation that nobody reads
 SOUND = 1e-9  # relative: how well an equation must hold at the moment that is shown
+NONE = 1e-12  # of a state: what rounding has left of zero
 SLIDES = {"place": r"\ \text{m}", "rate": r"\ \text{m/s}", "acceleration": r"\ \text{m/s}^2"}
 HINGES = {"place": r"\ \text{rad}", "rate": r"\ \text{rad/s}", "acceleration": r"\ \text{rad/s}^2"}
 WHENCE = ("state", "event", "start", "time_to_event", "sum", "extremum", "count", "period")
@@ -56,6 +57,7 @@ class _Integrated:
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         moment = setting.query.moment
         side = moment.side(setting.time) if moment is not None else setting.time
+        self._pulls: list[Symbol] = []  # forces that the equations have to find
         self.state: State = setting.study.trace.sample(np.array([side]))
         self.segment = [s for s in setting.motion.segments if s.start <= side][-1]
 
@@ -120,7 +122,8 @@ class _Integrated:
                 (names.rates[number], state.v, "rate"),
                 (names.accelerations[number], state.a, "acceleration"),
             ):
-                self.book.know(symbol.name, float(values[0, number]), self.book.spelled(units[unit]))
+                value = float(values[0, number])
+                self.book.know(symbol.name, value if abs(value) > NONE else 0.0, self.book.spelled(units[unit]))
         self.book.know(names.time.name, float(state.times[0]), self.book.spelled(SECONDS))
 
     # ---- laws
@@ -167,6 +170,7 @@ class _Integrated:
             name = self.book.fresh("T", str(number + 1) if len(rows) > 1 else "")
             value = float(self.state.constraint_tension[line.name][0])
             self.book.know(name.name, value, self.book.spelled(NEWTONS))
+            self._pulls.append(name)
             found[number] = Polynomial.of(name)
         return found
 
@@ -180,6 +184,8 @@ class _Integrated:
             mark = self.setting.mark(held.subject)
             if side == 0:
                 force = self._named("f", mark, float(self.state.friction[held.subject][0]))
+                self._pulls += [force.symbol] if force.symbol is not None else []
+                step.say(f"Friction holds {self.setting.called(held.subject)}: {self._still(step, face)}.")
             else:
                 normal = self._named("N", mark, float(self.state.normal[held.subject][0]))
                 pressing = equations.pressing(face) + total(equations.lifted(n, face) * t for n, t in forces.items())
@@ -194,6 +200,13 @@ class _Integrated:
                 found[k] = found.get(k, NIL) + part * force
         return found
 
+    def _still(self, step: Writing, face: int) -> str:
+        """No acceleration along a face."""
+        slips, names = self.mechanism.faces[face].slip, self.names.accelerations
+        moves = [(place, names[self.mechanism.number[name]]) for place, (name, _) in enumerate(slips)]
+        slip = total(_slip(self.setting.lexicon, face, place) * Polynomial.of(name) for place, name in moves)
+        return step.law(slip.expression(), ZERO)
+
     def _named(self, base: str, mark: str, value: float) -> Polynomial:
         name = self.book.fresh(base, mark)
         self.book.know(name.name, value, self.book.spelled(NEWTONS))
@@ -205,18 +218,29 @@ class _Integrated:
         """How it begins, in words: each name has one value in the text, that of the moment."""
         step, lexicon = self.book.open("beginning"), self.setting.lexicon
         pairs = zip(self.names.rates, lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
-        moving = [
-            f"${name.name}$ at ${lexicon.read(Both(a.speed, b.speed)).expression().latex()}$"
-            for name, a, b in pairs
-            if a.speed
-        ]
+        moving: list[str] = []
+        for name, here, there in pairs:
+            if here.speed:
+                speed = lexicon.read(Both(here.speed, there.speed)).expression()
+                moving.append(f"${name.name}$ at {step.stated(speed, self.book.units[name.name])}")
         step.say(f"All begin at zero{f', but {joined(moving)}' if moving else ''}.")
         step.close()
 
     def _result(self) -> None:
+        """What the equations need of the state, and the accelerations that then follow from them."""
         step, names = self.book.open("integration"), self.names
-        said = [self._told(step, name) for trio in (names.places, names.rates, names.accelerations) for name in trio]
-        step.say(f"Integrated numerically to {self._told(step, names.time)}: {joined(said)}.")
+        used = {name for held in self.book.steps for relation in held.relations for name in relation.symbols()}
+        needed = [name for name in (*names.places, *names.rates, names.time) if name.name in used]
+        until = "the moment in question"
+        if needed:
+            step.say(f"Integrated numerically to {until}: {joined([self._told(step, name) for name in needed])}.")
+        else:
+            step.say(f"They are integrated to {until}.")
+        step.close()
+        step = self.book.open("accelerations")
+        found = [name for name in (*names.accelerations, *self._pulls) if name.name in used]
+        if found:
+            step.say(f"There {joined([step.stated(name, self.book.units[name.name]) for name in found])}.")
         step.close()
 
     def _told(self, step: Writing, name: Symbol) -> str:
