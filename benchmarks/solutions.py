@@ -1,4 +1,4 @@
-"""Worked solutions of drawn problems: ``python benchmarks/solutions.py [ITEMS] [SEED] [RECIPE,RECIPE] [MODE,MODE]``.
+"""Worked solutions of drawn problems: ``python benchmarks/solutions.py [ITEMS] [SEED] [RECIPES] [MODES] [UNITS]``.
 
 For each recipe how many have a derivation, how many an integration alone, how many a fault, and why others have none.
 Then every line of the bar, figure against bar, by difficulty: how many have a solution, whether answers, relations and
@@ -20,13 +20,14 @@ from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.plan import SI, Request
+from sim2reason.datasets.worked_solutions import worked
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
-from sim2reason.solutions.book import WELL
 from sim2reason.solutions.check import SEEN, WORDS, faults, words
 from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
+from sim2reason.solutions.solution import WELL
 
 AGREED = 1e-9  # relative
 PLANTED = 6  # of each kind in one text
@@ -67,10 +68,10 @@ class Tally:
             yield "CPU, most", f"{1e3 * max(self.times):.0f} ms", f"{WORST:g} s", max(self.times) <= WORST
 
 
-def problem(recipe: str, difficulty: str, mode: str, seed: int, index: int) -> tuple[Item, Setting] | None:
-    request = Request(recipe, difficulty, mode, seed, index)
+def problem(request: Request) -> tuple[Item, Setting, Solution] | None:
+    """The problem of a request, its setting, and its solution as the text asks for it."""
     found = ItemSearch(request).found()
-    return None if found is None else (item_of(request, found), found.setting)
+    return None if found is None else (item_of(request, found), found.setting, worked(request, found))
 
 
 def planted(text: str, rng: random.Random) -> Iterator[tuple[str, str]]:
@@ -91,7 +92,7 @@ def disagreement(setting: Setting) -> tuple[int, bool]:
     return len(held), any(abs(one - held[0]) > AGREED * abs(held[0]) for one in held[1:])
 
 
-def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numeric") -> int:
+def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numeric", units: str = SI) -> int:
     """Print the figures; exit code 1 if a line of the bar is not kept."""
     names = recipes.split(",") if recipes else list(RECIPES)
     count: dict[str, Counter[str]] = defaultdict(Counter)
@@ -100,20 +101,20 @@ def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numer
     for number in range(items):
         recipe, difficulty = names[number % len(names)], DIFFICULTIES[number // len(names) % len(DIFFICULTIES)]
         mode = modes.split(",")[number // len(names) // len(DIFFICULTIES) % len(modes.split(","))]
-        drawn = problem(recipe, difficulty, mode, seed, number // len(names))
+        drawn = problem(Request(recipe, difficulty, mode, seed, number // len(names), units=units))
         if drawn is None:
             continue
-        item, setting = drawn
+        item, setting, solution = drawn
         tally = tallies[difficulty]
         begin = time.process_time()
-        solution = solve(setting)
+        solve(setting)
         tally.times.append(time.process_time() - begin)
         tally.count["asked"] += 1
         if solution.answer is None:
             count[recipe]["none"] += 1
             why[recipe, setting.query.kind, solution.reason[:160]] += 1
             continue
-        wrong = [*_wrong(item, forward(setting), solution, tally), *_reading(solution, difficulty, tally, rng)]
+        wrong = [*_wrong(item, forward(setting), solution, tally), *_reading(item, solution, tally, rng)]
         count[recipe]["faulty" if wrong else solution.strategy] += 1
         for fault in wrong:
             print(f"{item.id} {setting.query.kind}: {fault}")
@@ -145,9 +146,10 @@ def _wrong(item: Item, setting: Setting, solution: Solution, tally: Tally) -> It
         yield f"graded {graded}"
 
 
-def _reading(solution: Solution, difficulty: str, tally: Tally, rng: random.Random) -> Iterator[str]:
-    """What the text says."""
-    reading, size = read(solution.text), words(solution.text)
+def _reading(item: Item, solution: Solution, tally: Tally, rng: random.Random) -> Iterator[str]:
+    """What the text says; of a problem in symbols, at its own numbers."""
+    known = item.answer.formula.points[0] if item.answer.formula is not None else {}
+    difficulty, reading, size = item.difficulty, read(solution.text, known), words(solution.text)
     said = len(reading.equalities) + len(reading.sums) + len(reading.unread)
     wrong = [*reading.broken, *reading.unread]
     tally.lengths.append(size)
@@ -156,7 +158,7 @@ def _reading(solution: Solution, difficulty: str, tally: Tally, rng: random.Rand
     if size > WORDS[difficulty]:
         yield f"{size} words"
     for kind, text in planted(solution.text, rng):
-        spoiled = read(text)
+        spoiled = read(text, known)
         caught = bool(spoiled.broken or spoiled.unread)
         tally.count.update({f"planted {kind}": 1, f"caught {kind}": caught})
 

@@ -18,10 +18,10 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.outcomes.slides import Slides
 from sim2reason.recipes import RECIPES, known
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
-from sim2reason.solutions.book import WELL
 from sim2reason.solutions.check import SEEN, faults
 from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
+from sim2reason.solutions.solution import WELL
 from worked import asked
 
 TIME = 0.5

@@ -12,6 +12,7 @@ from sim2reason.cli import console
 from sim2reason.errors import DatasetError
 
 if TYPE_CHECKING:
+    from sim2reason.datasets.plan import Request
     from sim2reason.datasets.question_search import CertifiedQuestion
 
 EXAMPLE = """\b
@@ -39,7 +40,8 @@ def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> in
         raise DatasetError(f"{out}: holds no problem {name!r}; see: sim2reason show {out}")
     made = item.provenance
     weights = tuple(sorted(made.weights.items()))
-    request = Request(made.recipe, made.difficulty, made.mode, made.seed, made.index, weights, made.units)
+    solved = item.solution is not None or bool(item.unsolved)
+    request = Request(made.recipe, made.difficulty, made.mode, made.seed, made.index, weights, made.units, solved)
     search = ItemSearch(request)
     found, refused = search.found(), search.rejected
     if found is None or item_of(request, found) != item:
@@ -50,7 +52,7 @@ def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> in
         ("Scene", item.scene.splitlines()),
         ("Certificate", [f"{key}: {value}" for key, value in item.certificate.items()]),
         ("Refused before it", [f"{count} × {reason}" for reason, count in sorted(refused.items())] or ["nothing"]),
-        ("Solution", _solution(found).splitlines()),
+        ("Solution", _solution(request, found).splitlines()),
         ("Filters", list(_filters(found))),
         ("Wrong answers", [f"{d.value:.4g}: {d.reason}" for d in item.distractors] or ["none"]),
         ("Without bearing", list(item.idle) or ["nothing"]),
@@ -66,11 +68,11 @@ def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> in
     return 0
 
 
-def _solution(found: "CertifiedQuestion") -> str:
+def _solution(request: "Request", found: "CertifiedQuestion") -> str:
     """The worked solution, or why there is none."""
-    from sim2reason.solutions import solve
+    from sim2reason.datasets.worked_solutions import worked
 
-    solution = solve(found.setting)
+    solution = worked(request, found)
     return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 
 

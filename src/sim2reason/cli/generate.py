@@ -40,6 +40,7 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
 @click.option(
     "--units", default=SI, show_default=True, help="In which texts speak: SI, cgs, or mixed (cm, g and km/h, else SI)."
 )
+@click.option("--solutions", is_flag=True, help="With a worked solution of each problem, where there is one.")
 @click.option(
     "--workers", type=click.IntRange(1), help="Processes; they never change the result. [default: one per core]"
 )
@@ -61,6 +62,8 @@ def command(
     to_json: bool,
     patience: float,
     maker: str,
+    *,
+    solutions: bool,
 ) -> int:
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
     config = Config(
@@ -73,6 +76,7 @@ def command(
         maker=maker,
         weights=_weights(weights),
         units=_units(units),
+        solutions=solutions,
     )
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("problems", items) as advance:

@@ -49,15 +49,15 @@ def _of_item(name: str) -> "tuple[str, Solution]":
     from sim2reason.datasets.item_search import ItemSearch
     from sim2reason.datasets.make import item_of
     from sim2reason.datasets.plan import Request
+    from sim2reason.datasets.worked_solutions import worked
     from sim2reason.questions.spoken_units import system_named
-    from sim2reason.solutions import solve
 
     request = Request.named(name)
     system_named(request.units)
     found = ItemSearch(request).found()
     if found is None:
         raise DrawError(f"{name}: no draw passed the filters, so that there is no such problem; take another index")
-    return item_of(request, found).prompt, solve(found.setting)
+    return item_of(request, found).prompt, worked(request, found)
 
 
 def _of_scene(path: Path, question: str | None, seed: int) -> "tuple[str, Solution]":

@@ -65,6 +65,8 @@ def _fields() -> Iterator[str]:
         ("distractors", "wrong answers, each with the slip that leads to it"),
         ("idle, idle_numbers", "parts of the scene without bearing on the answer, and addresses of such numbers"),
         ("asked", "subject, quantity, time in s or event"),
+        ("solution", "with --solutions: the worked solution as strategy, text and steps with their equations, or null"),
+        ("unsolved", "with --solutions: why there is no worked solution"),
         ("scene", "the scene as YAML, in SI units, which `sim2reason simulate` reads"),
         ("certificate", "JSON: how well the engines agree"),
         ("provenance", "request, weights and versions (JSON), units of the text, hash of the maker's settings"),
@@ -80,6 +82,7 @@ def _remake(manifest: Manifest) -> Iterator[str]:
         f"--difficulty {','.join(config.difficulties)} --modes {','.join(config.modes)} "
         f"--seed {config.seed} --shard-size {config.shard}"
         f"{_weights(config.weights)}{f' --units {config.units}' * (config.units != SI)}"
+        f"{' --solutions' * config.solutions}"
     )
     yield from ("```", "", f"with `{json.dumps(manifest.versions)}`.")
 

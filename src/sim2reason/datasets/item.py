@@ -68,6 +68,27 @@ class Answer(Record):
         return number if self.formula is None else f"${self.formula.latex}$, which here is {number}"
 
 
+class SolutionStep(Record):
+    """One step of a worked solution."""
+
+    kind: str
+    text: str
+    relations: tuple[str, ...]
+    """Its equations, in LaTeX with dollars."""
+    needs: tuple[int, ...]
+    """The steps on which it rests, counted from zero."""
+
+
+class SolutionRecord(Record):
+    """A worked solution, whose answer stands in a box as the prompt asks for it."""
+
+    strategy: str
+    derived: bool
+    """Whether the answer follows from the laws that are told, not from a numerical integration."""
+    text: str
+    steps: tuple[SolutionStep, ...]
+
+
 class Distractor(Record):
     """A wrong answer that somebody could give, in the unit of the right one."""
 
@@ -131,6 +152,10 @@ class Item(Record):
     """What of the scene has no bearing on the answer, as the prompt calls it."""
     idle_numbers: tuple[str, ...] = ()
     """The addresses of stated numbers without bearing: those of such parts, and what cancels or should be seen to."""
+    solution: SolutionRecord | None = None
+    """Where solutions were asked for: how the answer follows, step by step."""
+    unsolved: str = ""
+    """Where they were: why there is none."""
     scene: str
     """The scene as YAML."""
     certificate: dict[str, JsonValue]

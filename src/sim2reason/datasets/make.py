@@ -12,6 +12,7 @@ from sim2reason.datasets.item_search import SETTINGS as BUDGET
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Made, Request, versions
 from sim2reason.datasets.question_search import SAMPLES, SHORTEST, CertifiedQuestion
+from sim2reason.datasets.worked_solutions import recorded, worked
 from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
@@ -32,6 +33,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
     """The record of a question that passed."""
     scene = found.description.scene
     question = found.question
+    solution, unsolved = recorded(worked(request, found)) if request.solutions else (None, "")
     item = Item(
         id=request.id,
         prompt=found.prompt,
@@ -46,6 +48,8 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         distractors=distractors(found.candidate, found.description),
         idle=idle_parts(found.candidate, found.description),
         idle_numbers=idle_numbers(found.candidate),
+        solution=solution,
+        unsolved=unsolved,
         scene=dump(found.study.scene),
         certificate=summary(found.certificate),
         provenance=Provenance(

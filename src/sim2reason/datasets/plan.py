@@ -48,6 +48,8 @@ class Request:
     weights: tuple[tuple[str, float], ...] = ()
     """Of kinds of question, by name, where they are not those that the library declares."""
     units: str = SI
+    solutions: bool = False
+    """Whether the item comes with its worked solution; it is the same problem either way."""
 
     def __post_init__(self) -> None:
         """DrawError for coordinates that no item has."""
@@ -104,6 +106,8 @@ class Config(Record):
     weights: dict[str, float] = Field(default_factory=dict[str, float])
     """How often kinds of question are asked, by name: ``period``, ``reverse.period``, ``springs.reverse.period``."""
     units: str = SI
+    solutions: bool = False
+    """Whether items come with worked solutions."""
 
     @cached_property
     def _cells(self) -> tuple[tuple[str, str, str], ...]:
@@ -114,7 +118,7 @@ class Config(Record):
         turn, place = divmod(position, len(self._cells))
         cell = self._cells[place]
         index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
-        return Request(*cell, self.seed, index, tuple(sorted(self.weights.items())), self.units)
+        return Request(*cell, self.seed, index, tuple(sorted(self.weights.items())), self.units, self.solutions)
 
     def shards(self) -> list[range]:
         """The ranges of positions that stand in one file each."""

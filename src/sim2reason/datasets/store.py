@@ -19,6 +19,8 @@ from sim2reason.datasets.manifest import load
 TEXT, REAL, WHOLE = pa.string(), pa.float64(), pa.int64()
 BINDING = pa.struct({"numbers": pa.list_(REAL), "answer": REAL})
 FORMULA = pa.struct({"latex": TEXT, "symbols": pa.list_(TEXT), "units": pa.list_(TEXT), "bindings": pa.list_(BINDING)})
+STEP = pa.struct({"kind": TEXT, "text": TEXT, "relations": pa.list_(TEXT), "needs": pa.list_(WHOLE)})
+SOLUTION = pa.struct({"strategy": TEXT, "derived": pa.bool_(), "text": TEXT, "steps": pa.list_(STEP)})
 SCHEMA = pa.schema(
     {
         "id": TEXT,
@@ -44,6 +46,8 @@ SCHEMA = pa.schema(
         "distractors": pa.list_(pa.struct({"value": REAL, "simplification": TEXT, "reason": TEXT})),
         "idle": pa.list_(TEXT),
         "idle_numbers": pa.list_(TEXT),
+        "solution": SOLUTION,
+        "unsolved": TEXT,
         "scene": TEXT,
         "certificate": TEXT,
         "provenance": pa.struct(

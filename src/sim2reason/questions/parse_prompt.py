@@ -44,9 +44,13 @@ class ParsedPrompt:
     @property
     def answer(self) -> float | None:
         """The answer that the text alone leads to, in its unit."""
-        words = _words(self.reading)
-        found = MODES[self.asked.mode].solution(self.asked, self.study, words)
-        return found * self._factor(words) if found is not None else None
+        found = self.counted
+        return found * self._factor(_words(self.reading)) if found is not None else None
+
+    @property
+    def counted(self) -> float | None:
+        """The answer as the scene counts it."""
+        return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
 
     def _factor(self, words: Words) -> float:
         """What to multiply by what the scene and its motion count in, to have it in the unit that the text asks for."""

@@ -35,6 +35,11 @@ class SpokenUnits:
     words: Mapping[str, tuple[str, Decimal]] = field(default_factory=dict[str, tuple[str, Decimal]])
     whole: Mapping[str, tuple[str, Decimal]] = field(default_factory=dict[str, tuple[str, Decimal]])
 
+    @property
+    def says_otherwise(self) -> bool:
+        """Whether it says anything but units of the SI."""
+        return bool(self.words or self.whole)
+
     def spelled(self, unit: str) -> tuple[str, Decimal]:
         """The canonical unit in which it says what has a canonical unit of the SI, and what one of these is in it.
 

@@ -4,8 +4,9 @@ A `Setting` is a scene in the words of its text with a query about it; `solve` f
 to the answer. Symbols come from the scene alone, see `lexicon`; what holds of every solution, `check` says.
 """
 
-from sim2reason.solutions.book import Relation, Solution, Step, UnsolvedError
+from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.solve import by, solve, solve_prompt
 from sim2reason.solutions.strategies import STRATEGIES
 

@@ -1,111 +1,30 @@
-"""What a worked solution is made of: steps with their relations, and a book in which each name has one value."""
+"""A book in which each name has one value, and into which a worked solution is written step by step."""
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
-from math import degrees
-from typing import Literal
+from collections.abc import Mapping
 
 from sim2reason.dsl.units import SI, UnitSystem
-from sim2reason.solutions.digits import rounded
 from sim2reason.solutions.expressions import Expression, Number, Symbol
+from sim2reason.solutions.solution import Relation, Step, spelled
 from sim2reason.solutions.subscripts import marked
-from sim2reason.solutions.unit_latex import CANONICAL, DEGREES, latex
-
-Role = Literal["given", "law", "derived", "result", "integrated"]
-WELL = 1e-9  # relative: how well every relation holds
+from sim2reason.solutions.unit_latex import CANONICAL, latex
 
 
 class UnsolvedError(Exception):
     """A strategy found that it cannot answer after all; the message says why."""
 
 
-@dataclass(frozen=True, slots=True)
-class Relation:
-    """An equation: what is `given`, a `law` that is told, what is `derived` from those, or a `result`: name = formula.
-
-    Where nothing is derived, a number is `integrated`: a name is what the integration gives.
-
-    `unit` is that of a result, in LaTeX.
-    """
-
-    left: Expression
-    right: Expression
-    role: Role
-    unit: str = ""
-
-    def latex(self, value: float | None = None) -> str:
-        """As it stands in the text, with dollars; of a result the value follows."""
-        text = f"{self.left.latex()} = {self.right.latex()}"
-        if value is not None:
-            number = spelled(value, self.unit)
-            plain = self.right.latex() == rounded(value) and self.unit != DEGREES
-            text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
-        return f"${text}$"
-
-    def symbols(self) -> Iterator[str]:
-        """All names in it."""
-        yield from self.left.symbols()
-        yield from self.right.symbols()
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """One step: its sentence, its relations, the names that it gives a value, and the steps that it needs."""
-
-    id: int
-    kind: str
-    text: str
-    relations: tuple[Relation, ...]
-    gives: tuple[str, ...]
-    needs: tuple[int, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Solution:
-    """A worked solution; without an `answer`, `reason` says why there is none."""
-
-    strategy: str
-    steps: tuple[Step, ...] = ()
-    values: Mapping[str, float] = field(default_factory=dict[str, float])
-    goal: str = ""
-    answer: float | None = None
-    unit: str = ""
-    reason: str = ""
-    stated: tuple[str, ...] = ()  # the names of the numbers that the question itself says
-    constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # that no scene may change
-
-    @property
-    def derived(self) -> bool:
-        """Whether the answer is derived, not integrated."""
-        return self.answer is not None and all(relation.role != "integrated" for relation in self.relations)
-
-    @property
-    def text(self) -> str:
-        """All steps, a paragraph each, and the answer in a box, to three digits."""
-        told = [step.text for step in self.steps if step.text]
-        if self.answer is not None:
-            told.append(rf"Answer: ${self.goal} \approx \boxed{{{rounded(self.answer, 3)}}}{self.unit}$.")
-        return "\n\n".join(told)
-
-    @property
-    def relations(self) -> list[Relation]:
-        """All equations, in order."""
-        return [relation for step in self.steps for relation in step.relations]
-
-
-def spelled(value: float, unit: str) -> str:
-    """A number with its unit, in LaTeX; an angle in degrees is known in radians."""
-    if unit == DEGREES:
-        return f"{rounded(degrees(value))}{unit}"
-    return f"{rounded(value)}{unit}"
-
-
 class Book:
     """Names with their values, and steps as they are written."""
 
-    def __init__(self, units: UnitSystem = SI, *, asks_time: bool = False) -> None:
-        """Nothing is known yet; results are in `units`. With `asks_time` the time that is said is what is asked for."""
-        self._units = units
+    def __init__(
+        self, units: UnitSystem = SI, *, asks_time: bool = False, called: Mapping[str, str] | None = None
+    ) -> None:
+        """Nothing is known yet; results are in `units`. With `asks_time` the time that is said is what is asked for.
+
+        `called` makes it one in symbols: no number is written, and the question's own numbers are called as it has it,
+        by the name that they would have.
+        """
+        self._units, self._called = units, called
         self.asks_time = asks_time
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
@@ -121,7 +40,7 @@ class Book:
 
     def copy(self) -> "Book":
         """Another with the same names known, and no steps, for a draft."""
-        found = Book(self._units, asks_time=self.asks_time)
+        found = Book(self._units, asks_time=self.asks_time, called=self._called)
         found.hidden, found.sought = {*self.hidden}, self.sought
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
         found.reserve(*self._taken)
@@ -139,7 +58,7 @@ class Book:
             name = marked(base, ",".join(part for part in (mark, str(number)) if part))
             number += 1
         self._taken.add(name)
-        return Symbol(name)
+        return Symbol((self._called or {}).get(name, name))
 
     @property
     def last(self) -> str:
@@ -192,9 +111,14 @@ class Book:
             return unit
         return latex(self._units.spell(name))
 
+    @property
+    def in_symbols(self) -> bool:
+        """Whether no number may be written."""
+        return self._called is not None
+
     def is_hidden(self, held: Expression) -> bool:
-        """Whether the value of a formula hangs on what is unknown."""
-        return not self.hidden.isdisjoint(held.symbols())
+        """Whether the value of a formula may not be written: it hangs on what is unknown, or all is in symbols."""
+        return self.in_symbols or not self.hidden.isdisjoint(held.symbols())
 
     def open(self, kind: str) -> "Writing":
         """Begin a step."""
@@ -259,11 +183,10 @@ class Writing:
         value = self._book.value(formula)
         self._book.know(name.name, value, unit)
         self._gives.append(name.name)
-        if self._book.hidden.isdisjoint(formula.symbols()):
-            return relation.latex(value)
-        self._book.hidden.add(name.name)
-        self._book.formulas[name.name] = formula
-        return relation.latex()
+        if not self._book.hidden.isdisjoint(formula.symbols()):
+            self._book.hidden.add(name.name)
+            self._book.formulas[name.name] = formula
+        return relation.latex(None if self._book.is_hidden(formula) else value)
 
     def integrated(self, name: Symbol, value: float) -> str:
         """A known name with the value that a numerical integration gives it."""
@@ -287,7 +210,7 @@ class Writing:
         self._relations.append(relation)
         self._book.hidden.discard(name.name)
         self._gives.append(name.name)
-        return relation.latex(self._book.value(formula))
+        return relation.latex(None if self._book.in_symbols else self._book.value(formula))
 
     def _noted(self, relation: Relation) -> str:
         self._relations.append(relation)

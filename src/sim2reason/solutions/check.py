@@ -7,9 +7,9 @@ from math import degrees
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.solutions.book import WELL, Relation, Solution
 from sim2reason.solutions.digits import DIGITS, shortened
 from sim2reason.solutions.expressions import Expression, Number, Sum, Symbol
+from sim2reason.solutions.solution import WELL, Relation, Solution
 from sim2reason.solutions.unit_latex import DEGREES
 from sim2reason.solutions.worked import gradient
 

@@ -172,7 +172,7 @@ class Elimination:
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
             said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
-        how = "Ordered" if self.book.hidden else "In numbers"
+        how = "Ordered" if self.book.hidden or self.book.in_symbols else "In numbers"
         step.say(f"{how}: {'; '.join(said)}.")
         step.close()
         self._reduce(numeric, list(names), marks)

@@ -257,7 +257,7 @@ ZERO, ONE = Number(0.0), Number(1.0)
 def ratio(above: Expression, below: Expression) -> Expression:
     """A fraction whose denominator does not begin with a minus sign."""
     if below.latex().startswith("-"):
-        return Quotient(-above, -below)
+        above, below = -above, -below
     return above if below == ONE else Quotient(above, below)
 
 

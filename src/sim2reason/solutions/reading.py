@@ -5,15 +5,20 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 
+from sim2reason.dsl.units import parse_unit
 from sim2reason.grading import arithmetic
 from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.parser import parse
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.tokens import Token, tokenize
+from sim2reason.grading.tokens import Token, canonical, tokenize
 from sim2reason.solutions.label_sums import LabelSum, label_sums
+from sim2reason.solutions.unit_latex import DEGREES, unit_of
 
-FORMULA = re.compile(r"\$([^$]*=[^$]*)\$")
-ANSWER = re.compile(r"\$([^$=]*?) \\approx \\boxed\{((?:[^{}]|\{[^{}]*\})*)\}[^$]*\$")
+FORMULA = re.compile(r"\$((?:(?!\\boxed)[^$])*=(?:(?!\\boxed)[^$])*)\$")
+ANSWER = re.compile(
+    r"\$(?P<goal>[^$=]*?)(?: = (?P<number>[^$=]*?))? (?P<sign>\\approx|=) "
+    r"\\boxed\{(?P<boxed>(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*)\}(?P<unit>[^$]*)\$"
+)
 BOXED = 6e-3  # relative: what three digits leave
 CLOSE = 6e-5  # relative: what five digits leave of a number, at most
 STEP = 1e-6  # relative, of a derivative
@@ -66,11 +71,15 @@ class ReadText:
         return wrong + [held.text for held in self.sums if not held.holds(self.values)]
 
 
-def read(text: str) -> ReadText:
-    """All equalities of a text; a symbol has the number that it is first said to equal."""
+def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
+    """All equalities of a text; a symbol has the number that it is first said to equal.
+
+    Where a problem is in symbols, `known` has their values.
+    """
     equalities: list[Equality] = []
     unread: list[str] = []
-    values: dict[str, float] = {}
+    known = {canonical(name): value for name, value in (known or {}).items()}
+    values = dict(known)
     chains = [match[1] for match in FORMULA.finditer(text)]
     table = _table(chains)
     for chain in chains:
@@ -87,13 +96,27 @@ def read(text: str) -> ReadText:
             equalities.append(Equality(chain, both, (*one[1], *other[1]), one[2] | other[2]))
     _follow(equalities, values)
     for match in ANSWER.finditer(text):
-        boxed = match[2] + (r"^\circ" if r"\circ" in match[0][match.end(2) - match.start() :] else "")
-        (goal, _, names), (number, terms, _) = _side(match[1], table), _side(boxed, table)
-        equalities.append(Equality(match[0], (goal, number), terms, names, BOXED))
+        equalities += _ending(match, table)
     given = text.partition("\n")[0] if text.startswith("Given") else ""
-    told = [name for chain in FORMULA.findall(given) if (name := _name(chain, table))]
+    told = [*known, *(name for chain in FORMULA.findall(given) if (name := _name(chain, table)))]
     sums = label_sums(text, lambda formula: _excess(formula, table), told, sorted(values))
     return ReadText(tuple(equalities), tuple(unread), values, tuple(sums))
+
+
+def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
+    """What the line with the box says: that a symbol is a number of three digits, or a formula.
+
+    In other units than the rest, the number is there in both.
+    """
+    boxed = match["boxed"] + (match["unit"] if match["unit"] == DEGREES else "")
+    sides = [_side(part, table) for part in (match["goal"], match["number"], boxed) if part is not None]
+    close = BOXED if match["sign"] != "=" else CLOSE
+    for one, other in pairwise(sides):
+        both, names = (one[0], other[0]), one[2] | other[2]
+        if other is sides[-1] and match["number"] is not None:
+            factor = parse_unit(unit_of(match["number"])).factor_to(parse_unit(unit_of(match["unit"])))
+            both = arithmetic.product([(one[0], False), (arithmetic.constant(factor or 0.0), False)]), other[0]
+        yield Equality(match[0], both, (both[1], *other[1]), names, close if other is sides[-1] else CLOSE)
 
 
 def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float]], float | None] | None:

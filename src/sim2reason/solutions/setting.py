@@ -11,7 +11,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Description
 from sim2reason.quantities.subjects.lines import line_phrases, pulleys
-from sim2reason.questions import KINDS, Query, Question, StatedResult, Study, Target, Words
+from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
@@ -34,12 +34,14 @@ class Setting:
     unknown: str = ""  # the address of the number that the text leaves open, and asks for
     stated: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
     sought: float | None = None  # the time that is asked for, where a result at that time is given
+    formula: Formula | None = None  # the answer, where the numbers of the text are symbols
 
     @classmethod
     def of(cls, question: Question, study: Study, words: Words, description: Description) -> Self:
         """Of a question about the motion that has its answer; what the text leaves unknown is called as it says."""
         symbols = {**description.voiced(numeric).symbols, **description.symbols}
-        return cls(study.scene, words, symbols, study, question.query, question.unknown, question.given)
+        asked = question.query, question.unknown, question.given
+        return cls(study.scene, words, symbols, study, *asked, formula=question.formula)
 
     @property
     def mechanism(self) -> Mechanism:

@@ -1,5 +1,6 @@
 """From a query about a scene to its worked solution."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from math import degrees, radians
 
@@ -11,11 +12,12 @@ from sim2reason.prose.writer import Writer
 from sim2reason.questions import Study
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
-from sim2reason.solutions.book import Book, Relation, Solution, Step, UnsolvedError
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy
 from sim2reason.solutions.unit_latex import DEGREES
 from sim2reason.solutions.worked import numbers
@@ -46,13 +48,27 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
 
 
 def by(strategy: Strategy, setting: Setting) -> Solution:
-    """The solution by one strategy, without an answer where it finds none."""
+    """The solution by one strategy, without an answer where it finds none; of a problem in symbols one in symbols."""
     kind = setting.query.kind
     refused = "" if kind in strategy.kinds else f"no way to the kind {kind}"
     refused = refused or strategy.unfit(setting.mechanism) or strategy.refusal(setting)
     if refused:
         return Solution(strategy.name, reason=refused)
-    book = Book(setting.words.units, asks_time=setting.sought is not None and not setting.unknown)
+    found = _written(strategy, setting)
+    if setting.formula is None or found.answer is None:
+        return found
+    said = {given.symbol for given in setting.lexicon.givens.values()}
+    own = [symbol for symbol in setting.formula.symbols if symbol not in said]
+    found = _written(strategy, setting, dict(zip(found.stated, own, strict=False)))
+    if any(True for held in found.relations for side in (held.left, held.right) for _ in numbers(side)):
+        return Solution(strategy.name, reason="it would need numbers where all is in symbols")
+    return replace(found, formula=setting.formula.latex)
+
+
+def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None) -> Solution:
+    """A solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
+    asks_time = setting.sought is not None and not setting.unknown
+    book = Book(setting.words.units, asks_time=asks_time, called=called)
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
         unit = given.unit if path == setting.unknown else ""
@@ -60,6 +76,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
         if path == setting.unknown:
             book.sought = given.symbol
             book.hidden.add(given.symbol)
+    book.reserve(*(own for name, own in (called or {}).items() if own != name))
     try:
         goal = strategy.write(setting, book)
         goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
@@ -99,7 +116,7 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
     named = Writer(scene, Names(letters, nouns), np.random.default_rng(0), numeric).symbols
     study, given, unknown = parsed.study, parsed.asked.given, next(iter(parsed.reading.unknown), "")
     if unknown and given is not None:
-        answer = parsed.answer
+        answer = parsed.counted
         if answer is None:
             return Solution("", reason="the text leaves open what is asked for"), Setting(
                 scene, Words.of(scene, mentions), named, study, parsed.query
@@ -130,17 +147,20 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
 def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
     """What the solution takes from the text."""
     used = {name for step in steps for relation in step.relations for name in relation.symbols()} | {goal}
-    said: list[str] = []
+    said: dict[str, str] = {}
     relations: list[Relation] = []
     for given in setting.lexicon.givens.values():
         if given.symbol in used and given.symbol != book.sought:
-            said.append(f"${given.symbol} = {given.latex}$")
+            said[given.symbol] = given.latex
             relations.append(Relation(Symbol(given.symbol), Number(given.value), "given"))
     for name, text in book.stated.items():
         if name in used:
-            said.append(f"${name} = {text}$")
+            said[name] = text
             relations.append(Relation(Symbol(name), Number(book.values[name]), "given"))
-    return Step(-1, "givens", f"Given: {joined(said)}." if said else "", tuple(relations), (), ())
+    symbols = setting.formula.symbols if book.in_symbols and setting.formula is not None else ()
+    numbers = [f"${name} = {text}$" for name, text in said.items() if name not in symbols]
+    text = f"Given: {joined(numbers)}." if numbers else ""
+    return Step(-1, "givens", text, tuple(relations), (), ())
 
 
 def _renumbered(steps: list[Step]) -> tuple[Step, ...]:

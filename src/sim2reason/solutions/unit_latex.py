@@ -15,5 +15,16 @@ def latex(unit: str) -> str:
     return rf"\ \text{{{text}}}".replace(r"\text{}", "") if unit else ""
 
 
+def unit_of(text: str) -> str:
+    """The unit with which a text in LaTeX ends; empty for none."""
+    if text.endswith(DEGREES):
+        return "deg"
+    found = re.search(r"(?:\\ )?((?:\\text\{[^{}]*\}(?:\^\d)?)+)(\^\{-1\})?$", text)
+    if found is None:
+        return ""
+    unit = re.sub(r"\\text\{([^{}]*)\}", r"\1", found[1]).strip()
+    return f"1/{unit}" if found[2] else unit
+
+
 MECHANICAL = ("m", "s", "kg", "N", "J", "m/s", "m/s^2", "kg m/s", "m^2", "m^2/s", "m^3/s^2", "1/s", "rad/s")
 CANONICAL = {latex(name): name for name in MECHANICAL}  # by their LaTeX

@@ -5,11 +5,11 @@ from math import acos, asin, atan, cos, isclose, pi, sin, tan
 
 import pytest
 
-from sim2reason.solutions.book import Relation, Solution, Step
 from sim2reason.solutions.closed_forms import ClosedFormError, closed_form
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.functions import PI, Call, Function, Power, Root
+from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.worked import NumericRoot, Worked
 
 a, b, c, t = (Symbol(name) for name in ("p", "q", "s", r"\theta"))

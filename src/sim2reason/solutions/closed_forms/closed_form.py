@@ -4,10 +4,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sim2reason.solutions.book import Solution
 from sim2reason.solutions.closed_forms.rewriting import shortest
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.functions import Absolute, Pi, Root, plain
+from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.worked import Worked
 
 SIMPLE = 60  # the largest denominator of a number that is no accident

@@ -1,0 +1,27 @@
+"""Worked solutions of problems, as their texts ask for the answer."""
+
+from sim2reason.datasets.item import SolutionRecord, SolutionStep
+from sim2reason.datasets.plan import Request
+from sim2reason.datasets.question_search import CertifiedQuestion
+from sim2reason.questions.spoken_units import system_named
+from sim2reason.solutions import Solution, solve
+from sim2reason.solutions.told import told_in
+
+
+def worked(request: Request, found: CertifiedQuestion) -> Solution:
+    """The solution of a question that passed, in the units of its text; one without an answer says why."""
+    return told_in(system_named(request.units), solve(found.setting), found.question.unit)
+
+
+def recorded(solution: Solution) -> tuple[SolutionRecord | None, str]:
+    """Its record, or None and why there is none."""
+    if solution.answer is None:
+        return None, solution.reason
+    steps = tuple(
+        SolutionStep(
+            kind=step.kind, text=step.text, relations=tuple(held.latex() for held in step.relations), needs=step.needs
+        )
+        for step in solution.steps
+    )
+    record = SolutionRecord(strategy=solution.strategy, derived=solution.derived, text=solution.text, steps=steps)
+    return record, ""

@@ -1,0 +1,104 @@
+"""What a worked solution is made of: steps with their relations, and how it ends."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from math import degrees
+from typing import Literal
+
+from sim2reason.solutions.digits import rounded
+from sim2reason.solutions.expressions import Expression
+from sim2reason.solutions.unit_latex import DEGREES
+
+Role = Literal["given", "law", "derived", "result", "integrated"]
+WELL = 1e-9  # relative: how well every relation holds
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """An equation: what is `given`, a `law` that is told, what is `derived` from those, or a `result`: name = formula.
+
+    Where nothing is derived, a number is `integrated`: a name is what the integration gives.
+
+    `unit` is that of a result, in LaTeX.
+    """
+
+    left: Expression
+    right: Expression
+    role: Role
+    unit: str = ""
+
+    def latex(self, value: float | None = None) -> str:
+        """As it stands in the text, with dollars; of a result the value follows."""
+        text = f"{self.left.latex()} = {self.right.latex()}"
+        if value is not None:
+            number = spelled(value, self.unit)
+            plain = self.right.latex() == rounded(value) and self.unit != DEGREES
+            text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
+        return f"${text}$"
+
+    def symbols(self) -> Iterator[str]:
+        """All names in it."""
+        yield from self.left.symbols()
+        yield from self.right.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step: its sentence, its relations, the names that it gives a value, and the steps that it needs."""
+
+    id: int
+    kind: str
+    text: str
+    relations: tuple[Relation, ...]
+    gives: tuple[str, ...]
+    needs: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A worked solution; without an `answer`, `reason` says why there is none."""
+
+    strategy: str
+    steps: tuple[Step, ...] = ()
+    values: Mapping[str, float] = field(default_factory=dict[str, float])
+    goal: str = ""
+    answer: float | None = None
+    unit: str = ""
+    reason: str = ""
+    stated: tuple[str, ...] = ()  # the names of the numbers that the question itself says
+    constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # that no scene may change
+    formula: str = ""  # the answer to a problem in symbols
+    asked: tuple[str, float] | None = None  # the unit that the question asks for, and what one of `unit` is in it
+
+    @property
+    def derived(self) -> bool:
+        """Whether the answer is derived, not integrated."""
+        return self.answer is not None and all(relation.role != "integrated" for relation in self.relations)
+
+    @property
+    def text(self) -> str:
+        """All steps, a paragraph each, and the answer in a box: to three digits, or a formula."""
+        told = [step.text for step in self.steps if step.text]
+        if self.answer is not None:
+            told.append(f"Answer: ${self.goal}{self._boxed(self.answer)}$.")
+        return "\n\n".join(told)
+
+    def _boxed(self, answer: float) -> str:
+        if self.formula:
+            return rf" = \boxed{{{self.formula}}}"
+        if self.asked is None:
+            return rf" \approx \boxed{{{rounded(answer, 3)}}}{self.unit}"
+        unit, factor = self.asked
+        return rf" = {rounded(answer)}{self.unit} \approx \boxed{{{rounded(answer * factor, 3)}}}{unit}"
+
+    @property
+    def relations(self) -> list[Relation]:
+        """All equations, in order."""
+        return [relation for step in self.steps for relation in step.relations]
+
+
+def spelled(value: float, unit: str) -> str:
+    """A number with its unit, in LaTeX; an angle in degrees is known in radians."""
+    if unit == DEGREES:
+        return f"{rounded(degrees(value))}{unit}"
+    return f"{rounded(value)}{unit}"

@@ -1,0 +1,105 @@
+"""``sim2reason solve`` works out a problem in steps: one of an id, or a question about a scene in a file."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from sim2reason.cli import main
+from sim2reason.datasets.grade import grade
+from sim2reason.datasets.items import item
+
+
+def call(*args: object) -> Result:
+    return CliRunner().invoke(main, ["solve", *map(str, args)])
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    """A scene in a file."""
+    path = tmp_path / "scene.yaml"
+    path.write_text(item("incline", "easy", seed=2, index=0).scene)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("recipe", "mode", "units"),
+    [("incline", "reverse", "SI"), ("collision", "symbolic", "SI"), ("incline", "numeric", "mixed")],
+)
+def test_a_problem_of_an_id_is_told_and_its_solution_is_graded_right(recipe: str, mode: str, units: str) -> None:
+    problem = item(recipe, "easy", mode, seed=0, units=units)
+    told = call("--id", problem.id)
+    assert told.exit_code == 0, told.output
+    assert told.output.startswith(problem.prompt)
+    assert grade(problem, told.output.removeprefix(problem.prompt)).reward == 1.0
+
+
+def test_an_answer_in_other_units_is_converted_at_the_end() -> None:
+    """1 J is 10⁷ erg."""
+    solution = call("--id", "pulley-easy-numeric-0-4-cgs").output
+    usual = call("--id", "pulley-easy-numeric-0-4").output
+    assert r"W \approx \boxed{15.5}\ \text{J}$" in usual
+    assert "Given, in SI units: $m_C" in solution
+    assert r"\ \text{J} \approx \boxed{1.55 \times 10^{8}}\ \text{erg}$" in solution
+
+
+def test_in_symbols_no_number_is_said_that_the_problem_does_not_say() -> None:
+    told = call("--id", "pulley-easy-symbolic-0-1").output.partition(r"\boxed{}.")[2]
+    assert r"\boxed{" in told
+    assert r"\text{" not in told
+    assert not any(part.isdigit() for part in told.replace(",", ".").split("."))
+
+
+def test_a_scene_in_a_file_with_a_question_and_with_one_that_is_drawn(scene: Path) -> None:
+    drawn = call(scene, "--seed", 3)
+    assert drawn.exit_code == 0, drawn.output
+    assert "Answer: $" in drawn.output
+    question = drawn.output.partition("\n")[0].rpartition(". ")[2]
+    given = call(scene, "--question", question, "--seed", 3)
+    assert given.exit_code == 0, given.output
+    assert given.output == drawn.output
+
+
+def test_json_has_the_steps_with_their_relations() -> None:
+    told = call("--id", "pulley-easy-numeric-0-4", "--json")
+    found = json.loads(told.output)
+    assert found["strategy"] == "constant acceleration"
+    assert found["answer"] == pytest.approx(15.486, rel=1e-4)
+    assert [step["id"] for step in found["steps"]] == list(range(len(found["steps"])))
+    for step in found["steps"]:
+        assert all(number < step["id"] for number in step["needs"])
+        assert all(relation in found["text"] for relation in step["relations"] if step["kind"] == "newton")
+
+
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        (("--id", "nobody"), "is no id; one looks like pulley-easy-numeric-0-4"),
+        (("--id", "pulley-easy-numeric-0-4-0123abcd"), "see: sim2reason explain OUT --id pulley-easy-numeric-0-4-01"),
+        (("--id", "pulley-easy-numeric-0-4-cgsx"), "no such units: 'cgsx'"),
+        (("--id", "pully-easy-numeric-0-4"), "pully"),
+        (("--id", "pulley-easy-numerical-0-4"), "numerical"),
+        (("--id", "pulley-simple-numeric-0-4"), "simple"),
+        (("no-such-file.yaml",), "no-such-file.yaml"),
+    ],
+)
+def test_what_makes_no_sense_is_one_line(args: tuple[str, ...], said: str) -> None:
+    told = call(*args)
+    assert told.exit_code == 2
+    assert told.output.count("\n") == 1, told.output
+    assert said in told.output
+
+
+def test_a_question_that_asks_nothing_known_is_one_line(scene: Path) -> None:
+    told = call(scene, "--question", "Why?")
+    assert told.exit_code == 2
+    assert told.output.count("\n") == 1
+    assert "it asks nothing that this library asks" in told.output
+
+
+@pytest.mark.parametrize("args", [(), ("--id", "pulley-easy-numeric-0-4", "scene.yaml")])
+def test_it_wants_a_scene_or_an_id(args: tuple[str, ...]) -> None:
+    told = call(*args)
+    assert told.exit_code == 2
+    assert "give a scene or an --id" in told.output
