@@ -149,7 +149,9 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     step, push = book.open("impulse"), book.fresh("J")
     reduced = ratio(multiplied(m, k), added(m, k))
     formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
-    step.say(f"Momentum and restitution along it give the impulse {step.result(push, formula, IMPULSE, law=True)}.")
+    step.say(
+        f"Momentum and restitution along the line of centres give the impulse {step.result(push, formula, IMPULSE, law=True)}."
+    )
     step.close()
     found: dict[int, Polynomial] = {}
     for body, mass, sign in ((one, m, -1.0), (other, k, 1.0)):
@@ -161,7 +163,7 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
             step, name = book.open("after"), book.fresh("v", flights.mark(body, number))
             change = multiplied(Number(sign), multiplied(ratio(push, mass), n[label]))
             formula = added(before.expression(), change)
-            step.say(f"After it, {step.result(name, formula, SPEED, law=True)}.")
+            step.say(f"After the impact, {step.result(name, formula, SPEED, law=True)}.")
             step.close()
             found[number] = Polynomial.of(name)
     return found

@@ -15,6 +15,7 @@ from sim2reason.questions.words import Words
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.lexicon import UnreadError
+from sim2reason.solutions.merging import merged
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import Relation, Solution, Step
@@ -82,7 +83,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
         goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
-    steps = book.steps if strategy.integrates else _needed(book.steps, goal)
+    steps = book.steps if strategy.integrates else merged(_needed(book.steps, goal))
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     unit = book.units.get(goal, "")
     answer = degrees(book.values[goal]) if unit == DEGREES else book.values[goal]

@@ -170,7 +170,7 @@ class _Struck(Way):
         before = self.flights.place(moment.name, number, k, None)
         gap = before - Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
         return self._flown(
-            leg.speeds[k], gap, k, f"{capital(self.setting.called(moment.name))} has moved so far when", leg
+            leg.speeds[k], gap, k, f"{capital(self.setting.called(moment.name))} has moved ${name.name}$ when", leg
         )
 
     def _landing(self, body: str) -> Symbol:
@@ -205,7 +205,9 @@ class _Struck(Way):
         near = self.setting.time - (self.book.values[begins.name] if begins is not None else 0.0)
         root = NumericRoot(added(squares, -Power(name, 2)), time.name, near)
         who = capital(self.setting.called(body))
-        step.say(f"{who} is so far away when {law}; the first time at which this holds, found numerically, is")
+        step.say(
+            f"{who} is at the distance ${name.name}$ when {law}; the first time at which this holds, found numerically, is"
+        )
         step.say(f"{step.result(time, root, SECONDS)}.")
         step.close()
         return self._since(leg, time)
