@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.solutions.book import Book, UnsolvedError, Writing
+from sim2reason.solutions.cross_elimination import CrossElimination, SymbolicEquation
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.fractions import over
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
@@ -160,6 +161,9 @@ class Elimination:
 
     def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
         """Numbers put in, then one unknown after the other eliminated, the first last."""
+        if any(self.book.is_hidden(e.zero.coefficient(n).expression()) for e in equations for n in names):
+            self._in_symbols(equations, names)
+            return
         step = self._open("solve")
         marks = iter("abcdefghijklmnop")
         numeric: list[NumericEquation] = []
@@ -172,10 +176,24 @@ class Elimination:
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
             said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
-        how = "Ordered" if self.book.hidden or self.book.in_symbols else "In numbers"
+        how = "Ordered" if self.book.hidden else "In numbers"
         step.say(f"{how}: {'; '.join(said)}.")
         step.close()
         self._reduce(numeric, list(names), marks)
+
+    def _in_symbols(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
+        """The same where what stands before the unknowns may not be written as numbers."""
+        step, marks = self._open("solve"), iter("abcdefghijklmnop")
+        ordered: list[SymbolicEquation] = []
+        for equation in equations:
+            before = {n: equation.zero.coefficient(n).scaled(-1.0) for n in names}
+            left = {n: part for n, part in before.items() if part}
+            ordered.append(SymbolicEquation(f"({next(marks)})", left, equation.zero.without(names)))
+            step.rest_on(_key(equation))
+            step.label(ordered[-1].label)
+        step.say(f"Ordered: {'; '.join(f'{held.label} {step.derived(*held.sides)}' for held in ordered)}.")
+        step.close()
+        CrossElimination(self.book, self.units, self._open, marks).reduce(ordered, names)
 
     def _reduce(self, equations: list[NumericEquation], names: list[str], marks: Iterator[str]) -> None:
         first = names[0]

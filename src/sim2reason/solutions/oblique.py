@@ -149,9 +149,8 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     step, push = book.open("impulse"), book.fresh("J")
     reduced = ratio(multiplied(m, k), added(m, k))
     formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
-    step.say(
-        f"Momentum and restitution along the line of centres give the impulse {step.result(push, formula, IMPULSE, law=True)}."
-    )
+    said = "Momentum and restitution along the line of centres give the impulse"
+    step.say(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
     step.close()
     found: dict[int, Polynomial] = {}
     for body, mass, sign in ((one, m, -1.0), (other, k, 1.0)):

@@ -239,9 +239,9 @@ class DynamicsWriter:
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
             return f"{self.d.setting.called(own[0])}, turning, at its rim"
-        riders = [
-            b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own and self._carried(b.name, own)
-        ]
+        said = {self.d.setting.called(body) for body in own}  # as of a pulley and its carrier
+        heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
+        riders = [body for body in heavy if self._carried(body, own) and self.d.setting.called(body) not in said]
         who = self.d.setting.listed(own)
         if riders:
             who += f" with {self.d.setting.listed(riders)}"

@@ -205,10 +205,8 @@ class _Struck(Way):
         near = self.setting.time - (self.book.values[begins.name] if begins is not None else 0.0)
         root = NumericRoot(added(squares, -Power(name, 2)), time.name, near)
         who = capital(self.setting.called(body))
-        step.say(
-            f"{who} is at the distance ${name.name}$ when {law}; the first time at which this holds, found numerically, is"
-        )
-        step.say(f"{step.result(time, root, SECONDS)}.")
+        step.say(f"{who} is at the distance ${name.name}$ when {law}; the first time at which this holds, found")
+        step.say(f"numerically, is {step.result(time, root, SECONDS)}.")
         step.close()
         return self._since(leg, time)
 
