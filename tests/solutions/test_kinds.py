@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from math import atan, cos, degrees, radians, sin
 
 import pytest
@@ -123,8 +124,8 @@ def drawn(recipe: str, kind: str, mode: str, count: int) -> Iterator[Setting]:
             found = search.ask(MODES[mode], rng, Counter[str](), kind)
         except (SceneError, SimulationError, UnsupportedError):
             continue
-        if found is not None and found.candidate.words is not None:
-            yield Setting.of(found.question, found.study, found.candidate.words, found.description)
+        if found is not None:
+            yield found.setting
 
 
 @pytest.mark.parametrize("recipe", ["pulley", "incline", "hybrid", "box"])
@@ -148,4 +149,16 @@ def test_an_integration_says_that_it_is_one_and_its_equations_hold(recipe: str) 
         assert any(relation.role == "law" for relation in found.relations)
         assert setting.answer is not None
         assert not faults(found, setting.answer)
+        assert not read(found.text).broken
+        assert faults(_without_a_law(found), setting.answer)
     assert written
+
+
+def _without_a_law(solution: Solution) -> Solution:
+    """The last one is left out."""
+    law = [relation for relation in solution.relations if relation.role == "law"][-1]
+    steps = (
+        replace(step, relations=tuple(relation for relation in step.relations if relation is not law))
+        for step in solution.steps
+    )
+    return replace(solution, steps=tuple(steps))

@@ -6,9 +6,10 @@ from typing import ClassVar
 
 from sim2reason.questions import Target
 from sim2reason.solutions.book import UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added, multiplied
+from sim2reason.solutions.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Stretch, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import METRES, SPEED
+from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.setting import Setting
 
 NEWTON_SECONDS = r"\ \text{N s}"
@@ -45,7 +46,16 @@ class SumGoal(Goal):
         whole: Expression = ZERO
         for part in known.stretches:
             whole = added(whole, self.term(target, known.setting, part))
-        return finish(known, whole, self.noun, "", self.said(target, known.setting))
+        return finish(known, _gathered(whole), self.noun, "", self.said(target, known.setting))
+
+
+def _gathered(whole: Expression) -> Expression:
+    """A path there and back is 2 s, not s + s."""
+    terms = whole.terms if isinstance(whole, Sum) else (whole,)
+    if not all(isinstance(term, Symbol) or isinstance(-term, Symbol) for term in terms):
+        return whole
+    signed = [Polynomial.of(t) if isinstance(t, Symbol) else Polynomial.of(-t).scaled(-1.0) for t in terms]
+    return total(signed).expression()
 
 
 class TensionImpulse(SumGoal):
