@@ -9,8 +9,8 @@ from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.inverse import numeric_root, put, solved_for
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.worked import Chain, NumericRoot, numbers
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.worked import Chain, ImplicitRoot, NumericRoot, numbers
 
 SOLVED = "solve for the unknown"  # the kind of its steps
 LONG = 300  # characters of a formula that is better not written
@@ -58,6 +58,8 @@ class Inversion:
                 raise UnsolvedError("it would need numbers that are not known")
             names = [name for name in dict.fromkeys(formula.symbols()) if name in book.hidden]
             later = [name for name in names if name != self.unknown]
+            if any(isinstance(part, ImplicitRoot) for part in (formula, *(book.formulas[name] for name in later))):
+                return self._numerically(at)
             if len(names) == 1:
                 found = solved_for(names[0], formula, value, book.values)
                 if len(found.latex()) > LONG:
@@ -71,20 +73,24 @@ class Inversion:
             if not later:
                 raise UnsolvedError("what is given does not hang on what is unknown")
             if len(formula.latex()) > LONG:
-                return self._numerically()
+                return self._numerically(at)
             last = max(later, key=list(book.formulas).index)
             formula = put(formula, last, book.formulas[last])
-        return self._numerically()
+        return self._numerically(at)
 
-    def _numerically(self) -> str:
-        """All formulas put into each other, with one unknown, too long to be written."""
+    def _numerically(self, at: str) -> str:
+        """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""
         book = self.book
         names = [name for name in book.formulas if name in book.hidden]
-        chain = Chain(tuple((name, book.formulas[name]) for name in (*names, self.goal)))
-        root = NumericRoot(added(chain, -Symbol(self.goal)), self.unknown, book.values[self.unknown])
+        chain = Chain(tuple((name, book.formulas[name]) for name in (*names, at)))
+        root = NumericRoot(added(chain, -Symbol(at)), self.unknown, book.values[self.unknown])
         step = book.open(SOLVED)
         said = f"Put into each other, these equations have ${self.unknown}$ as their only unknown; solved numerically,"
         step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")
+        implied = [(name, held) for name in names if isinstance(held := book.formulas[name], ImplicitRoot)]
+        plain = [(name, NumericRoot(held.residual, held.name, held.near)) for name, held in implied]
+        told = [step.closed(Symbol(name), held) for name, held in plain]
+        step.say(f"With it, {joined(told)}." if told else "")
         step.close()
         return self.unknown
 

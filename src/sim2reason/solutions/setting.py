@@ -11,6 +11,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Description
 from sim2reason.quantities.subjects.lines import line_phrases, pulleys
+from sim2reason.quantities.subjects.springs import springs
 from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.simulation.engines.exact.engine import motion
@@ -127,6 +128,11 @@ class Setting:
         found = line_phrases(self.mechanism, self.words.mentions, self.mechanism.strings, "string", alone=False)
         drawn = {line.name: "the string that is pulled" for line in self.mechanism.lines if isinstance(line.law, Drawn)}
         return {**drawn, **found, **self._by_one_end(found)}
+
+    @cached_property
+    def springs(self) -> Mapping[str, str]:
+        """What springs are called."""
+        return springs(self.mechanism, self.words.mentions)
 
     def _by_one_end(self, found: Mapping[str, str]) -> dict[str, str]:
         """The strings that are fixed at an end of which the text has no name."""

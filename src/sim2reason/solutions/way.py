@@ -182,6 +182,14 @@ class Way(ABC):
         own = [self.mechanism.coordinates[k].label for k in self._own(body)]
         return (*own, "") if own else AXES
 
+    def spring(self, what: str, line: str) -> Polynomial:
+        """A number of a spring; by default there is none."""
+        raise UnsolvedError(f"no {what} of {line}")
+
+    def growth(self, kind: str, line: str) -> Polynomial:
+        """By how much a line has grown, or how fast it does; by default it has no spring."""
+        raise UnsolvedError(f"no {kind} of {line}")
+
     @property
     def stretches(self) -> Sequence[Stretch]:
         """The parts of the motion; by default it has none."""

@@ -68,6 +68,15 @@ class NumericRoot(Expression):
 
 
 @dataclass(frozen=True, slots=True)
+class ImplicitRoot(NumericRoot):
+    """A root that hangs on what is unknown, so that no number is written: its equation alone is told."""
+
+    def latex(self) -> str:
+        """Its name."""
+        return self.name
+
+
+@dataclass(frozen=True, slots=True)
 class Chain(Expression):
     """What the last of several names comes to, each a formula of those before it; it is never written."""
 
@@ -93,7 +102,8 @@ class Chain(Expression):
 def numbers(held: Expression) -> Iterator[Expression]:
     """All parts of a formula that are written as the numbers that they come to."""
     if isinstance(held, Worked | NumericRoot):
-        yield held
+        if not isinstance(held, ImplicitRoot):
+            yield held
         return
     for part in held.parts:
         yield from numbers(part)

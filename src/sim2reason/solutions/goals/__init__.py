@@ -126,6 +126,14 @@ class Known(Protocol):
         """The mass of a body."""
         ...
 
+    def spring(self, what: str, line: str) -> Polynomial:
+        """A number of a spring: its ``stiffness``, ``damping``, or at the start its ``length`` or ``strain``."""
+        ...
+
+    def growth(self, kind: str, line: str) -> Polynomial:
+        """By how much a line has grown, ``s``, or how fast it does, ``v``."""
+        ...
+
     @property
     def stretches(self) -> Sequence[Stretch]:
         """The parts of the motion, in order."""

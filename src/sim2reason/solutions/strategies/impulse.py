@@ -30,8 +30,8 @@ from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, accelerates, no_goal, strategy
 from sim2reason.solutions.struck import FlightPart, StruckBodies
+from sim2reason.solutions.told_root import told_root
 from sim2reason.solutions.way import Way
-from sim2reason.solutions.worked import NumericRoot
 
 MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed, LastCollision)
 
@@ -203,10 +203,10 @@ class _Struck(Way):
         law = step.law(Power(name, 2), squares)
         begins = self.flights.begins(leg)
         near = self.setting.time - (self.book.values[begins.name] if begins is not None else 0.0)
-        root = NumericRoot(added(squares, -Power(name, 2)), time.name, near)
-        who = capital(self.setting.called(body))
-        step.say(f"{who} is at the distance ${name.name}$ when {law}; the first time at which this holds, found")
-        step.say(f"numerically, is {step.result(time, root, SECONDS)}.")
+        residual = added(squares, -Power(name, 2))
+        step.say(f"{capital(self.setting.called(body))} is at the distance ${name.name}$ when {law}.")
+        said = "The first time at which this holds, found numerically, is"
+        step.say(told_root(self.book, step, time, residual, near, SECONDS, said))
         step.close()
         return self._since(leg, time)
 

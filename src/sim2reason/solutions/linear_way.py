@@ -1,0 +1,200 @@
+"""The way to one answer about a motion whose equations are linear: whatever moves, moves with the free coordinates."""
+
+from abc import abstractmethod
+from functools import cached_property
+
+from sim2reason.dsl.triples import product
+from sim2reason.dsl.vectors import Vector
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.book import UnsolvedError
+from sim2reason.solutions.elimination import solved
+from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.goals import Components
+from sim2reason.solutions.linear_motion import LinearMotion
+from sim2reason.solutions.newton import Newton, Row
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.setting import capital, joined
+from sim2reason.solutions.shared import NEWTONS
+from sim2reason.solutions.way import STILL, Way
+
+TIMES = {0.5: "half as far as", 2.0: "twice as far as", 1.0: "as far as"}
+
+
+class LinearWay(Way):
+    """Goals in terms of where the free coordinates are, and how fast they change."""
+
+    @abstractmethod
+    def place(self, i: int) -> Polynomial:
+        """How far a free coordinate has come at the moment."""
+
+    @abstractmethod
+    def speed(self, i: int) -> Polynomial:
+        """How fast it changes."""
+
+    @abstractmethod
+    def acceleration(self, i: int) -> Polynomial:
+        """How fast that does."""
+
+    # ---- the motion
+
+    @property
+    def segment(self) -> Segment:
+        """The only segment up to the moment; UnsolvedError where there are several."""
+        held = [s for s in self.setting.motion.segments if s.start < self.setting.time or s.start == 0.0]
+        if len(held) > 1:
+            raise UnsolvedError("something changes on the way")
+        return held[0]
+
+    @cached_property
+    def motion(self) -> LinearMotion:
+        """Its equations; free is best what the question is about."""
+        moment = self.query.moment
+        names = [name for name in (moment.subjects if moment is not None else ()) if name in self.mechanism.body]
+        heavy = [k for body in self.mechanism.bodies if body.mass for k in self.moving([body.name])]
+        slides = [k for k in heavy if self.mechanism.coordinates[k].kind == "slide"]
+        mentioned = [k for k in slides if self.mechanism.coordinates[k].body in self.setting.words.mentions]
+        return LinearMotion(self.setting, self.segment, [*self.moving(names), *self.asked(), *mentioned, *slides])
+
+    @property
+    def newton(self) -> Newton:
+        """The laws, with the forces of springs."""
+        return self.motion.laws
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """By the free coordinates."""
+        of = {"a": self.acceleration, "v": self.speed, "s": self.place}[kind]
+        return total(of(i).scaled(part) for i, part in self.motion.ratios[k].items())
+
+    def first(self, i: int) -> Polynomial:
+        """The rate of a free coordinate at the start."""
+        return self.first_speeds.get(i, NIL)
+
+    def introduce(self, names: dict[int, Symbol]) -> None:
+        """Say what the free coordinates are called, and how far the others go."""
+        step = self.book.open("names")
+        said = [f"${name.name}$ be how far {self._who(i)} has moved {self._way(i)}" for i, name in names.items()]
+        step.say(f"Let {joined(said)} since the start.")
+        bound: list[str] = []
+        for k, parts in self.motion.ratios.items():
+            if k in names or len(parts) != 1 or self.mechanism.coordinates[k].body not in self.setting.words.mentions:
+                continue
+            (i, part), *_ = parts.items()
+            size = TIMES.get(abs(part), f"{abs(part):g} times as far as")
+            bound.append(f"{self._who(k)} moves {size} {self._who(i)}")
+        step.say(f"{capital(joined(bound))}." if bound else "")
+        step.close()
+
+    def _who(self, k: int) -> str:
+        called = self.setting.called(self.mechanism.coordinates[k].body)
+        own = self.mechanism.coordinates[k]
+        rim = own.kind == "hinge" and not self.moving([own.body]).count(k)
+        return f"the rim of {called}" if rim else called
+
+    def _way(self, k: int) -> str:
+        held = self.mechanism.coordinates[k]
+        if held.kind == "hinge":
+            return "anticlockwise" if held.axis[2] > STILL else "round its axis"
+        parent = self.mechanism.body[held.body].parent
+        return self.setting.towards(held.axis, on=parent)
+
+    # ---- bodies on a ring
+
+    def _ring(self, body: str) -> int | None:
+        """The hinge that leads a bead round."""
+        own = self.moving([body])
+        if len(own) == 1 and self.mechanism.coordinates[own[0]].kind == "hinge":
+            return own[0]
+        return None
+
+    def vector(self, kind: str, body: str) -> Components:
+        """On a ring along it; an acceleration has a part towards its centre, too."""
+        k = self._ring(body)
+        if k is None:
+            return Way.vector(self, kind, body)
+        along = self.first_speeds.get(k, NIL) if kind == "u" else self.rate(kind, k)
+        if kind == "a":
+            return along, self._inward(k), NIL
+        if kind == "s":
+            raise UnsolvedError("a displacement on a ring is a chord")
+        return along, NIL, NIL
+
+    def _inward(self, k: int) -> Polynomial:
+        """v²/r."""
+        radius = self.newton.read(lambda m, f: _radius(f.center(m.coordinates[k].body).gradient[k]))
+        fast = self.rate("v", k)
+        if len(fast.terms) != 1 or len(radius.terms) != 1:
+            raise UnsolvedError("a speed on a ring that has no name")
+        (below, part), *_ = radius.terms.items()
+        over = Polynomial({tuple((atom, -power) for atom, power in below): 1.0 / part})
+        return fast * fast * over
+
+    def component(self, kind: str, body: str, way: Vector) -> Polynomial:
+        """On a ring none."""
+        if self._ring(body) is not None:
+            raise UnsolvedError("a component on a ring")
+        return Way.component(self, kind, body, way)
+
+    # ---- springs
+
+    def _number(self, line: str) -> int:
+        return self.mechanism.lines.index(self.mechanism.line[line])
+
+    def growth(self, kind: str, line: str) -> Polynomial:
+        """By how much a line has grown, or how fast it does."""
+        number = self._number(line)
+        of = {"v": self.speed, "s": self.place}[kind]
+        parts = [(i, self.motion.drawn(number, i)) for i in self.motion.free]
+        return total(of(i).scaled(part) for i, part in parts if part)
+
+    def spring(self, what: str, line: str) -> Polynomial:
+        """A number of a spring."""
+        found: Polynomial = getattr(self.newton, what)(self._number(line))
+        return found
+
+    def stretching(self, line: str) -> list[int]:
+        """The coordinates with which the length of a line changes."""
+        gradient = set[int]()
+        for piece in self._start.pieces(self.mechanism.line[line]):
+            gradient |= {k for k, part in piece.along.items() if abs(float(part)) > STILL}
+        wheels = [self.mechanism.number[wheel.coordinate] for wheel in self.mechanism.line[line].wheels]
+        return sorted({*gradient, *wheels})
+
+    # ---- forces
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """From Newton's law of one body, once its acceleration is known."""
+        if self.target is None or self.goal is None:
+            raise UnsolvedError(f"no {kind} of {name}")
+        asked = self.goal.force(self.target, self.setting)
+        rows = [self.newton.newton(k) for k in self.motion.ratios]
+        if kind == "N":
+            rows = [self.newton.normal(int(asked[1:]))]
+        for row in sorted(rows, key=lambda row: len(row.zero.terms)):
+            others = {n for n in row.zero.names() if n[0] in "TNf" and n[1:].isdigit()} - {asked}
+            if asked in row.zero.names() and not others:
+                return self._from(row, asked, kind, name)
+        raise UnsolvedError("no law of a single body gives the force")
+
+    def _from(self, row: Row, asked: str, kind: str, name: str) -> Symbol:
+        known = {f"q{k}": self.rate("a", k) for k in self.motion.ratios}
+        for n in self.motion.springs:
+            line = self.mechanism.lines[n].name
+            extension = self.spring("strain", line) + self.growth("s", line)
+            known[f"S{n}"] = self.spring("stiffness", line) * extension
+            if damping := self.spring("damping", line):
+                known[f"S{n}"] = known[f"S{n}"] + damping * self.growth("v", line)
+        found = self.book.fresh(kind, self.setting.mark(name) if name in self.mechanism.body else "")
+        forces = row.forces.put({**known, asked: Polynomial.of(found)})
+        inertia = row.inertia.put(known)
+        step = self.book.open("newton")
+        who = self.setting.called(self.mechanism.coordinates[row.number].body) if row.kind == "newton" else "it"
+        where = "" if row.kind == "newton" else "Perpendicular to its face: "
+        law = step.law(forces.expression(), inertia.expression())
+        formula = solved(forces - inertia, found.name)
+        step.say(f"{where}{capital(who)}: {law}, so {step.result(found, formula, NEWTONS)}.")
+        step.close()
+        return found
+
+
+def _radius(way: Vector) -> float:
+    return float(product(way, way)) ** 0.5

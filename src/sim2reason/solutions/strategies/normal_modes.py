@@ -1,0 +1,294 @@
+"""Normal modes: several bodies on springs along lines, each a sum of oscillations that do not disturb each other."""
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.quantities.subjects.pairs import members
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.functions import PI, Root
+from sim2reason.solutions.goals import GOALS, Goal, Stretch
+from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, speed
+from sim2reason.solutions.normal_modes import NormalModes
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.stage import METRES, SECONDS, SPEED
+from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
+from sim2reason.solutions.strategies.oscillation import ACCELERATION, HERTZ
+from sim2reason.solutions.told_root import told_root
+from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target
+from sim2reason.solutions.unit_latex import latex
+
+FINE = 64  # parts of what is searched for a greatest value
+SCAN = 2001
+LEVELS = 4
+Law = Callable[[list[Mode], int, Symbol], Expression]
+
+
+@strategy
+class SeveralModes(Strategy):
+    """Several free coordinates."""
+
+    name = "normal modes"
+    cost = 1.5
+    kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
+
+    def refusal(self, setting: Setting) -> str:
+        """As of a single mode."""
+        return STRATEGIES["oscillation"].refusal(setting)
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The modes, what is excited, the moment."""
+        return _Modal(setting, book).write().name
+
+
+class _Modal(LinearWay):
+    """Sums over modes."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Of a greatest value, the quantity whose value it is."""
+        super().__init__(setting, book)
+        self.target = extreme_target(setting) or self.target
+
+    @property
+    def goal(self) -> Goal | None:
+        """None for a time or a period."""
+        return GOALS[self.target.quantity] if self.target is not None else None
+
+    @cached_property
+    def _all(self) -> NormalModes:
+        motion = self.motion
+        if motion.damped or any(motion.laws.rough.values()):
+            raise UnsolvedError("it is damped")
+        marks = {i: self.setting.mark(self.mechanism.coordinates[i].body) for i in motion.free}
+        self.names = {i: self.book.fresh("x", mark) for i, mark in marks.items()}
+        if isinstance(self.query, PeriodQuery):
+            return NormalModes(self.book, motion, [NIL for _ in motion.free])
+        self.introduce(self.names)
+        return NormalModes(self.book, motion, [self.first(i) for i in motion.free])
+
+    @cached_property
+    def _modes(self) -> list[Mode]:
+        return self._all.excited(self._forms)
+
+    @cached_property
+    def _forms(self) -> list[Array]:
+        """The sums of places that the moment and the goal are about, over the free coordinates."""
+        parts: list[dict[int, float]] = []
+        if not isinstance(self.query.moment, AtTime) or self._extreme_asked:
+            parts.append(self._condition[1])
+        if self.target is not None and self.goal is not None:
+            lines = [*self.goal.lines(self.target)]
+            parts += [self._grows(lines[0])] if lines else [{k: 1.0} for k in self.asked()]
+        forms: list[Array] = []
+        for part in parts:
+            form = [sum(w * self.motion.ratio(k, i) for k, w in part.items()) for i in self.motion.free]
+            forms.append(np.array(form))
+        return forms
+
+    def write(self) -> Symbol:
+        """By the kind of the query."""
+        query = self.query
+        if isinstance(query, PeriodQuery):
+            return self._period(query)
+        _ = self._modes
+        if self.target is None or self.goal is None:
+            return self._time
+        return self.goal.write(self.target, self)
+
+    def _period(self, query: PeriodQuery) -> Symbol:
+        held = self._all
+        driven = held.modes[held.zeros :]
+        if not query.small and len(driven) > 1:
+            raise UnsolvedError("the motion as a whole has no period")
+        mode = driven[query.rank if query.small else 0]
+        said, name = "The angular frequency is", self.book.fresh(r"\omega")
+        rate = self.book.told("rate", said, name, Root(mode.square), latex("rad/s"))
+        if query.measure == "angular frequency":
+            return rate
+        if query.measure == "frequency":
+            return self.book.told("period", "The frequency is", self.book.fresh("f"), rate / (2.0 * PI), HERTZ)
+        return self.book.told("period", "The period is", self.book.fresh("T"), 2.0 * PI / rate, SECONDS)
+
+    # ---- the moment
+
+    @cached_property
+    def _extreme_asked(self) -> bool:
+        """Whether the moment is that of a greatest value."""
+        return extreme_target(self.setting) is not None
+
+    @cached_property
+    def _time(self) -> Symbol:
+        """When it is: given, or the root of what the moment says."""
+        moment, name = self.query.moment, self.book.fresh("t")
+        if isinstance(moment, AtTime) and not self._extreme_asked:
+            self.book.say_given(name.name, moment.after, SECONDS)
+            return name
+        said, held, law = self._condition
+        modes = self._modes if self._goes_on != ZERO else plain(self._modes)
+        value: Expression = ZERO
+        for k, part in held.items():
+            for i, ratio in self.motion.ratios[k].items():
+                value = value + Number(part * ratio) * law(modes, self.motion.free.index(i), name)
+        if value == ZERO:
+            raise UnsolvedError("nothing changes what the moment is about")
+        if modes is not self._modes:
+            value = law(modes, 0, name)
+        value = value + self._goes_on
+        step = self.book.open("time")
+        step.say(f"{capital(said)} when {step.law(value, ZERO)}.")
+        step.say(told_root(self.book, step, name, value, self._when, SECONDS, "Found numerically, that is at"))
+        step.close()
+        return name
+
+    @cached_property
+    def _goes_on(self) -> Expression:
+        """What is added to the sum of places: a strain at the start, or a distance."""
+        moment = self.query.moment
+        if self._extreme_asked:
+            return ZERO
+        if isinstance(moment, NaturalLength):
+            return self.spring("strain", moment.name).expression()
+        if isinstance(moment, Moved):
+            k, *_ = self.moving([moment.name])
+            name = self.book.fresh("d")
+            self.book.say_given(name.name, moment.value, METRES)
+            there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
+            return -name if there > 0.0 else name
+        return ZERO
+
+    @cached_property
+    def _condition(self) -> tuple[str, dict[int, float], Law]:
+        """In words, and a sum of places, speeds or accelerations, by coordinate, that comes to a number."""
+        moment = self.query.moment
+        if self._extreme_asked:
+            return self._extreme()
+        if isinstance(moment, Moved):
+            k, *_ = self.moving([moment.name])
+            return f"{self.setting.called(moment.name)} has moved so far", {k: 1.0}, place
+        if isinstance(moment, Stopped):
+            k, *_ = self.moving([moment.name])
+            return f"{self.setting.called(moment.name)} comes to rest", {k: 1.0}, speed
+        if isinstance(moment, NaturalLength):
+            name = self.setting.springs[moment.name]
+            return f"{name} has its natural length", self._grows(moment.name), place
+        if isinstance(moment, MostStretched | MostCompressed):
+            name = self.setting.springs[moment.name]
+            return f"{name} is no longer growing or shrinking", self._grows(moment.name), speed
+        raise UnsolvedError(f"no way to the moment {type(moment).__name__}")
+
+    def _grows(self, line: str) -> dict[int, float]:
+        number = self._number(line)
+        parts = {i: self.motion.drawn(number, i) for i in self.motion.free}
+        return {i: part for i, part in parts.items() if part}
+
+    def _extreme(self) -> tuple[str, dict[int, float], Law]:
+        """What is zero where the quantity has its greatest value: the next derivative of what it hangs on."""
+        assert self.target is not None
+        assert self.goal is not None
+        law: Law = {"s": speed, "v": acceleration, "a": jerk}[self.goal.uses]
+        said = "The greatest value is taken"
+        lines, bodies = [*self.goal.lines(self.target)], [*self.goal.bodies(self.target)]
+        if lines:
+            return said, self._grows(lines[0]), law
+        found: dict[int, float] = {}
+        for body, sign in zip(bodies, (-1.0, 1.0) if len(bodies) > 1 else (1.0,), strict=True):
+            own = self.moving([body])
+            if len(own) != 1 or (len(bodies) > 1 and self._ring(body) is not None):
+                raise UnsolvedError("what has its greatest value is no sum of places")
+            found[own[0]] = sign
+        if "distance" in self.target.quantity and len(members(self.target.subject)) != len(bodies):
+            raise UnsolvedError("a distance of something else")
+        return said, found, law
+
+    @cached_property
+    def _when(self) -> float:
+        """The time, s, by the engine: of a greatest value, when that is taken."""
+        query, until, trace = self.query, self.setting.time, self.setting.study.trace
+        functional = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
+        if not isinstance(query, StretchQuery) or not isinstance(functional, Extreme):
+            return until
+        low, high, best = 0.0, until, until
+        for level in range(LEVELS):
+            times = np.linspace(low, high, FINE * (8 if level == 0 else 1) + 1)
+            best = float(times[int(np.argmax(functional.height(trace.sample(times), query.name)))])
+            width = 2.0 * (times[1] - times[0])
+            low, high = max(0.0, best - width), min(until, best + width)
+        return best
+
+    # ---- what goals ask
+
+    @property
+    def stretches(self) -> Sequence[Stretch]:
+        """The whole motion, with the places where the body turns back that is asked about."""
+        assert self.target is not None
+        own = self.moving([self.target.subject])
+        if len(own) != 1 or own[0] not in self.motion.free:
+            raise UnsolvedError("its path is no line of its own")
+        i, last = own[0], self._time
+        places: list[Expression] = [ZERO]
+        for near in self._turns(i):
+            step, time = self.book.open("turning"), self.book.fresh("t")
+            value = speed(self._modes, self.motion.free.index(i), time)
+            step.say(f"It turns back when {step.law(value, ZERO)}.")
+            step.say(told_root(self.book, step, time, value, near, SECONDS, "Found numerically, once that is at"))
+            step.close()
+            places.append(self._at(i, time))
+        places.append(self._at(i, last))
+        return [Travelled(self, places)]
+
+    def _at(self, i: int, time: Symbol) -> Symbol:
+        formula = place(self._modes, self.motion.free.index(i), time)
+        return self.book.told("place", "Then it is at", self.book.fresh("x"), formula, METRES)
+
+    def _turns(self, i: int) -> list[float]:
+        """When a free coordinate turns back before the moment, s, by the engine."""
+        until = self.setting.time
+        times = np.linspace(0.0, until, SCAN)
+        speeds = self.setting.study.trace.sample(times).v[:, i]
+        size, found = float(np.abs(speeds).max()), list[float]()
+        for n in np.flatnonzero(speeds[:-1] * speeds[1:] < 0.0):
+            share = speeds[n] / (speeds[n] - speeds[n + 1])
+            time = float(times[n] + share * (times[n + 1] - times[n]))
+            if time < until * (1.0 - EARLY) and abs(float(speeds[n])) > EARLY * size:
+                found.append(time)
+        return found
+
+    def _told(self, law: Law, i: int, base: str, unit: str, said: str) -> Polynomial:
+        """A sum of modes at the moment, told once."""
+        if (base, i) not in self._known:
+            mark = self.setting.mark(self.mechanism.coordinates[i].body)
+            formula = law(self._modes, self.motion.free.index(i), self._time)
+            name = self.names[i] if base == "x" else self.book.fresh(base, mark)
+            self._known[base, i] = Polynomial.of(self.book.told("sum of modes", said, name, formula, unit))
+        return self._known[base, i]
+
+    def place(self, i: int) -> Polynomial:
+        """How far a free coordinate has come."""
+        return self._told(place, i, "x", METRES, "The sum of the modes is the displacement")
+
+    def speed(self, i: int) -> Polynomial:
+        """How fast."""
+        return self._told(speed, i, "v", SPEED, "Its rate is the velocity")
+
+    def acceleration(self, i: int) -> Polynomial:
+        """How fast that changes."""
+        return self._told(acceleration, i, "a", ACCELERATION, "Its second derivative is the acceleration")
+
+    @cached_property
+    def _known(self) -> dict[tuple[str, int], Polynomial]:
+        return {}

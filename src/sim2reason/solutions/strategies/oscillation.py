@@ -1,0 +1,254 @@
+"""Oscillation: where springs drive back what has one way to move, it oscillates harmonically about a place of balance.
+
+See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 3.
+"""
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.goals import GOALS, Goal, Stretch
+from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic
+from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target
+from sim2reason.solutions.unit_latex import latex
+
+SUMS = ("distance travelled", "impulse of the net force")
+HERTZ, ACCELERATION = latex("Hz"), latex("m/s^2")
+
+
+@strategy
+class Oscillation(Strategy):
+    """One mode of oscillation, along a line or with strings over pulleys."""
+
+    name = "oscillation"
+    cost = 1.1
+    kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if not any(hasattr(line.law, "stiffness") for line in setting.mechanism.lines):
+            return "there is no spring"
+        if setting.mechanism.meetings:
+            return "something may collide"
+        query = setting.query
+        if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:
+            return f"no way to the {query.functional}"
+        target = extreme_target(setting) or setting.target
+        return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The place of balance and the angular frequency, then the moment."""
+        return Oscillating(setting, book).write().name
+
+
+class Oscillating(LinearWay):
+    """One free coordinate."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Of a greatest value, the quantity whose value it is."""
+        super().__init__(setting, book)
+        self.target = extreme_target(setting) or self.target
+
+    @property
+    def goal(self) -> Goal | None:
+        """None for a time or a period."""
+        return GOALS[self.target.quantity] if self.target is not None else None
+
+    @cached_property
+    def harmonic(self) -> Harmonic:
+        """The oscillation; UnsolvedError where there is none, or more than one."""
+        motion = self.motion
+        if len(motion.free) != 1:
+            raise UnsolvedError("there are several modes")
+        if motion.damped or any(motion.laws.rough.values()):
+            raise UnsolvedError("it is damped")
+        i = motion.free[0]
+        name = self.book.fresh("x")
+        self.introduce({i: name})
+        return Harmonic(self.book, motion, name, self.first(i))
+
+    def write(self) -> Symbol:
+        """By the kind of the query."""
+        query, held = self.query, self.harmonic
+        _ = held.numbers
+        if isinstance(query, PeriodQuery):
+            return self._period(query)
+        if self.target is None or self.goal is None:
+            return self._time
+        return self.goal.write(self.target, self)
+
+    def _period(self, query: PeriodQuery) -> Symbol:
+        rate = self.harmonic.rate
+        if query.measure == "angular frequency":
+            return rate
+        if query.measure == "frequency":
+            return self.book.told("period", "The frequency is", self.book.fresh("f"), rate / (2.0 * PI), HERTZ)
+        return self.book.told("period", "The period is", self.book.fresh("T"), 2.0 * PI / rate, SECONDS)
+
+    # ---- the moment
+
+    @cached_property
+    def _when(self) -> float:
+        """The time, s, by the engine: of a greatest value, when that is taken."""
+        query, until = self.query, self.setting.time
+        functional = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
+        if not isinstance(query, StretchQuery) or not isinstance(functional, Extreme):
+            return until
+        times = np.array(self.harmonic.instants(until))
+        if not len(times):
+            raise UnsolvedError("the greatest value is no extremum of the oscillation")
+        heights = functional.height(self.setting.study.trace.sample(times), query.name)
+        return float(times[int(np.argmax(heights))])
+
+    @cached_property
+    def _angle(self) -> Expression:
+        """ωt."""
+        moment, held = self.query.moment, self.harmonic
+        if isinstance(moment, AtTime):
+            name = self.book.fresh("t")
+            self.book.say_given(name.name, moment.after, SECONDS)
+            return held.rate * name
+        if held.turns(self._when):
+            return held.angle_of_turning(self._when)
+        return held.angle_of(self._place, self._when)
+
+    @cached_property
+    def _time(self) -> Symbol:
+        """When the moment comes."""
+        said = "That is the case at the time"
+        return self.book.told("time", said, self.book.fresh("t"), self._angle / self.harmonic.rate, SECONDS)
+
+    @cached_property
+    def _extreme(self) -> bool:
+        """Whether the moment is that of a greatest value."""
+        return extreme_target(self.setting) is not None
+
+    @cached_property
+    def _timed(self) -> bool:
+        return isinstance(self.query.moment, AtTime) and not self._extreme
+
+    @cached_property
+    def _place(self) -> Expression:
+        """How far the free coordinate has come."""
+        held, moment = self.harmonic, self.query.moment
+        if self._timed:
+            formula: Expression = ZERO
+            if held.rest != ZERO:
+                formula = held.rest - held.rest * Call("cos", self._angle)
+            if held.begun != ZERO:
+                formula = formula + held.begun * Call("sin", self._angle)
+            return self.book.told("place", "It has come as far as", held.name, formula, METRES)
+        if not self._extreme:
+            if isinstance(moment, NaturalLength):
+                return self._relaxed(moment.name)
+            if isinstance(moment, Moved):
+                return self._moved(moment)
+        if held.turns(self._when):
+            return self.book.told("place", "It turns back at", held.name, held.turning(self._when), METRES)
+        if abs(held.where(self._when)[0] - held.numbers[1]) > 1e-6 * held.size:
+            raise UnsolvedError("the moment is no mark of an oscillation")
+        return held.rest
+
+    def _relaxed(self, spring: str) -> Expression:
+        """Where a spring has its natural length."""
+        part = self.motion.drawn(self._number(spring), self.motion.free[0])
+        formula = (self.spring("strain", spring).scaled(-1.0 / part)).expression()
+        if formula == ZERO:
+            return ZERO
+        name = self.setting.springs[spring]
+        what = f"{name[:1].upper()}{name[1:]} has its natural length at"
+        return self.book.told("place", what, self.harmonic.name, formula, METRES)
+
+    def _moved(self, moment: Moved) -> Expression:
+        """Where a body has moved so far."""
+        k, *_ = self.moving([moment.name])
+        name = self.book.fresh("d")
+        self.book.say_given(name.name, moment.value, METRES)
+        part = self.motion.ratio(k, self.motion.free[0])
+        sign = 1.0 if self.harmonic.where(self._when)[0] * part > 0.0 else -1.0
+        return name * (sign / part) if sign / part != 1.0 else name
+
+    @cached_property
+    def _speed(self) -> Expression:
+        """How fast the free coordinate changes."""
+        held = self.harmonic
+        if not self._timed and held.turns(self._when):
+            return ZERO
+        step, name = self.book.open("speed"), self.book.fresh("v")
+        if self._timed:
+            formula: Expression = ZERO
+            if held.rest != ZERO:
+                formula = held.rest * held.rate * Call("sin", self._angle)
+            if held.begun != ZERO:
+                formula = formula + self.first(self.motion.free[0]).expression() * Call("cos", self._angle)
+            step.say(f"Its speed is then {step.result(name, formula, SPEED, law=True)}.")
+        else:
+            sign = 1.0 if held.where(self._when)[1] > 0.0 else -1.0
+            place, rest = self._place, held.rest
+            apart = place if rest == ZERO else -rest if place == ZERO else place - rest
+            if place == rest:
+                formula = held.rate * held.amplitude
+                what = "At the place of balance it is fastest,"
+            else:
+                formula = held.rate * Root(Power(held.amplitude, 2) - Power(apart, 2))
+                what = "So far from the place of balance its speed is"
+            step = self.book.open("speed")
+            step.say(f"{what} {step.result(name, formula if sign > 0.0 else -formula, SPEED, law=True)}.")
+        step.close()
+        return name
+
+    # ---- what goals ask
+
+    @property
+    def stretches(self) -> Sequence[Stretch]:
+        """The whole motion, with the places where it turns back."""
+        held, until = self.harmonic, self.setting.time
+        turns = [time for time in held.instants(until) if held.turns(time) and time < until * (1.0 - EARLY)]
+        places: list[Expression] = [ZERO]
+        for time in turns:
+            name = self.book.fresh(held.name.name.partition("_")[0])
+            places.append(self.book.told("turning", "It turns back at", name, held.turning(time), METRES))
+        return [Travelled(self, [*places, self._place])]
+
+    def place(self, i: int) -> Polynomial:
+        """How far it has come."""
+        del i
+        return _of(self._place)
+
+    def speed(self, i: int) -> Polynomial:
+        """How fast."""
+        del i
+        return _of(self._speed)
+
+    @cached_property
+    def _acceleration(self) -> Symbol:
+        held, place, rest = self.harmonic, self._place, self.harmonic.rest
+        apart = rest if place == ZERO else -place if rest == ZERO else rest - place
+        formula = Power(held.rate, 2) * apart
+        said = "It is accelerated towards the place of balance by"
+        return self.book.told("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
+
+    def acceleration(self, i: int) -> Polynomial:
+        """−ω² (x − x₀)."""
+        del i
+        return NIL if self._place == self.harmonic.rest else _of(self._acceleration)
+
+
+def _of(held: Expression) -> Polynomial:
+    """A formula as a polynomial of one symbol."""
+    return NIL if held == ZERO else Polynomial.of(held)
