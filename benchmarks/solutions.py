@@ -38,6 +38,7 @@ SHARES = {  # what is counted, of what, and at least how much of it
     "are derived": ("derived", "solved", 0.0),
     "without a fault of the checks": ("sound", "solved", 1.0),
     "two strategies agree": ("agree", "several", 1.0),
+    "second derivations without a fault": ("others that are sound", "others", 1.0),
     "equalities read and right": ("right", "equalities", 0.98),
     "planted numbers caught": ("caught numbers", "planted numbers", 0.95),
     "planted signs caught": ("caught signs", "planted signs", 0.95),
@@ -86,10 +87,15 @@ def planted(text: str, rng: random.Random) -> Iterator[tuple[str, str]]:
             yield kind, text[: at.start()] + put + text[at.end() :]
 
 
-def disagreement(setting: Setting) -> tuple[int, bool]:
-    """How many strategies derive an answer, and whether two of them differ."""
-    held = [solution.answer for strategy in DERIVED if (solution := by(strategy, setting)).answer is not None]
-    return len(held), any(abs(one - held[0]) > AGREED * abs(held[0]) for one in held[1:])
+def derivations(setting: Setting) -> list[Solution]:
+    """The derivations by all strategies that apply."""
+    return [solution for strategy in DERIVED if (solution := by(strategy, setting)).answer is not None]
+
+
+def differ(held: list[Solution]) -> bool:
+    """Whether two derivations lead to different answers."""
+    answers = [solution.answer for solution in held if solution.answer is not None]
+    return any(abs(one - answers[0]) > AGREED * abs(answers[0]) for one in answers[1:])
 
 
 def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numeric", units: str = SI) -> int:
@@ -128,19 +134,22 @@ def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numer
 def _wrong(item: Item, setting: Setting, solution: Solution, tally: Tally) -> Iterator[str]:
     """What checks, other strategies and the grader have to say."""
     assert setting.answer is not None
-    found = faults(solution, setting.answer, SEEN.get(setting.query.kind, WELL))
-    several, differ = disagreement(setting)
+    near = SEEN.get(setting.query.kind, WELL)
+    found, held = faults(solution, setting.answer, near), derivations(setting)
+    others = [other for other in held if other.strategy != solution.strategy]
     graded = grade(item, solution.text)
     tally.count.update(
         solved=1,
         derived=solution.derived,
         sound=not found,
-        several=several > 1,
-        agree=several > 1 and not differ,
+        several=len(held) > 1,
+        agree=len(held) > 1 and not differ(held),
+        others=len(others),
+        **{"others that are sound": sum(not faults(other, setting.answer, near) for other in others)},
         graded=graded.reward == 1.0,
     )
     yield from found
-    if differ:
+    if differ(held):
         yield "two strategies disagree"
     if graded.reward != 1.0:
         yield f"graded {graded}"

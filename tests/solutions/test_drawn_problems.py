@@ -117,15 +117,19 @@ def faulty(text: str, rng: random.Random) -> list[str]:
     return found
 
 
-def test_strategies_check_each_other() -> None:
-    both = 0
-    for recipe in ("pulley", "hybrid", "projectile"):
-        for setting in problems(recipe, "easy", 10):
-            found: list[Solution] = [by(strategy, setting) for strategy in STRATEGIES.values()]
-            answers = [solution.answer for solution in found if solution.answer is not None]
-            both += len(answers) > 1
-            assert all(answer == pytest.approx(answers[0], rel=1e-9) for answer in answers)
-    assert both
+@pytest.mark.parametrize(("recipe", "difficulty"), [("pulley", "hard"), ("hybrid", "easy"), ("box", "medium")])
+def test_strategies_check_each_other(recipe: str, difficulty: str) -> None:
+    """All derivations that there are agree, to 1e-9, and are without a fault; most problems have two."""
+    both = several = 0
+    for setting in problems(recipe, difficulty, 8):
+        held = [by(strategy, setting) for strategy in STRATEGIES.values() if not strategy.integrates]
+        found: list[Solution] = [solution for solution in held if solution.answer is not None]
+        several, both = several + 1, both + (len(found) > 1)
+        assert setting.answer is not None
+        for solution in found:
+            assert solution.answer == pytest.approx(found[0].answer, rel=1e-9)
+            assert not faults(solution, setting.answer), solution.text
+    assert 2 * both >= several
 
 
 @pytest.mark.parametrize("recipe", ["springs", "pendulum", "orbital"])
@@ -139,5 +143,5 @@ def test_what_no_strategy_covers_says_so(recipe: str) -> None:
 
 def test_a_kind_that_no_strategy_answers_says_so() -> None:
     setting = next(iter(problems("pulley", "easy", 4)))
-    other = replace(setting, query=replace(setting.query, kind="equilibrium"))
-    assert solve(other).reason == "no strategy applies: none has a way to the kind equilibrium"
+    other = replace(setting, query=replace(setting.query, kind="guess"))
+    assert solve(other).reason == "no strategy applies: none has a way to the kind guess"

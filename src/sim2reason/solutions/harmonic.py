@@ -6,12 +6,15 @@ from math import atan2, cos, pi, sin, sqrt
 
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.fractions import over
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.linear_motion import LinearMotion
 from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.relative_motion import RelativeMotion
 from sim2reason.solutions.unit_latex import latex
 
 METRES, SECONDS, RADIANS, SPEED = latex("m"), latex("s"), latex("rad"), latex("m/s")
+HALF = Number(0.5)
 LITTLE = 1e-7  # of the amplitude
 
 
@@ -20,7 +23,7 @@ class Harmonic:
     """x(t) = x₀ (1 − cos ωt) + (v₀/ω) sin ωt, `name` being x, of a system with one free coordinate."""
 
     book: Book
-    motion: LinearMotion
+    motion: LinearMotion | RelativeMotion
     name: Symbol
     first: Polynomial  # v₀
 
@@ -103,7 +106,9 @@ class Harmonic:
         step = self.book.open("balance")
         law = step.law(self.stiffness * name, load.expression())
         step.say(f"All forces balance at ${name.name}$, where {law},")
-        step.say(f"so {step.result(name, load.expression() / self.stiffness, METRES)}.")
+        held = self.motion.stiffness(self._free, self._free)
+        formula = over(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
+        step.say(f"so {step.result(name, formula, METRES)}.")
         step.close()
         return name
 
@@ -141,14 +146,16 @@ class Harmonic:
         omega = self.numbers[0]
         apart = place - self.rest if self.rest != ZERO else place
         if self.rest == ZERO:
-            plain, base = Call("arcsin", self._share(place, self.begun)), ZERO
+            base: Expression = ZERO
+            plain: Expression = Call("arcsin", self._share(place, self.begun))
             options = [(plain, 0.0, 1.0), (plain, 1.0, -1.0)]
         elif self.begun == ZERO:
-            share = self._share(place, self.rest)
-            plain, base = Call("arccos", ONE - share), ZERO
+            base, plain = ZERO, Call("arccos", ONE - self._share(place, self.rest))
             options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
         else:
-            plain, base = Call("arccos", apart / self.amplitude), self._first_phase
+            level = abs(self.book.value(apart)) <= LITTLE * self.size
+            plain = HALF * PI if level else Call("arccos", apart / self.amplitude)
+            base = self._first_phase
             options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
         start = self.book.value(base) if base != ZERO else 0.0
         best = (float("inf"), ZERO, 0.0)

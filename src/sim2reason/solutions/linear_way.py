@@ -3,6 +3,7 @@
 from abc import abstractmethod
 from functools import cached_property
 
+from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact.motion import Segment
@@ -13,6 +14,7 @@ from sim2reason.solutions.goals import Components
 from sim2reason.solutions.linear_motion import LinearMotion
 from sim2reason.solutions.newton import Newton, Row
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.shared import NEWTONS
 from sim2reason.solutions.way import STILL, Way
@@ -45,8 +47,13 @@ class LinearWay(Way):
             raise UnsolvedError("something changes on the way")
         return held[0]
 
+    @property
+    def motion(self) -> LinearMotion | RelativeMotion:
+        """What goals are answered from: all of it, or what is left where a momentum is kept."""
+        return self.linear
+
     @cached_property
-    def motion(self) -> LinearMotion:
+    def linear(self) -> LinearMotion:
         """Its equations; free is best what the question is about."""
         moment = self.query.moment
         names = [name for name in (moment.subjects if moment is not None else ()) if name in self.mechanism.body]
@@ -69,10 +76,15 @@ class LinearWay(Way):
         """The rate of a free coordinate at the start."""
         return self.first_speeds.get(i, NIL)
 
+    def seen(self, row: Array) -> float:
+        """Of the engine's values of all coordinates, that of the only free one."""
+        i = self.motion.free[0]
+        return self.newton.scale[i].here * float(row[i])
+
     def introduce(self, names: dict[int, Symbol]) -> None:
         """Say what the free coordinates are called, and how far the others go."""
         step = self.book.open("names")
-        said = [f"${name.name}$ be how far {self._who(i)} has moved {self._way(i)}" for i, name in names.items()]
+        said = [f"${name.name}$ be how far {self._who(i)} has moved {self.towards(i)}" for i, name in names.items()]
         step.say(f"Let {joined(said)} since the start.")
         bound: list[str] = []
         for k, parts in self.motion.ratios.items():
@@ -90,7 +102,8 @@ class LinearWay(Way):
         rim = own.kind == "hinge" and not self.moving([own.body]).count(k)
         return f"the rim of {called}" if rim else called
 
-    def _way(self, k: int) -> str:
+    def towards(self, k: int) -> str:
+        """The direction of a coordinate, in words."""
         held = self.mechanism.coordinates[k]
         if held.kind == "hinge":
             return "anticlockwise" if held.axis[2] > STILL else "round its axis"
@@ -177,15 +190,17 @@ class LinearWay(Way):
 
     def _from(self, row: Row, asked: str, kind: str, name: str) -> Symbol:
         known = {f"q{k}": self.rate("a", k) for k in self.motion.ratios}
-        for n in self.motion.springs:
+        for n in self.motion.laws.springs:
             line = self.mechanism.lines[n].name
             extension = self.spring("strain", line) + self.growth("s", line)
             known[f"S{n}"] = self.spring("stiffness", line) * extension
             if damping := self.spring("damping", line):
                 known[f"S{n}"] = known[f"S{n}"] + damping * self.growth("v", line)
         found = self.book.fresh(kind, self.setting.mark(name) if name in self.mechanism.body else "")
-        forces = row.forces.put({**known, asked: Polynomial.of(found)})
-        inertia = row.inertia.put(known)
+        bound = (row.forces - row.inertia).put(known)
+        turned = kind == "f" and self.book.value(solved(bound, asked)) < 0.0
+        named = {asked: Polynomial.of(found).scaled(-1.0 if turned else 1.0)}
+        forces, inertia = row.forces.put(known).put(named), row.inertia.put(known)
         step = self.book.open("newton")
         who = self.setting.called(self.mechanism.coordinates[row.number].body) if row.kind == "newton" else "it"
         where = "" if row.kind == "newton" else "Perpendicular to its face: "

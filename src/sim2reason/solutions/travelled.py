@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+import numpy as np
+
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -14,6 +16,7 @@ from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
 
+FINE, LEVELS = 64, 4  # parts of what is searched for a greatest value, and how often
 EARLY = 1e-6  # of the stretch: what turns back at its end does not count
 
 
@@ -24,6 +27,20 @@ def extreme_target(setting: Setting) -> Target | None:
         return None
     held = FUNCTIONALS[query.functional]
     return Target(held.quantity.name, query.name) if isinstance(held, Extreme) else None
+
+
+def time_of_greatest(setting: Setting) -> float:
+    """When the motion takes the greatest value that is asked for, s, near enough for Newton's method."""
+    query, trace, low, high = setting.query, setting.study.trace, 0.0, setting.time
+    assert isinstance(query, StretchQuery)
+    functional, best = FUNCTIONALS[query.functional], high
+    assert isinstance(functional, Extreme)
+    for level in range(LEVELS):
+        times = np.linspace(low, high, FINE * (8 if level == 0 else 1) + 1)
+        best = float(times[int(np.argmax(functional.height(trace.sample(times), query.name)))])
+        width = 2.0 * (times[1] - times[0])
+        low, high = max(0.0, best - width), min(setting.time, best + width)
+    return best
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,9 +7,6 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.quantities.subjects.pairs import members
-from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.functionals.parts.extreme import Extreme
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.most_compressed import MostCompressed
 from sim2reason.questions.moments.most_stretched import MostStretched
@@ -30,12 +27,10 @@ from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import ACCELERATION, HERTZ
 from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target
+from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target, time_of_greatest
 from sim2reason.solutions.unit_latex import latex
 
-FINE = 64  # parts of what is searched for a greatest value
 SCAN = 2001
-LEVELS = 4
 Law = Callable[[list[Mode], int, Symbol], Expression]
 
 
@@ -71,7 +66,9 @@ class _Modal(LinearWay):
 
     @cached_property
     def _all(self) -> NormalModes:
-        motion = self.motion
+        motion = self.linear
+        if not motion.free:
+            raise UnsolvedError("nothing moves")
         if motion.damped or any(motion.laws.rough.values()):
             raise UnsolvedError("it is damped")
         marks = {i: self.setting.mark(self.mechanism.coordinates[i].body) for i in motion.free}
@@ -151,7 +148,7 @@ class _Modal(LinearWay):
         value = value + self._goes_on
         step = self.book.open("time")
         step.say(f"{capital(said)} when {step.law(value, ZERO)}.")
-        step.say(told_root(self.book, step, name, value, self._when, SECONDS, "Found numerically, that is at"))
+        step.say(told_root(self.book, step, name, value, self._when, SECONDS, "Numerically,"))
         step.close()
         return name
 
@@ -200,7 +197,10 @@ class _Modal(LinearWay):
         """What is zero where the quantity has its greatest value: the next derivative of what it hangs on."""
         assert self.target is not None
         assert self.goal is not None
-        law: Law = {"s": speed, "v": acceleration, "a": jerk}[self.goal.uses]
+        laws: dict[str, Law] = {"s": speed, "v": acceleration, "a": jerk}
+        if self.goal.uses not in laws:
+            raise UnsolvedError("the greatest value is of a force")
+        law = laws[self.goal.uses]
         said = "The greatest value is taken"
         lines, bodies = [*self.goal.lines(self.target)], [*self.goal.bodies(self.target)]
         if lines:
@@ -215,20 +215,10 @@ class _Modal(LinearWay):
             raise UnsolvedError("a distance of something else")
         return said, found, law
 
-    @cached_property
+    @property
     def _when(self) -> float:
         """The time, s, by the engine: of a greatest value, when that is taken."""
-        query, until, trace = self.query, self.setting.time, self.setting.study.trace
-        functional = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
-        if not isinstance(query, StretchQuery) or not isinstance(functional, Extreme):
-            return until
-        low, high, best = 0.0, until, until
-        for level in range(LEVELS):
-            times = np.linspace(low, high, FINE * (8 if level == 0 else 1) + 1)
-            best = float(times[int(np.argmax(functional.height(trace.sample(times), query.name)))])
-            width = 2.0 * (times[1] - times[0])
-            low, high = max(0.0, best - width), min(until, best + width)
-        return best
+        return time_of_greatest(self.setting) if self._extreme_asked else self.setting.time
 
     # ---- what goals ask
 
@@ -245,7 +235,7 @@ class _Modal(LinearWay):
             step, time = self.book.open("turning"), self.book.fresh("t")
             value = speed(self._modes, self.motion.free.index(i), time)
             step.say(f"It turns back when {step.law(value, ZERO)}.")
-            step.say(told_root(self.book, step, time, value, near, SECONDS, "Found numerically, once that is at"))
+            step.say(told_root(self.book, step, time, value, near, SECONDS, "Numerically,"))
             step.close()
             places.append(self._at(i, time))
         places.append(self._at(i, last))
@@ -260,12 +250,12 @@ class _Modal(LinearWay):
         until = self.setting.time
         times = np.linspace(0.0, until, SCAN)
         speeds = self.setting.study.trace.sample(times).v[:, i]
-        size, found = float(np.abs(speeds).max()), list[float]()
+        moving = np.flatnonzero(np.abs(speeds) > EARLY * float(np.abs(speeds).max()))
+        times, speeds = times[moving], speeds[moving]
+        found: list[float] = []
         for n in np.flatnonzero(speeds[:-1] * speeds[1:] < 0.0):
             share = speeds[n] / (speeds[n] - speeds[n + 1])
-            time = float(times[n] + share * (times[n + 1] - times[n]))
-            if time < until * (1.0 - EARLY) and abs(float(speeds[n])) > EARLY * size:
-                found.append(time)
+            found.append(float(times[n] + share * (times[n + 1] - times[n])))
         return found
 
     def _told(self, law: Law, i: int, base: str, unit: str, said: str) -> Polynomial:

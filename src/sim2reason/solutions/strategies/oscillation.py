@@ -21,6 +21,7 @@ from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.goals import GOALS, Goal, Stretch
 from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic
 from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.pair_way import PairWay
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
@@ -53,7 +54,8 @@ class Oscillation(Strategy):
 
     def write(self, setting: Setting, book: Book) -> str:
         """The place of balance and the angular frequency, then the moment."""
-        return Oscillating(setting, book).write().name
+        way = Oscillating(setting, book)
+        return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
 
 
 class Oscillating(LinearWay):
@@ -120,12 +122,21 @@ class Oscillating(LinearWay):
         """ωt."""
         moment, held = self.query.moment, self.harmonic
         if isinstance(moment, AtTime):
-            name = self.book.fresh("t")
-            self.book.say_given(name.name, moment.after, SECONDS)
-            return held.rate * name
+            return held.rate * self._given_time
         if held.turns(self._when):
             return held.angle_of_turning(self._when)
         return held.angle_of(self._place, self._when)
+
+    @cached_property
+    def _given_time(self) -> Symbol:
+        moment, name = self.query.moment, self.book.fresh("t")
+        assert isinstance(moment, AtTime)
+        self.book.say_given(name.name, moment.after, SECONDS)
+        return name
+
+    def clock(self) -> Symbol:
+        """The time of the moment."""
+        return self._given_time if self._timed else self._time
 
     @cached_property
     def _time(self) -> Symbol:
@@ -225,16 +236,6 @@ class Oscillating(LinearWay):
             places.append(self.book.told("turning", "It turns back at", name, held.turning(time), METRES))
         return [Travelled(self, [*places, self._place])]
 
-    def place(self, i: int) -> Polynomial:
-        """How far it has come."""
-        del i
-        return _of(self._place)
-
-    def speed(self, i: int) -> Polynomial:
-        """How fast."""
-        del i
-        return _of(self._speed)
-
     @cached_property
     def _acceleration(self) -> Symbol:
         held, place, rest = self.harmonic, self._place, self.harmonic.rest
@@ -243,12 +244,41 @@ class Oscillating(LinearWay):
         said = "It is accelerated towards the place of balance by"
         return self.book.told("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
 
+    def along(self, kind: str) -> Polynomial:
+        """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate."""
+        if kind == "a":
+            return NIL if self._place == self.harmonic.rest else Polynomial.of(self._acceleration)
+        held = self._place if kind == "s" else self._speed
+        return NIL if held == ZERO else Polynomial.of(held)
+
+    def place(self, i: int) -> Polynomial:
+        """How far it has come."""
+        del i
+        return self.along("s")
+
+    def speed(self, i: int) -> Polynomial:
+        """How fast."""
+        del i
+        return self.along("v")
+
     def acceleration(self, i: int) -> Polynomial:
         """−ω² (x − x₀)."""
         del i
-        return NIL if self._place == self.harmonic.rest else _of(self._acceleration)
+        return self.along("a")
 
 
-def _of(held: Expression) -> Polynomial:
-    """A formula as a polynomial of one symbol."""
-    return NIL if held == ZERO else Polynomial.of(held)
+class _Pair(PairWay, Oscillating):
+    """Two bodies that a spring joins, of which nothing outside pulls: their relative motion oscillates."""
+
+    @property
+    def stretches(self) -> Sequence[Stretch]:
+        """A body goes on while it swings."""
+        raise UnsolvedError("its path is no path of the relative motion")
+
+    def clock(self) -> Symbol:
+        """The time of the moment."""
+        return Oscillating.clock(self)
+
+    def relative(self, kind: str) -> Polynomial:
+        """Of the relative motion."""
+        return self.along(kind)

@@ -1,0 +1,123 @@
+"""Two free coordinates with a momentum that is kept, by which what both share follows from their relative motion."""
+
+from abc import abstractmethod
+from functools import cached_property
+
+from sim2reason.dsl.state import Array
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.solutions.book import UnsolvedError
+from sim2reason.solutions.elimination import solved
+from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.relative_motion import RelativeMotion
+from sim2reason.solutions.stage import METRES, SPEED
+from sim2reason.solutions.unit_latex import latex
+
+
+class PairWay(LinearWay):
+    """A way for the relative motion, with what momentum says of the rest."""
+
+    @property
+    def motion(self) -> RelativeMotion:
+        """The relative motion."""
+        return self._relative
+
+    @cached_property
+    def _relative(self) -> RelativeMotion:
+        """UnsolvedError where the moment is about a body that does not move by it alone."""
+        found, moment = RelativeMotion(self.linear, self.book), self.query.moment
+        if isinstance(moment, Moved | Stopped) and not isinstance(self.query, StretchQuery):
+            ways = [{*found.ratios[k]} for k in self.moving([moment.name])]
+            if ways != [{*found.free}]:
+                raise UnsolvedError("the moment is not about the relative motion")
+        return found
+
+    @abstractmethod
+    def clock(self) -> Symbol:
+        """The time of the moment."""
+
+    @abstractmethod
+    def relative(self, kind: str) -> Polynomial:
+        """Place ``s``, speed ``v`` or acceleration ``a`` of the relative motion."""
+
+    def first(self, i: int) -> Polynomial:
+        """The rate at the start: of the relative motion, or of what is shared."""
+        held = self._relative
+        mine = self.first_speeds.get(i, NIL)
+        if i == held.other:
+            return mine
+        return mine - self.first_speeds.get(held.other, NIL).scaled(held.shared)
+
+    def seen(self, row: Array) -> float:
+        """Of the relative motion."""
+        held, scale = self._relative, self.newton.scale
+        i, j = held.free[0], held.other
+        return scale[i].here * float(row[i]) - held.shared * scale[j].here * float(row[j])
+
+    def introduce(self, names: dict[int, Symbol]) -> None:
+        """What the relative motion is called."""
+        held, step = self._relative, self.book.open("names")
+        ((i, name),) = names.items()
+        who, other = (self.setting.called(self.mechanism.coordinates[k].body) for k in (i, held.other))
+        apart = f" relative to {other}" if held.shared or self.mechanism.coordinates[i].body else ""
+        step.say(f"Let ${name.name}$ be how far {who} has moved {self.towards(i)}{apart} since the start.")
+        step.close()
+
+    @property
+    def kept(self) -> Polynomial:
+        """The momentum."""
+        held = self._relative
+        return held.momentum({i: self.first(i) for i in (held.other, *held.free)})
+
+    # ---- what both share
+
+    def _balanced(self, base: str, unit: str, kind: str, total: Polynomial, said: str) -> Polynomial:
+        """From: mass times what is shared + mass times what is relative = a total."""
+        if base in self._told:
+            return self._told[base]
+        shared, both, _ = self._relative.masses
+        mark = self.setting.mark(self.mechanism.coordinates[self._relative.other].body)
+        step, name = self.book.open("momentum"), self.book.fresh(base, mark)
+        left = shared * Polynomial.of(name) + both * self.relative(kind)
+        law = step.law(left.collected([name.name]), total.expression())
+        step.say(f"{said} {law}, so {step.result(name, solved(left - total, name.name), unit)}.")
+        step.close()
+        self._told[base] = Polynomial.of(name)
+        return self._told[base]
+
+    @cached_property
+    def _told(self) -> dict[str, Polynomial]:
+        return {}
+
+    def _partner(self) -> str:
+        return self.setting.called(self.mechanism.coordinates[self._relative.other].body)
+
+    def place(self, i: int) -> Polynomial:
+        """Of the relative motion, or what is shared: where the centre of mass is."""
+        if i != self._relative.other:
+            return self.relative("s")
+        total = self.kept
+        if total:
+            total = total * Polynomial.of(self.clock())
+        if not total and not self.relative("s"):
+            return NIL
+        said = f"The centre of mass moves as the momentum that is kept says; with the displacement of {self._partner()}"
+        return self._balanced("s", METRES, "s", total, said)
+
+    def speed(self, i: int) -> Polynomial:
+        """Of the relative motion, or what is shared."""
+        if i != self._relative.other:
+            return self.relative("v")
+        if not self.kept and not self.relative("v"):
+            return NIL
+        return self._balanced("v", SPEED, "v", self.kept, f"Momentum is kept; with the velocity of {self._partner()}")
+
+    def acceleration(self, i: int) -> Polynomial:
+        """Of the relative motion, or what is shared."""
+        if i != self._relative.other:
+            return self.relative("a")
+        said = f"The centre of mass is not accelerated; with the acceleration of {self._partner()}"
+        return self._balanced("a", latex("m/s^2"), "a", NIL, said)

@@ -1,0 +1,299 @@
+"""Energy: what has one way to move gains as much kinetic energy as weights, friction, hands and springs do work.
+
+See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 5.
+"""
+
+from functools import cached_property
+
+import numpy as np
+
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.fractions import over
+from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.goals import GOALS, Goal
+from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.stage import METRES, SECONDS, SPEED
+from sim2reason.solutions.strategies import Strategy, no_goal, strategy
+from sim2reason.solutions.travelled import extreme_target, time_of_greatest
+from sim2reason.solutions.unit_latex import latex
+
+MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping, MostStretched, MostCompressed, NaturalLength)
+HALF, RISE = Number(0.5), latex("m/s^2")
+STILL = 1e-6  # of the greatest speed
+
+
+@strategy
+class Energy(Strategy):
+    """One free coordinate; forces constant but for those of springs."""
+
+    name = "energy"
+    cost = 1.05
+    kinds = frozenset({"start", "state", "event", "time_to_event", "extremum"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if setting.mechanism.meetings:
+            return "something may collide"
+        if extreme_target(setting) is None and (unknown := no_goal(setting, MOMENTS)):
+            return unknown
+        target = extreme_target(setting)
+        return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The work, the kinetic energy, then what is asked."""
+        return Working(setting, book).write().name
+
+
+class Working(LinearWay):
+    """Speeds by energy; accelerations by power."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Of a greatest value, the quantity whose value it is."""
+        super().__init__(setting, book)
+        self.greatest = extreme_target(setting) is not None
+        self.target = extreme_target(setting) or self.target
+
+    @property
+    def goal(self) -> Goal | None:
+        """None for a time."""
+        return GOALS[self.target.quantity] if self.target is not None else None
+
+    @cached_property
+    def _i(self) -> int:
+        """The free coordinate."""
+        if len(self.motion.free) != 1:
+            raise UnsolvedError("several things move by themselves")
+        if self.motion.damped:
+            raise UnsolvedError("it is damped")
+        return self.motion.free[0]
+
+    @cached_property
+    def _name(self) -> Symbol:
+        name = self.book.fresh("x")
+        self.introduce({self._i: name})
+        return name
+
+    def write(self) -> Symbol:
+        """The time, or the goal."""
+        _ = self._name
+        return self._time if self.target is None or self.goal is None else self.goal.write(self.target, self)
+
+    # ---- the sums
+
+    @cached_property
+    def _mass(self) -> Expression:
+        """That of the whole, as if all moved as x does."""
+        return self.motion.mass(self._i, self._i).factored()
+
+    def _work(self, x: Expression) -> Expression:
+        """Of all forces from the start to a place."""
+        found = self.motion.steady(self._i)
+        whole: Expression = found.factored() * x if found else ZERO
+        for n in self.motion.springs:
+            stiffness = self.motion.laws.stiffness(n).expression()
+            strain, part = self.motion.laws.strain(n), self.motion.drawn(n, self._i)
+            there = strain.expression() + (x if part == 1.0 else -x if part == -1.0 else Number(part) * x)
+            before = Power(strain.expression(), 2) if strain else ZERO
+            whole = whole + HALF * stiffness * (before - Power(there, 2))
+        return whole
+
+    @cached_property
+    def _first(self) -> Expression:
+        return self.first(self._i).expression()
+
+    def _kinetic(self, v: Expression) -> Expression:
+        return HALF * self._mass * Power(v, 2)
+
+    # ---- the moment
+
+    @cached_property
+    def _engine(self) -> tuple[float, float]:
+        """Place and speed of the free coordinate at the moment, of a greatest value where that is taken."""
+        time = time_of_greatest(self.setting) if self.greatest else self.setting.time
+        state = self.setting.study.trace.sample(np.array([time]))
+        return self.seen(state.q[0]), self.seen(state.v[0])
+
+    @cached_property
+    def _turns(self) -> bool:
+        """Whether it stands still at the moment."""
+        if not self.greatest:
+            return isinstance(self.query.moment, Stopped | MostStretched | MostCompressed | StoppedSlipping)
+        speeds = [abs(self.seen(row)) for row in self.setting.study.trace.scan.v]
+        return abs(self._engine[1]) <= 1e-3 * max(speeds)
+
+    @cached_property
+    def _place(self) -> Expression:
+        """X at the moment."""
+        moment = self.query.moment
+        if self._turns:
+            return self._turning()
+        if self.greatest:
+            return self._fastest()
+        if isinstance(moment, AtStart):
+            return ZERO
+        if isinstance(moment, Moved):
+            return self._moved(moment)
+        if isinstance(moment, NaturalLength):
+            part = self.motion.drawn(self._number(moment.name), self._i)
+            formula = self.spring("strain", moment.name).scaled(-1.0 / part).expression()
+            said = f"{capital(self.setting.springs[moment.name])} has its natural length at"
+            return self.book.told("place", said, self._name, formula, METRES)
+        time = self._lasting
+        formula = self._first * time if self._first != ZERO else ZERO
+        formula = formula + HALF * self._rise * Power(time, 2)
+        return self.book.told("distance", "In this time it comes as far as", self._name, formula, METRES)
+
+    def _moved(self, moment: Moved) -> Expression:
+        k, *_ = self.moving([moment.name])
+        name = self.book.fresh("d")
+        self.book.say_given(name.name, moment.value, METRES)
+        part = self.motion.ratio(k, self._i)
+        factor = (1.0 if self._engine[0] * part > 0.0 else -1.0) / part
+        return name * factor if factor != 1.0 else name
+
+    def _turning(self) -> Symbol:
+        """Where all work has used up the kinetic energy of the start."""
+        step, name = self.book.open("energy"), self._name
+        first = self._kinetic(self._first) if self._first != ZERO else ZERO
+        law = step.law(first + self._work(name), ZERO)
+        load, stiffness = self.motion.load(self._i), self.motion.stiffness(self._i, self._i)
+        if not stiffness:
+            formula = -first / load.factored()
+        elif first == ZERO:
+            formula = over(load.scaled(2.0), stiffness)
+        else:
+            under = self._mass * stiffness.expression() * Power(self._first, 2)
+            size = load.factored() if self.book.value(load.factored()) > 0.0 else load.scaled(-1.0).factored()
+            root = Root(Power(size, 2) + under if load else under)
+            beyond = self._engine[0] > load.value(self.motion.givens) / stiffness.value(self.motion.givens)
+            above = load.expression() + root if beyond else load.expression() - root
+            formula = above / stiffness.expression()
+        step.say(f"Where it stands still, the work of all forces has used up what kinetic energy there was: {law},")
+        step.say(f"so {step.result(name, formula, METRES)}.")
+        step.close()
+        return name
+
+    def _fastest(self) -> Symbol:
+        """Where all forces balance, so that the kinetic energy is the greatest."""
+        stiffness, load = self.motion.stiffness(self._i, self._i), self.motion.load(self._i)
+        if not stiffness:
+            raise UnsolvedError("it never is in balance")
+        there = load.value(self.motion.givens) / stiffness.value(self.motion.givens)
+        if abs(there - self._engine[0]) > 1e-3 * max(abs(there), abs(self._engine[0]), STILL):
+            raise UnsolvedError("the greatest value is not where forces balance")
+        if not load:
+            raise UnsolvedError("it begins in balance")
+        step = self.book.open("balance")
+        law = step.law(stiffness.expression() * self._name, load.expression())
+        step.say(f"Its kinetic energy is the greatest where all forces balance: {law},")
+        step.say(f"so {step.result(self._name, over(load, stiffness), METRES)}.")
+        step.close()
+        return self._name
+
+    # ---- speed, acceleration, time
+
+    @cached_property
+    def _speed(self) -> Expression:
+        """Of x at the moment."""
+        if self._turns:
+            return ZERO
+        if isinstance(self.query.moment, AtStart):
+            return self._first
+        if isinstance(self.query.moment, AtTime) and not self.greatest:
+            time = self._lasting
+            formula = self._first + self._rise * time if self._first != ZERO else self._rise * time
+            return self.book.told("speed", "After this time", self.book.fresh("v"), formula, SPEED)
+        work = self._work(self._place)
+        if work == ZERO:
+            raise UnsolvedError("nothing does work")
+        step, name = self.book.open("energy"), self.book.fresh("v")
+        first = self._kinetic(self._first) if self._first != ZERO else ZERO
+        law = step.law(self._kinetic(name), first + work)
+        inner = 2.0 * work / self._mass
+        root = Root(Power(self._first, 2) + inner if self._first != ZERO else inner)
+        step.say(
+            "When $x$ changes at the rate $v$, all that moves has the kinetic energy on the left;".replace(
+                "$x$", f"${self._name.name}$"
+            ).replace("$v$", f"${name.name}$")
+        )
+        step.say(f"it grows by the work of all forces: {law},")
+        step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def _rise(self) -> Symbol:
+        """The acceleration of x: the kinetic energy grows at the rate of the power."""
+        pulls = self.motion.load(self._i).factored()
+        if self.motion.springs and not isinstance(self.query.moment, AtStart):
+            if isinstance(self.query.moment, AtTime) and not self.greatest:
+                raise UnsolvedError("energy says nothing of times where springs pull")
+            stiffness = self.motion.stiffness(self._i, self._i)
+            pulls = pulls - stiffness.expression() * self._place if self._place != ZERO else pulls
+        if pulls == ZERO:
+            raise UnsolvedError("nothing is accelerated")
+        step, name = self.book.open("power"), self.book.fresh("a")
+        law = step.law(self._mass * name, pulls)
+        said = "The kinetic energy grows at the rate at which all forces do work; divided by the speed,"
+        step.say(f"{said} {law}, so {step.result(name, pulls / self._mass, RISE)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def _lasting(self) -> Symbol:
+        """The time that is stated."""
+        if self.motion.springs:
+            raise UnsolvedError("energy says nothing of times where springs pull")
+        moment = self.query.moment
+        assert isinstance(moment, AtTime)
+        name = self.book.fresh("t")
+        self.book.say_given(name.name, moment.after, SECONDS)
+        return name
+
+    def clock(self) -> Symbol:
+        """The time of the moment: given, or found."""
+        return self._lasting if isinstance(self.query.moment, AtTime) else self._time
+
+    @cached_property
+    def _time(self) -> Symbol:
+        """By the mean of both speeds."""
+        if self.motion.springs:
+            raise UnsolvedError("energy says nothing of times where springs pull")
+        whole = self._speed + self._first if self._first != ZERO else self._speed
+        if self._speed == ZERO:
+            whole = self._first
+        said = "At a constant acceleration the mean speed is half the sum of the first and the last:"
+        return self.book.told("time", said, self.book.fresh("t"), 2.0 * self._place / whole, SECONDS)
+
+    # ---- what goals ask
+
+    def along(self, kind: str) -> Polynomial:
+        """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate."""
+        held = {"s": lambda: self._place, "v": lambda: self._speed, "a": lambda: self._rise}[kind]()
+        return NIL if held == ZERO else Polynomial.of(held)
+
+    def place(self, i: int) -> Polynomial:
+        """How far it has come."""
+        del i
+        return self.along("s")
+
+    def speed(self, i: int) -> Polynomial:
+        """How fast."""
+        del i
+        return self.along("v")
+
+    def acceleration(self, i: int) -> Polynomial:
+        """How fast that changes."""
+        del i
+        return self.along("a")

@@ -1,0 +1,158 @@
+"""Lagrange's equations: where several things move by themselves, energy and work give all accelerations at once.
+
+See Goldstein, Poole and Safko, Classical Mechanics, chapter 1.
+"""
+
+from collections.abc import Mapping
+from functools import cached_property
+
+import numpy as np
+
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.fractions import over
+from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.mode_laws import determinant
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.stage import METRES, SECONDS, SPEED
+from sim2reason.solutions.strategies import Strategy, no_goal, strategy
+from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.worked import Worked
+
+MOMENTS = (AtStart, AtTime, Moved)
+HALF = Number(0.5)
+
+
+@strategy
+class Lagrange(Strategy):
+    """Several free coordinates; all forces constant, but for springs at the start."""
+
+    name = "Lagrange's equations"
+    cost = 3.0
+    kinds = frozenset({"start", "state", "event", "time_to_event"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        if setting.mechanism.meetings:
+            return "something may collide"
+        return no_goal(setting, MOMENTS)
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The equations, the accelerations, then what is asked."""
+        way = _Together(setting, book)
+        if way.target is None or way.goal is None:
+            return way.time.name
+        return way.goal.write(way.target, way).name
+
+
+class _Together(LinearWay):
+    """All accelerations from one system of equations."""
+
+    @cached_property
+    def _free(self) -> list[int]:
+        free, motion = self.linear.free, self.linear
+        if len(free) < 2:
+            raise UnsolvedError("only one thing moves by itself")
+        if motion.damped and any(self.first(i) for i in free):
+            raise UnsolvedError("it is damped")
+        if motion.springs and not isinstance(self.query.moment, AtStart):
+            raise UnsolvedError("accelerations change as it moves")
+        return free
+
+    @cached_property
+    def _accelerations(self) -> Mapping[int, Symbol]:
+        """One after the other by Cramer's rule."""
+        free = self._free
+        marks = {i: self.setting.mark(self.mechanism.coordinates[i].body) for i in free}
+        places = {i: self.book.fresh("x", mark) for i, mark in marks.items()}
+        names = {i: self.book.fresh("a", mark) for i, mark in marks.items()}
+        self.introduce(places)
+        rows = [[self.linear.mass(i, j) for j in free] for i in free]
+        loads = [self.linear.load(i) for i in free]
+        said: list[str] = []
+        step = self.book.open("newton")
+        for row, load in zip(rows, loads, strict=True):
+            left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
+            said.append(step.law(left.collected([names[j].name for j in free]), load.factored()))
+        step.say(f"With the accelerations {joined([f'${name.name}$' for name in names.values()])} of these, kinetic")
+        step.say(f"energy and the work of all forces give Lagrange's equations {joined(said)}.")
+        step.label("equations")
+        step.close()
+        below = determinant(rows)
+        for n, i in enumerate(free):
+            above = determinant([[loads[r] if c == n else p for c, p in enumerate(row)] for r, row in enumerate(rows)])
+            step = self.book.open("solve")
+            step.rest_on("equations")
+            formula = over(above, below) if above else ZERO
+            hidden = self.book.is_hidden(formula)
+            held = formula if hidden else Worked(formula, self.book.value(formula))
+            step.say(f"By Cramer's rule {step.result(names[i], held, latex('m/s^2'))}.")
+            step.close()
+        return names
+
+    # ---- the moment
+
+    @cached_property
+    def time(self) -> Symbol:
+        """Of a moment that is not the start."""
+        moment, name = self.query.moment, self.book.fresh("t")
+        if isinstance(moment, AtTime):
+            self.book.say_given(name.name, moment.after, SECONDS)
+            return name
+        if not isinstance(moment, Moved):
+            raise UnsolvedError("it is the start")
+        k, *_ = self.moving([moment.name])
+        if any(self.first(i) for i in self.linear.ratios[k]):
+            raise UnsolvedError("it does not begin at rest")
+        far = self.book.fresh("d")
+        self.book.say_given(far.name, moment.value, METRES)
+        rise = self.rate("a", k)
+        there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
+        rise = rise if there > 0.0 else rise.scaled(-1.0)
+        step = self.book.open("time")
+        law = step.law(far, HALF * rise.expression() * Power(name, 2))
+        who = self.setting.called(moment.name)
+        step.say(f"From rest {who} has moved so far when {law},")
+        step.say(f"so {step.result(name, Root(2.0 * far / rise.expression()), SECONDS)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def _known(self) -> dict[tuple[str, int], Polynomial]:
+        return {}
+
+    def _told(self, base: str, i: int, formula: Expression, unit: str, said: str) -> Polynomial:
+        if formula == ZERO:
+            return NIL
+        if (base, i) not in self._known:
+            mark = self.setting.mark(self.mechanism.coordinates[i].body)
+            name = self.book.fresh(base, mark)
+            self._known[base, i] = Polynomial.of(self.book.told(base, said, name, formula, unit))
+        return self._known[base, i]
+
+    def place(self, i: int) -> Polynomial:
+        """½ a t² and what it would have come without."""
+        if isinstance(self.query.moment, AtStart):
+            return NIL
+        rise, first = self._accelerations[i], self.first(i)
+        formula = HALF * rise * Power(self.time, 2)
+        formula = first.expression() * self.time + formula if first else formula
+        return self._told("s", i, formula, METRES, "Until then it comes as far as")
+
+    def speed(self, i: int) -> Polynomial:
+        """A t and what it had."""
+        first = self.first(i)
+        if isinstance(self.query.moment, AtStart):
+            return first
+        formula = self._accelerations[i] * self.time
+        formula = first.expression() + formula if first else formula
+        return self._told("v", i, formula, SPEED, "By then it moves at")
+
+    def acceleration(self, i: int) -> Polynomial:
+        """The same all the while."""
+        return Polynomial.of(self._accelerations[i])

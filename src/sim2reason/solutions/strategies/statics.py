@@ -1,0 +1,105 @@
+"""Statics: where everything is at rest, all forces balance, those of springs and of friction included.
+
+See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 2.
+"""
+
+from collections.abc import Mapping
+from functools import cached_property
+
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.fractions import over
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.mode_laws import determinant
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.stage import METRES
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.worked import Worked
+
+
+@strategy
+class Statics(Strategy):
+    """A position of equilibrium on springs along lines; or the start, where nothing moves at all."""
+
+    name = "statics"
+    cost = 0.9
+    kinds = frozenset({"equilibrium", "start"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        target = setting.target
+        if target is None or target.quantity not in GOALS:
+            return f"no way to the quantity {target.quantity if target is not None else ''}"
+        return ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The balance of forces, then the goal."""
+        way = _AtRest(setting, book)
+        way.balance()
+        assert way.target is not None
+        return GOALS[way.target.quantity].write(way.target, way).name
+
+
+class _AtRest(LinearWay):
+    """Nothing is accelerated."""
+
+    def balance(self) -> None:
+        """UnsolvedError where something moves, or would move without end."""
+        free = self.motion.free
+        if isinstance(self.query.moment, AtStart):
+            if free or any(c.speed for c in self.mechanism.coordinates):
+                raise UnsolvedError("something moves")
+            step = self.book.open("rest")
+            step.say("Nothing moves, so all forces balance.")
+            step.close()
+        elif not free or not self.motion.springs:
+            raise UnsolvedError("nothing drives it back")
+
+    @cached_property
+    def _places(self) -> Mapping[int, Symbol]:
+        """Where the free coordinates are in equilibrium."""
+        free, motion = self.motion.free, self.motion
+        names = {i: self.book.fresh("x", self._mark(i)) for i in free}
+        self.introduce(names)
+        rows = [[motion.stiffness(i, j) for j in free] for i in free]
+        loads = [motion.load(i) for i in free]
+        below, said = determinant(rows), list[str]()
+        if not below:
+            raise UnsolvedError("it has no place of its own to rest")
+        step = self.book.open("balance")
+        for row, load in zip(rows, loads, strict=True):
+            left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
+            said.append(step.law(left.collected([names[j].name for j in free]), load.expression()))
+        step.say(f"There the forces of springs balance all others: {joined(said)}.")
+        step.label("balance")
+        step.close()
+        for n, i in enumerate(free):
+            above = determinant([[loads[r] if c == n else p for c, p in enumerate(row)] for r, row in enumerate(rows)])
+            formula = over(above, below)
+            plain = len(free) == 1 or self.book.is_hidden(formula)
+            step = self.book.open("solve")
+            step.rest_on("balance")
+            held = formula if plain else Worked(formula, self.book.value(formula))
+            step.say(f"So {step.result(names[i], held, METRES)}.")
+            step.close()
+        return names
+
+    def _mark(self, i: int) -> str:
+        return self.setting.mark(self.mechanism.coordinates[i].body) if len(self.motion.free) > 1 else ""
+
+    def place(self, i: int) -> Polynomial:
+        """Where it rests."""
+        return Polynomial.of(self._places[i])
+
+    def speed(self, i: int) -> Polynomial:
+        """None."""
+        del i
+        return NIL
+
+    def acceleration(self, i: int) -> Polynomial:
+        """None."""
+        del i
+        return NIL
