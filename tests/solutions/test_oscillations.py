@@ -189,7 +189,7 @@ def test_a_stiffness_is_found_from_a_time() -> None:
 
 
 def test_two_slabs_end_with_the_velocity_of_their_centre_of_mass() -> None:
-    """Momentum: (m + M) v = m u, on a smooth floor; how rough the slabs are does not matter, so accelerations do not."""
+    """Momentum: (m + M) v = m u, on a smooth floor; how rough they are does not matter, so accelerations do not."""
     slabs = StackedMassPlane(
         plane=Plane(angle=0.0, friction=0.0), lower=Slab(mass=3.0), upper=Slab(mass=1.0), friction=0.4, speed=2.0
     )

@@ -188,6 +188,12 @@ class Writing:
             self._book.formulas[name.name] = formula
         return relation.latex(None if self._book.is_hidden(formula) else value)
 
+    def verified(self, what: Expression, formula: Expression, unit: str) -> str:
+        """What something comes to on which nothing rests, so that an assumption can be judged by it."""
+        relation = Relation(what, formula, "verified", self._book.spelled(unit))
+        self._relations.append(relation)
+        return relation.latex(self._book.value(formula))
+
     def integrated(self, name: Symbol, value: float) -> str:
         """A known name with the value that a numerical integration gives it."""
         relation = Relation(name, Number(value), "integrated", self._book.units[name.name])

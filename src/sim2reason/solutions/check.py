@@ -65,7 +65,7 @@ def undetermined(solution: Solution) -> list[str]:
 
     Of an integration, the accelerations, at the state to which it leads.
     """
-    relations = [r for r in solution.relations if r.role not in KNOWN]
+    relations = [r for r in solution.relations if r.role not in (*KNOWN, "verified")]
     known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
     names = sorted({name for r in relations for name in r.symbols()} - known)
     place = {name: number for number, name in enumerate(names)}

@@ -9,7 +9,7 @@ from sim2reason.solutions.digits import rounded
 from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.unit_latex import DEGREES
 
-Role = Literal["given", "law", "derived", "result", "integrated"]
+Role = Literal["given", "law", "derived", "result", "integrated", "verified"]
 WELL = 1e-9  # relative: how well every relation holds
 
 
@@ -17,7 +17,8 @@ WELL = 1e-9  # relative: how well every relation holds
 class Relation:
     """An equation: what is `given`, a `law` that is told, what is `derived` from those, or a `result`: name = formula.
 
-    Where nothing is derived, a number is `integrated`: a name is what the integration gives.
+    Where nothing is derived, a number is `integrated`: a name is what the integration gives. What was assumed is
+    `verified` by numbers on which nothing rests.
 
     `unit` is that of a result, in LaTeX.
     """

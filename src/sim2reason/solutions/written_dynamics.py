@@ -11,6 +11,7 @@ from sim2reason.solutions.polynomials import NIL, Polynomial, divided, total
 from sim2reason.solutions.selection import needed
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.shared import Shared
+from sim2reason.solutions.sticking import verify_sticking
 
 
 class WrittenDynamics(Dynamics):
@@ -28,6 +29,7 @@ class WrittenDynamics(Dynamics):
         self.share(chosen, goals, rows)
         self.name(chosen, goals)
         DynamicsWriter(self, chosen, goals).write()
+        verify_sticking(self)
         for name, held in self.names.items():
             for monomial, part in held.terms.items():
                 self.book.observed.setdefault(monomial[0][0].latex(), self.values[name] / part)
