@@ -1,7 +1,7 @@
 """Springs along lines: harmonic oscillation, normal modes, energy, momentum and statics, each by a closed form."""
 
 from collections.abc import Sequence
-from math import acos, asin, pi, sqrt
+from math import acos, asin, cos, pi, radians, sqrt
 
 import pytest
 
@@ -208,3 +208,31 @@ def test_friction_holds_what_the_spring_pulls() -> None:
     scene = lone(strain=0.05, friction=0.3)
     query = Query("start", Target("friction force", cart(scene)), AtStart())
     assert found(scene, query, "statics") == pytest.approx(STIFFNESS * 0.05, rel=1e-9)
+
+
+def test_friction_takes_as_much_of_every_half_swing() -> None:
+    """2 µ m g/k of the amplitude; Lapidus, American Journal of Physics 38 (1970) 1360. The times stay T/2."""
+    friction, strain = 0.1, 0.3
+    scene = lone(strain=strain, friction=friction)
+    lost, half = 2.0 * friction * MASS * G / STIFFNESS, pi * sqrt(MASS / STIFFNESS)
+    query = Query("event", Target("displacement", cart(scene)), Stopped(cart(scene)))
+    assert abs(found(scene, query, "half swings")) == pytest.approx(2.0 * strain - lost, rel=1e-9)
+    later = StretchQuery("sum", None, AtTime(1.5 * half), "energy dissipated by friction", cart(scene))
+    path = 2.0 * strain - lost + strain - 1.5 * lost
+    assert found(scene, later, "half swings") == pytest.approx(friction * MASS * G * path, rel=1e-9)
+
+
+def test_what_is_assumed_to_stick_is_verified() -> None:
+    """Both slide down as one: the upper slab takes m (g sin θ − a) = µ m g cos θ, less than its own µ′ m g cos θ."""
+    slabs = StackedMassPlane(
+        plane=Plane(angle=40.0, friction=0.2), lower=Slab(mass=3.0), upper=Slab(mass=1.0), friction=0.5
+    )
+    scene = Scene(entities=(Named(name="stack", entity=slabs),))
+    setting = asked(scene, Query("start", Target("acceleration", cart(scene)), AtStart()))
+    solution = by(STRATEGIES["constant acceleration"], setting)
+    sound(solution, setting)
+    held = [relation for relation in solution.relations if relation.role == "verified"]
+    needed, most = (float(relation.right.value(solution.values).real) for relation in held)
+    assert needed == pytest.approx(0.2 * G * cos(radians(40.0)), rel=1e-9)
+    assert most == pytest.approx(0.5 * G * cos(radians(40.0)), rel=1e-9)
+    assert "does stick" in solution.text

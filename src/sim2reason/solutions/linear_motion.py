@@ -190,15 +190,15 @@ class LinearMotion:
         return np.array([[of(i, j).value(self.givens) for j in self.free] for i in self.free])
 
     def _check(self) -> None:
-        """That it begins as the engine's motion does."""
+        """That the segment begins as the engine's does."""
         if not self.free:
             return
         mass, load = self.matrix("mass"), np.array([self.load(i).value(self.givens) for i in self.free])
         if np.linalg.cond(mass) > 1.0 / STILL:
             raise UnsolvedError("something without mass moves by itself")
         scale = self.laws.scale
-        v = np.array([self.segment.v[i] * scale[i].here for i in self.free])
-        a = np.linalg.solve(mass, load - self.matrix("damping") @ v)
+        q, v = (np.array([part[i] * scale[i].here for i in self.free]) for part in (self.segment.q, self.segment.v))
+        a = np.linalg.solve(mass, load - self.matrix("stiffness") @ q - self.matrix("damping") @ v)
         there = np.array([self.segment.a[i] * scale[i].here for i in self.free])
         if np.abs(a - there).max() > SOUND * max(1.0, float(np.abs(there).max())):
             raise UnsolvedError("the equations are not those of the motion")

@@ -4,12 +4,9 @@ from abc import abstractmethod
 from functools import cached_property
 
 from sim2reason.dsl.state import Array
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.elimination import solved
-from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.relative_motion import RelativeMotion
@@ -27,13 +24,26 @@ class PairWay(LinearWay):
 
     @cached_property
     def _relative(self) -> RelativeMotion:
-        """UnsolvedError where the moment is about a body that does not move by it alone."""
-        found, moment = RelativeMotion(self.linear, self.book), self.query.moment
-        if isinstance(moment, Moved | Stopped) and not isinstance(self.query, StretchQuery):
-            ways = [{*found.ratios[k]} for k in self.moving([moment.name])]
-            if ways != [{*found.free}]:
-                raise UnsolvedError("the moment is not about the relative motion")
-        return found
+        return RelativeMotion(self.linear, self.book)
+
+    def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
+        """Where the momentum is zero, the centre of mass stays, so that all moves in proportion."""
+        held = self._relative
+        if {*held.ratios[k]} == {*held.free}:
+            return super().share(k)
+        if self.kept:
+            return None
+        shared, both, _ = held.masses
+        own, other = held.ratio(k, held.free[0]), held.ratio(k, held.other)
+        return shared.scaled(own) - both.scaled(other), shared
+
+    def moved_to(self, moment: Moved) -> Expression:
+        """Told, where the momentum has a part in it."""
+        formula = super().moved_to(moment)
+        if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
+            return formula
+        said = "The momentum is zero, so the centre of mass stays where it is. So far the two have moved apart by"
+        return self.book.told("momentum", said, self.book.fresh("x"), formula, METRES)
 
     @abstractmethod
     def clock(self) -> Symbol:

@@ -128,6 +128,7 @@ class Working(LinearWay):
     def _turns(self) -> bool:
         """Whether it stands still at the moment."""
         if not self.greatest:
+            self.stops_alone()
             return isinstance(self.query.moment, Stopped | MostStretched | MostCompressed | StoppedSlipping)
         speeds = [abs(self.seen(row)) for row in self.setting.study.trace.scan.v]
         return abs(self._engine[1]) <= 1e-3 * max(speeds)
@@ -143,7 +144,7 @@ class Working(LinearWay):
         if isinstance(moment, AtStart):
             return ZERO
         if isinstance(moment, Moved):
-            return self._moved(moment)
+            return self.moved_to(moment)
         if isinstance(moment, NaturalLength):
             part = self.motion.drawn(self._number(moment.name), self._i)
             formula = self.spring("strain", moment.name).scaled(-1.0 / part).expression()
@@ -153,14 +154,6 @@ class Working(LinearWay):
         formula = self._first * time if self._first != ZERO else ZERO
         formula = formula + HALF * self._rise * Power(time, 2)
         return self.book.told("distance", "In this time it comes as far as", self._name, formula, METRES)
-
-    def _moved(self, moment: Moved) -> Expression:
-        k, *_ = self.moving([moment.name])
-        name = self.book.fresh("d")
-        self.book.say_given(name.name, moment.value, METRES)
-        part = self.motion.ratio(k, self._i)
-        factor = (1.0 if self._engine[0] * part > 0.0 else -1.0) / part
-        return name * factor if factor != 1.0 else name
 
     def _turning(self) -> Symbol:
         """Where all work has used up the kinetic energy of the start."""

@@ -28,7 +28,7 @@ from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target
 from sim2reason.solutions.unit_latex import latex
 
-SUMS = ("distance travelled", "impulse of the net force")
+SUMS = ("distance travelled", "impulse of the net force", "energy dissipated by friction")
 HERTZ, ACCELERATION = latex("Hz"), latex("m/s^2")
 
 
@@ -59,7 +59,10 @@ class Oscillation(Strategy):
 
 
 class Oscillating(LinearWay):
-    """One free coordinate."""
+    """One free coordinate; its places are counted from `begin`, where it is at the time `started`, s."""
+
+    begin: Expression = ZERO
+    started = 0.0
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """Of a greatest value, the quantity whose value it is."""
@@ -88,6 +91,7 @@ class Oscillating(LinearWay):
         """By the kind of the query."""
         query, held = self.query, self.harmonic
         _ = held.numbers
+        self.stops_alone()
         if isinstance(query, PeriodQuery):
             return self._period(query)
         if self.target is None or self.goal is None:
@@ -111,7 +115,7 @@ class Oscillating(LinearWay):
         functional = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
         if not isinstance(query, StretchQuery) or not isinstance(functional, Extreme):
             return until
-        times = np.array(self.harmonic.instants(until))
+        times = self.started + np.array(self.harmonic.instants(until - self.started))
         if not len(times):
             raise UnsolvedError("the greatest value is no extremum of the oscillation")
         heights = functional.height(self.setting.study.trace.sample(times), query.name)
@@ -122,10 +126,23 @@ class Oscillating(LinearWay):
         """ωt."""
         moment, held = self.query.moment, self.harmonic
         if isinstance(moment, AtTime):
-            return held.rate * self._given_time
-        if held.turns(self._when):
-            return held.angle_of_turning(self._when)
-        return held.angle_of(self._place, self._when)
+            return held.rate * self.since(self._given_time)
+        if held.turns(self._since):
+            return held.angle_of_turning(self._since)
+        return held.angle_of(self._place, self._since)
+
+    @property
+    def _since(self) -> float:
+        """The time since it began from where places are counted, s."""
+        return self._when - self.started
+
+    def since(self, time: Symbol) -> Symbol:
+        """The same of a time since the start; by default it began then."""
+        return time
+
+    def until(self, time: Symbol) -> Symbol:
+        """The time since the start of one since it began from where places are counted; by default it began then."""
+        return time
 
     @cached_property
     def _given_time(self) -> Symbol:
@@ -142,7 +159,8 @@ class Oscillating(LinearWay):
     def _time(self) -> Symbol:
         """When the moment comes."""
         said = "That is the case at the time"
-        return self.book.told("time", said, self.book.fresh("t"), self._angle / self.harmonic.rate, SECONDS)
+        formula = self._angle / self.harmonic.rate
+        return self.until(self.book.told("time", said, self.book.fresh("t"), formula, SECONDS))
 
     @cached_property
     def _extreme(self) -> bool:
@@ -168,10 +186,11 @@ class Oscillating(LinearWay):
             if isinstance(moment, NaturalLength):
                 return self._relaxed(moment.name)
             if isinstance(moment, Moved):
-                return self._moved(moment)
-        if held.turns(self._when):
-            return self.book.told("place", "It turns back at", held.name, held.turning(self._when), METRES)
-        if abs(held.where(self._when)[0] - held.numbers[1]) > 1e-6 * held.size:
+                whole = self.moved_to(moment)
+                return whole - self.begin if self.begin != ZERO else whole
+        if held.turns(self._since):
+            return self.book.told("place", "It turns back at", held.name, held.turning(self._since), METRES)
+        if abs(held.where(self._since)[0] - held.numbers[1]) > 1e-6 * held.size:
             raise UnsolvedError("the moment is no mark of an oscillation")
         return held.rest
 
@@ -179,26 +198,18 @@ class Oscillating(LinearWay):
         """Where a spring has its natural length."""
         part = self.motion.drawn(self._number(spring), self.motion.free[0])
         formula = (self.spring("strain", spring).scaled(-1.0 / part)).expression()
+        formula = formula - self.begin if self.begin != ZERO else formula
         if formula == ZERO:
             return ZERO
         name = self.setting.springs[spring]
         what = f"{name[:1].upper()}{name[1:]} has its natural length at"
         return self.book.told("place", what, self.harmonic.name, formula, METRES)
 
-    def _moved(self, moment: Moved) -> Expression:
-        """Where a body has moved so far."""
-        k, *_ = self.moving([moment.name])
-        name = self.book.fresh("d")
-        self.book.say_given(name.name, moment.value, METRES)
-        part = self.motion.ratio(k, self.motion.free[0])
-        sign = 1.0 if self.harmonic.where(self._when)[0] * part > 0.0 else -1.0
-        return name * (sign / part) if sign / part != 1.0 else name
-
     @cached_property
     def _speed(self) -> Expression:
         """How fast the free coordinate changes."""
         held = self.harmonic
-        if not self._timed and held.turns(self._when):
+        if not self._timed and held.turns(self._since):
             return ZERO
         step, name = self.book.open("speed"), self.book.fresh("v")
         if self._timed:
@@ -206,10 +217,10 @@ class Oscillating(LinearWay):
             if held.rest != ZERO:
                 formula = held.rest * held.rate * Call("sin", self._angle)
             if held.begun != ZERO:
-                formula = formula + self.first(self.motion.free[0]).expression() * Call("cos", self._angle)
+                formula = formula + held.first.expression() * Call("cos", self._angle)
             step.say(f"Its speed is then {step.result(name, formula, SPEED, law=True)}.")
         else:
-            sign = 1.0 if held.where(self._when)[1] > 0.0 else -1.0
+            sign = 1.0 if held.where(self._since)[1] > 0.0 else -1.0
             place, rest = self._place, held.rest
             apart = place if rest == ZERO else -rest if place == ZERO else place - rest
             if place == rest:
@@ -224,6 +235,14 @@ class Oscillating(LinearWay):
         return name
 
     # ---- what goals ask
+
+    @cached_property
+    def whole_place(self) -> Expression:
+        """How far it has come since the start."""
+        if self.begin == ZERO:
+            return self._place
+        said = "Since the start it has come as far as"
+        return self.book.told("place", said, self.book.fresh("x"), self.begin + self._place, METRES)
 
     @property
     def stretches(self) -> Sequence[Stretch]:
@@ -248,7 +267,7 @@ class Oscillating(LinearWay):
         """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate."""
         if kind == "a":
             return NIL if self._place == self.harmonic.rest else Polynomial.of(self._acceleration)
-        held = self._place if kind == "s" else self._speed
+        held = self.whole_place if kind == "s" else self._speed
         return NIL if held == ZERO else Polynomial.of(held)
 
     def place(self, i: int) -> Polynomial:
