@@ -35,7 +35,8 @@ class PairWay(LinearWay):
             return None
         shared, both, _ = held.masses
         own, other = held.ratio(k, held.free[0]), held.ratio(k, held.other)
-        return shared.scaled(own) - both.scaled(other), shared
+        found = shared.scaled(own) - both.scaled(other)
+        return (found, shared) if found.value(held.givens) > 0.0 else (found.scaled(-1.0), shared.scaled(-1.0))
 
     def moved_to(self, moment: Moved) -> Expression:
         """Told, where the momentum has a part in it."""
@@ -43,7 +44,11 @@ class PairWay(LinearWay):
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
         said = "The momentum is zero, so the centre of mass stays where it is. So far the two have moved apart by"
-        return self.book.told("momentum", said, self.book.fresh("x"), formula, METRES)
+        return self.book.told("momentum", said, self.called(), formula, METRES)
+
+    @abstractmethod
+    def called(self) -> Symbol:
+        """The name of how far the relative motion has come."""
 
     @abstractmethod
     def clock(self) -> Symbol:

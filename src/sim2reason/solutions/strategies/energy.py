@@ -79,14 +79,15 @@ class Working(LinearWay):
         return self.motion.free[0]
 
     @cached_property
-    def _name(self) -> Symbol:
+    def name(self) -> Symbol:
+        """What the free coordinate is called."""
         name = self.book.fresh("x")
         self.introduce({self._i: name})
         return name
 
     def write(self) -> Symbol:
         """The time, or the goal."""
-        _ = self._name
+        _ = self.name
         return self._time if self.target is None or self.goal is None else self.goal.write(self.target, self)
 
     # ---- the sums
@@ -149,15 +150,15 @@ class Working(LinearWay):
             part = self.motion.drawn(self._number(moment.name), self._i)
             formula = self.spring("strain", moment.name).scaled(-1.0 / part).expression()
             said = f"{capital(self.setting.springs[moment.name])} has its natural length at"
-            return self.book.told("place", said, self._name, formula, METRES)
+            return self.book.told("place", said, self.name, formula, METRES)
         time = self._lasting
         formula = self._first * time if self._first != ZERO else ZERO
         formula = formula + HALF * self._rise * Power(time, 2)
-        return self.book.told("distance", "In this time it comes as far as", self._name, formula, METRES)
+        return self.book.told("distance", "In this time it comes as far as", self.name, formula, METRES)
 
     def _turning(self) -> Symbol:
         """Where all work has used up the kinetic energy of the start."""
-        step, name = self.book.open("energy"), self._name
+        step, name = self.book.open("energy"), self.name
         first = self._kinetic(self._first) if self._first != ZERO else ZERO
         law = step.law(first + self._work(name), ZERO)
         load, stiffness = self.motion.load(self._i), self.motion.stiffness(self._i, self._i)
@@ -188,11 +189,11 @@ class Working(LinearWay):
         if not load:
             raise UnsolvedError("it begins in balance")
         step = self.book.open("balance")
-        law = step.law(stiffness.expression() * self._name, load.expression())
+        law = step.law(stiffness.expression() * self.name, load.expression())
         step.say(f"Its kinetic energy is the greatest where all forces balance: {law},")
-        step.say(f"so {step.result(self._name, over(load, stiffness), METRES)}.")
+        step.say(f"so {step.result(self.name, over(load, stiffness), METRES)}.")
         step.close()
-        return self._name
+        return self.name
 
     # ---- speed, acceleration, time
 
@@ -217,7 +218,7 @@ class Working(LinearWay):
         root = Root(Power(self._first, 2) + inner if self._first != ZERO else inner)
         step.say(
             "When $x$ changes at the rate $v$, all that moves has the kinetic energy on the left;".replace(
-                "$x$", f"${self._name.name}$"
+                "$x$", f"${self.name.name}$"
             ).replace("$v$", f"${name.name}$")
         )
         step.say(f"it grows by the work of all forces: {law},")

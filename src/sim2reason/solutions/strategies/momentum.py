@@ -25,6 +25,10 @@ class Momentum(Energy):
 class _Pair(PairWay, Working):
     """The relative motion by energy."""
 
+    def called(self) -> Symbol:
+        """The name of how far the relative motion has come."""
+        return self.name
+
     def clock(self) -> Symbol:
         """The time of the moment."""
         return Working.clock(self)

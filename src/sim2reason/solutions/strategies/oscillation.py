@@ -294,6 +294,10 @@ class _Pair(PairWay, Oscillating):
         """A body goes on while it swings."""
         raise UnsolvedError("its path is no path of the relative motion")
 
+    def called(self) -> Symbol:
+        """The name of how far the relative motion has come."""
+        return self.harmonic.name
+
     def clock(self) -> Symbol:
         """The time of the moment."""
         return Oscillating.clock(self)
