@@ -185,3 +185,12 @@ class Harmonic:
 
 
 KG = latex("kg")
+
+
+def told_period(book: Book, rate: Symbol, measure: str) -> Symbol:
+    """A period, a frequency, or the angular frequency itself."""
+    if measure == "angular frequency":
+        return rate
+    if measure == "frequency":
+        return book.told("period", "The frequency is", book.fresh("f"), rate / (2.0 * PI), latex("Hz"))
+    return book.told("period", "The period is", book.fresh("T"), 2.0 * PI / rate, SECONDS)

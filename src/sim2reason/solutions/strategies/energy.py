@@ -34,7 +34,7 @@ STILL = 1e-6  # of the greatest speed
 
 
 @strategy
-class Energy(Strategy):
+class WorkAndEnergy(Strategy):
     """One free coordinate; forces constant but for those of springs."""
 
     name = "energy"

@@ -6,11 +6,11 @@ from sim2reason.solutions.pair_way import PairWay
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import strategy
-from sim2reason.solutions.strategies.energy import Energy, Working
+from sim2reason.solutions.strategies.energy import WorkAndEnergy, Working
 
 
 @strategy
-class Momentum(Energy):
+class MomentumKept(WorkAndEnergy):
     """Two free coordinates, one of them along a direction of which nothing pulls."""
 
     name = "momentum"

@@ -16,8 +16,9 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import PI, Root
+from sim2reason.solutions.functions import Root
 from sim2reason.solutions.goals import GOALS, Goal, Stretch
+from sim2reason.solutions.harmonic import told_period
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, speed
 from sim2reason.solutions.normal_modes import NormalModes
@@ -25,7 +26,7 @@ from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
-from sim2reason.solutions.strategies.oscillation import ACCELERATION, HERTZ
+from sim2reason.solutions.strategies.oscillation import ACCELERATION
 from sim2reason.solutions.told_root import told_root
 from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target, time_of_greatest
 from sim2reason.solutions.unit_latex import latex
@@ -115,11 +116,7 @@ class _Modal(LinearWay):
         mode = driven[query.rank if query.small else 0]
         said, name = "The angular frequency is", self.book.fresh(r"\omega")
         rate = self.book.told("rate", said, name, Root(mode.square), latex("rad/s"))
-        if query.measure == "angular frequency":
-            return rate
-        if query.measure == "frequency":
-            return self.book.told("period", "The frequency is", self.book.fresh("f"), rate / (2.0 * PI), HERTZ)
-        return self.book.told("period", "The period is", self.book.fresh("T"), 2.0 * PI / rate, SECONDS)
+        return told_period(self.book, rate, query.measure)
 
     # ---- the moment
 

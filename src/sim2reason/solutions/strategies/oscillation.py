@@ -17,9 +17,9 @@ from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.goals import GOALS, Goal, Stretch
-from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic
+from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic, told_period
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.pair_way import PairWay
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -29,7 +29,7 @@ from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target
 from sim2reason.solutions.unit_latex import latex
 
 SUMS = ("distance travelled", "impulse of the net force", "energy dissipated by friction")
-HERTZ, ACCELERATION = latex("Hz"), latex("m/s^2")
+ACCELERATION = latex("m/s^2")
 
 
 @strategy
@@ -93,18 +93,10 @@ class Oscillating(LinearWay):
         _ = held.numbers
         self.stops_alone()
         if isinstance(query, PeriodQuery):
-            return self._period(query)
+            return told_period(self.book, self.harmonic.rate, query.measure)
         if self.target is None or self.goal is None:
             return self._time
         return self.goal.write(self.target, self)
-
-    def _period(self, query: PeriodQuery) -> Symbol:
-        rate = self.harmonic.rate
-        if query.measure == "angular frequency":
-            return rate
-        if query.measure == "frequency":
-            return self.book.told("period", "The frequency is", self.book.fresh("f"), rate / (2.0 * PI), HERTZ)
-        return self.book.told("period", "The period is", self.book.fresh("T"), 2.0 * PI / rate, SECONDS)
 
     # ---- the moment
 
