@@ -1,9 +1,10 @@
 """At which angle something that swings about a fixed axle is, at the moment that is asked about."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from functools import cached_property
 from math import pi
+from typing import ClassVar
 
 import numpy as np
 
@@ -37,6 +38,8 @@ EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is
 }
 SLOW = 1e-5  # of its greatest speed: none
 STRAIGHT = 1e-6  # rad
+UP = (0.0, 0.0, 1.0)
+Way = tuple[str, str, str, str]
 
 
 def asked(setting: Setting) -> str:
@@ -63,7 +66,8 @@ class SwingAngle(ABC):
     """The angle from the downward vertical, positive on the side on which it begins, written as it is needed.
 
     Who makes one sets `first`, the angle at the start, `began`, its value, and `now` and `turning`, the angle at the
-    moment and its rate, and `turned`, by how much it has turned, for signs alone.
+    moment and its rate, and `turned`, by how much it has turned, for signs alone. `WAYS` has for each quantity the
+    method that gives its formula, its letter, its unit, and what is said before it.
     """
 
     first: Expression
@@ -71,6 +75,7 @@ class SwingAngle(ABC):
     now: float
     turned: float
     turning: float
+    WAYS: ClassVar[Mapping[str, Way]]
     falls = True  # its centre of mass is on the side to which the angle is counted
 
     def __init__(self, setting: Setting, book: Book) -> None:
@@ -172,3 +177,33 @@ class SwingAngle(ABC):
         """The angle from the start, of its size."""
         found = added(self.angle, -self.first)
         return found if self.book.value(found) >= 0.0 else -found
+
+    # ---- what is asked
+
+    def write(self) -> Symbol:
+        """What is asked for, by its quantity."""
+        quantity, target = asked(self.setting), self.setting.query.target
+        sense = target.sense if target is not None else None
+        if sense is not None and sense.vector != UP and any(sense.vector):
+            raise UnsolvedError("a component along a direction that is not vertical")
+        kind, base, unit, why = self.WAYS[quantity]
+        formula: Expression = getattr(self, kind)()
+        if sense is None and self.book.value(formula) < 0.0:
+            formula = -formula
+        if isinstance(formula, Symbol):
+            return formula
+        return self.book.told("answer", why or "So", self.book.fresh(base), formula, unit)
+
+    @property
+    def vertical(self) -> bool:
+        """Whether the upward component is asked for."""
+        target = self.setting.query.target
+        return target is not None and target.sense is not None and target.sense.vector == UP
+
+    def _deflection(self) -> Expression:
+        if isinstance(self.angle, Number):
+            raise UnsolvedError("the angle is that of the lowest or highest point")
+        return -self.angle if self.angle.latex().startswith("-") else self.angle
+
+    def _between(self) -> Expression:
+        return self.between

@@ -1,7 +1,9 @@
 """Axle: a rigid body that swings about a fixed horizontal axle; torque and moment of inertia, and its energy."""
 
+from collections.abc import Mapping
 from functools import cached_property
 from math import atan2, cos, pi
+from typing import ClassVar
 
 import numpy as np
 
@@ -9,16 +11,16 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swing_angle import SwingAngle, asked, unasked
+from sim2reason.solutions.swing_angle import SwingAngle, Way, unasked
 from sim2reason.solutions.unit_latex import DEGREES, latex
 
 HALF, TWO = Number(0.5), Number(2.0)
-UP = (0.0, 0.0, 1.0)
 JOULES, RATE = latex("J"), latex("rad/s")
 
 
@@ -72,25 +74,9 @@ class _Turning(SwingAngle):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """By the quantity."""
-        if isinstance(self.setting.query, PeriodQuery):
-            return self._period(self.setting.query)
-        quantity, target = asked(self.setting), self.setting.query.target
-        sense = target.sense if target is not None else None
-        if sense is not None and sense.vector != UP and any(sense.vector):
-            raise UnsolvedError("a component along a direction that is not vertical")
-        kind, base, unit, why = self.WAYS[quantity]
-        formula: Expression = getattr(self, kind)()
-        if sense is None and self.book.value(formula) < 0.0:
-            formula = -formula
-        if isinstance(formula, Symbol):
-            return formula
-        return self.book.told("answer", why or "So", self.book.fresh(base), formula, unit)
-
-    @property
-    def _vertical(self) -> bool:
-        target = self.setting.query.target
-        return target is not None and target.sense is not None and target.sense.vector == UP
+        """By the kind of the query."""
+        query = self.setting.query
+        return self._period(query) if isinstance(query, PeriodQuery) else super().write()
 
     @cached_property
     def piece(self) -> Piece:
@@ -181,17 +167,13 @@ class _Turning(SwingAngle):
         said += "with the angular frequency"
         formula = Root(size * self.gravity / self.arm.inertia)
         rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, RATE)
-        if query.measure == "angular frequency":
-            return rate
-        if query.measure == "frequency":
-            return self.book.told("period", "The frequency is", self.book.fresh("f"), rate / (TWO * PI), latex("Hz"))
-        return self.book.told("period", "The period is", self.book.fresh("T"), TWO * PI / rate, latex("s"))
+        return measured_period(self.book, query, rate)
 
     # ---- quantities
 
     def _velocity(self) -> Expression:
         speed = self.size * self.rate
-        if not self._vertical:
+        if not self.vertical:
             return speed
         rises = self.now * self.turning * self.book.value(self.piece.place) >= 0.0
         return (speed if rises else -speed) * self.sine
@@ -199,7 +181,7 @@ class _Turning(SwingAngle):
     def _acceleration(self) -> Expression:
         inward = self.size * Power(self.rate, 2) if self.rate != ZERO else ZERO
         along = self.size * self.growth
-        if self._vertical:
+        if self.vertical:
             sign = 1.0 if self.book.value(self.piece.place) > 0.0 else -1.0
             falls = sign * (1.0 if self.falls else -1.0)
             return sign * inward * self.cosine - falls * along * self.sine
@@ -233,7 +215,7 @@ class _Turning(SwingAngle):
         return self.piece.place * (self.cosine_first - self.cosine)
 
     def _chord(self) -> Expression:
-        if self._vertical:
+        if self.vertical:
             return self._rise()
         return 2.0 * self.size * Call("sin", self.between / TWO)
 
@@ -252,15 +234,7 @@ class _Turning(SwingAngle):
     def _growth(self) -> Expression:
         return self.growth
 
-    def _deflection(self) -> Expression:
-        if isinstance(self.angle, Number):
-            raise UnsolvedError("the angle is that of the lowest or highest point")
-        return -self.angle if self.angle.latex().startswith("-") else self.angle
-
-    def _between(self) -> Expression:
-        return self.between
-
-    WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit
+    WAYS: ClassVar[Mapping[str, Way]] = {
         "velocity": ("_velocity", "v", latex("m/s"), "The speed is the angular speed times the distance:"),
         "acceleration": (
             "_acceleration",

@@ -15,8 +15,9 @@ from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.field_moment import FieldMoment
 from sim2reason.solutions.field_motion import FieldMotion, Turning
 from sim2reason.solutions.fields import AXES, Fields
-from sim2reason.solutions.functions import PI, Power
+from sim2reason.solutions.functions import Power
 from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
@@ -123,9 +124,7 @@ class _InFields(Way):
         if turns is None or self.fields.drive is not None or self.fields.damping is not None:
             raise UnsolvedError("it does not go round a circle")
         size = turns if self.book.value(turns) > 0.0 else -turns
-        if query.measure == "frequency":
-            return self.book.told("period", "The frequency is", self.book.fresh("f"), size / (TWO * PI), latex("Hz"))
-        return self.book.told("period", "One turn takes", self.book.fresh("T"), TWO * PI / size, SECONDS)
+        return measured_period(self.book, query, size, "One turn takes")
 
     def _potential(self) -> Symbol:
         """Minus the work of the electric force."""

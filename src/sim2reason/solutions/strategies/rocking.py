@@ -11,9 +11,10 @@ from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.lexicon import Both, UnreadError
 from sim2reason.solutions.mass_spread import candidates, mass_spread
+from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.unit_latex import DEGREES, latex
@@ -229,11 +230,7 @@ class _Rocking:
         said += "angular frequency"
         formula = Root(self.mass * self.gravity * deep / about)
         rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
-        if query.measure == "angular frequency":
-            return rate
-        if query.measure == "frequency":
-            return self.book.told("period", "The frequency is", self.book.fresh("f"), rate / (TWO * PI), latex("Hz"))
-        return self.book.told("period", "The period is", self.book.fresh("T"), TWO * PI / rate, latex("s"))
+        return measured_period(self.book, query, rate)
 
 
 def _slide(m: Mechanism) -> tuple[float, float, float]:

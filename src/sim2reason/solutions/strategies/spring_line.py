@@ -18,6 +18,7 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.unit_latex import latex
@@ -213,13 +214,7 @@ class _Oscillating:
     def _period(self, query: PeriodQuery) -> Symbol:
         if query.small and query.modes > 1:
             raise UnsolvedError("there are several modes")
-        if query.measure == "angular frequency":
-            return self.rate
-        if query.measure == "frequency":
-            return self.book.told(
-                "period", "The frequency is", self.book.fresh("f"), self.rate / (TWO * PI), latex("Hz")
-            )
-        return self.book.told("period", "The period is", self.book.fresh("T"), TWO * PI / self.rate, SECONDS)
+        return measured_period(self.book, query, self.rate)
 
     def _extension(self) -> Expression:
         return self.strain * self._trig("cos")

@@ -1,5 +1,8 @@
 """Swing: a small body on a string or a light rod; its energy gives the speed, circular motion the force."""
 
+from collections.abc import Mapping
+from typing import ClassVar
+
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
@@ -9,12 +12,11 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
 from sim2reason.solutions.stage import METRES, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swing_angle import asked, unasked
+from sim2reason.solutions.swing_angle import Way, unasked
 from sim2reason.solutions.swing_state import SwingState
 from sim2reason.solutions.unit_latex import DEGREES
 
 JOULES = r"\ \text{J}"
-UP = (0.0, 0.0, 1.0)
 
 
 @strategy
@@ -44,31 +46,9 @@ class Swing(Strategy):
 class _Angular(SwingState):
     """What is asked of a swing."""
 
-    def write(self) -> Symbol:
-        """By the quantity."""
-        quantity, target = asked(self.setting), self.setting.query.target
-        sense = target.sense if target is not None else None
-        if sense is not None and sense.vector != UP and any(sense.vector):
-            raise UnsolvedError("a component along a direction that is not vertical")
-        kind, base, unit, why = self.WAYS[quantity]
-        formula: Expression = getattr(self, kind)()
-        if sense is None and self.book.value(formula) < 0.0:
-            formula = -formula
-        if isinstance(formula, Symbol):
-            return formula
-        step, name = self.book.open("answer"), self.book.fresh(base)
-        step.say(f"{why or 'So'} {step.result(name, formula, unit, law=True)}.")
-        step.close()
-        return name
-
-    @property
-    def _vertical(self) -> bool:
-        target = self.setting.query.target
-        return target is not None and target.sense is not None and target.sense.vector == UP
-
     def _velocity(self) -> Expression:
         """Along the arc, or how fast it rises."""
-        if not self._vertical:
+        if not self.vertical:
             return self.speed
         rises = self.now * self.turning >= 0.0
         return multiplied(self.speed if rises else -self.speed, self.sine)
@@ -93,7 +73,7 @@ class _Angular(SwingState):
         """Towards the point about which it swings v²/ℓ, along the arc g sin φ."""
         inward = ratio(self.squared, self.length) if self.squared != ZERO else ZERO
         along = multiplied(self.gravity, self.sine)
-        if self._vertical:
+        if self.vertical:
             return added(multiplied(inward, self.cosine), -multiplied(along, self.sine))
         if ZERO in (inward, along):
             return added(inward, along)
@@ -108,24 +88,16 @@ class _Angular(SwingState):
     def _spin_up(self) -> Expression:
         return ratio(multiplied(self.gravity, self.sine), self.length)
 
-    def _deflection(self) -> Expression:
-        if isinstance(self.angle, Number):
-            raise UnsolvedError("the angle is that of the lowest or highest point")
-        return -self.angle if self.angle.latex().startswith("-") else self.angle
-
-    def _between(self) -> Expression:
-        return self.between
-
     def _height(self) -> Expression:
         return multiplied(self.length, added(self.cosine_first, -self.cosine))
 
     def _chord(self) -> Expression:
-        if self._vertical:
+        if self.vertical:
             return multiplied(self.length, added(self.cosine_first, -self.cosine))
         half = ratio(self.between, Number(2.0))
         return multiplied(multiplied(Number(2.0), self.length), Call("sin", half))
 
-    WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit
+    WAYS: ClassVar[Mapping[str, Way]] = {
         "velocity": ("_velocity", "v", SPEED, ""),
         "kinetic energy": ("_kinetic", "K", JOULES, "Its kinetic energy is"),
         "potential energy": ("_potential", "U", JOULES, "It is higher or lower than at first, so"),
