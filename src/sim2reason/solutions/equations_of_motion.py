@@ -5,10 +5,12 @@ the same function of what the text says in both is written as that function, see
 """
 
 import math
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
+from typing import Self
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import State
@@ -20,10 +22,11 @@ from sim2reason.simulation.engines.exact.tape import Tape
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Expression, Quotient, Symbol
 from sim2reason.solutions.functions import Call, Root
-from sim2reason.solutions.lexicon import Both, Lexicon
+from sim2reason.solutions.lexicon import Both, Lexicon, UnreadError
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 
 SUMMANDS = 5  # of a length along a line, at most
+FEW = 2  # terms of what is written out wherever it stands
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +40,10 @@ class Names:
 
 
 class EquationsOfMotion:
-    """Mass matrix, loads and constraints, as polynomials of names."""
+    """Mass matrix, loads and constraints, as polynomials of names.
+
+    A number that is no simple function of what the text says stands as itself, unless something is unknown.
+    """
 
     def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
         """UnsolvedError if the twin moves by other equations."""
@@ -48,7 +54,19 @@ class EquationsOfMotion:
         self._tapes = one, two
         self._known: dict[int, Polynomial] = {}
         self._below: dict[Expression, Polynomial] = {}  # what one is divided by
-        self.roots: dict[Root, Symbol] = {}  # lengths that are named
+        self.named: dict[Expression, Symbol] = {}  # lengths, and what stands in several places
+        self._shared: frozenset[int] = frozenset()
+
+    def written_in(self, book: Book) -> Self:
+        """The same, after a draft in a copy of the book."""
+        self.book = book
+        book.reserve(*(name.name for name in self.named.values()))
+        return self
+
+    def shorten(self) -> None:
+        """Name what is long and stands in several places; before anything else is asked."""
+        used = Counter(operand for _, *operands in self._tapes[0].nodes for operand in operands)
+        self._shared = frozenset(node for node, times in used.items() if times > 1)
 
     def inertia(self, k: int) -> Polynomial:
         """What stands before the accelerations, with them."""
@@ -97,11 +115,21 @@ class EquationsOfMotion:
             return self._node(here.id, there.id)
         if isinstance(here, Recorded) or isinstance(there, Recorded):
             raise UnsolvedError("the equations of motion are of another kind with other numbers")
-        return self._lexicon.read(Both(float(here), float(there)))  # type: ignore[arg-type]
+        return self.number(Both(float(here), float(there)))  # type: ignore[arg-type]
+
+    def number(self, both: Both) -> Polynomial:
+        """In the symbols of the text, or as it is."""
+        try:
+            return self._lexicon.read(both)
+        except UnreadError:
+            if self.book.sought:
+                raise
+            return Polynomial.of(both.here)
 
     def _node(self, here: int, there: int) -> Polynomial:
         if here not in self._known:
-            self._known[here] = self._made(here, there)
+            made = self._made(here, there)
+            self._known[here] = self._called(made, "Z") if here in self._shared and len(made.terms) > FEW else made
         return self._known[here]
 
     def _made(self, here: int, there: int) -> Polynomial:
@@ -113,7 +141,7 @@ class EquationsOfMotion:
             names = (self.names.time, *self.names.places, *self.names.rates)
             return Polynomial.of(names[a])
         if operation == "constant":
-            return self._lexicon.read(Both(one.constants[a], two.constants[c]))
+            return self.number(Both(one.constants[a], two.constants[c]))
         first = self._node(a, c)
         if operation in ("sin", "cos"):
             return self._turned(operation, first)
@@ -150,10 +178,14 @@ class EquationsOfMotion:
         plain = square_root(inside, self.book.values)
         if plain is not None:
             return plain
-        root = Root(inside.expression())
-        if root not in self.roots:
-            self.roots[root] = self.book.fresh(r"\ell")
-        return Polynomial.of(self.roots[root])
+        return self._called(Polynomial.of(Root(inside.expression())), r"\ell")
+
+    def _called(self, held: Polynomial, base: str) -> Polynomial:
+        """By a name."""
+        formula = held.expression()
+        if formula not in self.named:
+            self.named[formula] = self.book.fresh(base)
+        return Polynomial.of(self.named[formula])
 
 
 def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | None:

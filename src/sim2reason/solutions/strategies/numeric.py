@@ -19,6 +19,7 @@ from sim2reason.solutions.stage import SECONDS
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.unit_latex import DEGREES, latex
 
+EASY = 300  # characters of a side of an equation that is written out
 LONG = 900  # characters of an equation that nobody reads
 SOUND = 1e-9  # relative: how well an equation must hold at the moment that is shown
 NONE = 1e-12  # of a state: what rounding has left of zero
@@ -80,7 +81,14 @@ class _Integrated:
     @cached_property
     def equations(self) -> EquationsOfMotion:
         """Those of the moment."""
-        return EquationsOfMotion(self.setting.lexicon, self.book, phase_at(self.state), self.names)
+        phase, lexicon, size = phase_at(self.state), self.setting.lexicon, len(self.mechanism.coordinates)
+        draft = EquationsOfMotion(lexicon, self.book.copy(), phase, self.names)
+        parts = [part for k in range(size) for part in (draft.inertia(k), draft.load(k))]
+        if all(len(part.expression().latex()) <= EASY for part in parts):
+            return draft.written_in(self.book)
+        found = EquationsOfMotion(lexicon, self.book, phase, self.names)
+        found.shorten()
+        return found
 
     def write(self) -> str:
         """All of it."""
@@ -143,14 +151,19 @@ class _Integrated:
             for k in range(size)
         ]
         laws += [tuple(side.expression() for side in equations.held(number)) for number in forces]  # type: ignore[misc]
-        for root, name in equations.roots.items():
-            self.book.know(name.name, self.book.value(root), self.book.spelled(SLIDES["place"]))
-            step.say(f"With {step.law(name, root)}.")
+        self._name(step)
         for left, right in laws:
             if left != right:
                 self._check(left, right)
                 step.say(f"{step.law(left, right)}.")
         step.close()
+
+    def _name(self, step: Writing) -> None:
+        """Tell what has been named since."""
+        new = {name: formula for formula, name in self.equations.named.items() if name.name not in self.book.values}
+        for name, formula in new.items():
+            self.book.know(name.name, self.book.value(formula))
+            step.say(f"With {step.law(name, formula)}.")
 
     def _check(self, left: Expression, right: Expression) -> None:
         if len(left.latex()) + len(right.latex()) > LONG:
@@ -189,14 +202,15 @@ class _Integrated:
             else:
                 normal = self._named("N", mark, float(self.state.normal[held.subject][0]))
                 pressing = equations.pressing(face) + total(equations.lifted(n, face) * t for n, t in forces.items())
+                self._name(step)
                 self._check(normal.expression(), pressing.expression())
                 who = self.setting.called(held.subject)
                 step.say(f"The face presses on {who} with {step.law(normal.expression(), pressing.expression())}.")
-                coefficient = _friction(lexicon, face)
+                coefficient = equations.number(_friction(lexicon, face))
                 force = (coefficient * normal).scaled(float(-side))
             for place, (name, _) in enumerate(held.slip):
                 k = self.mechanism.number[name]
-                part = _slip(lexicon, face, place)
+                part = equations.number(_slip(lexicon, face, place))
                 found[k] = found.get(k, NIL) + part * force
         return found
 
@@ -204,7 +218,10 @@ class _Integrated:
         """No acceleration along a face."""
         slips, names = self.mechanism.faces[face].slip, self.names.accelerations
         moves = [(place, names[self.mechanism.number[name]]) for place, (name, _) in enumerate(slips)]
-        slip = total(_slip(self.setting.lexicon, face, place) * Polynomial.of(name) for place, name in moves)
+        slip = total(
+            self.equations.number(_slip(self.setting.lexicon, face, place)) * Polynomial.of(name)
+            for place, name in moves
+        )
         return step.law(slip.expression(), ZERO)
 
     def _named(self, base: str, mark: str, value: float) -> Polynomial:
@@ -221,7 +238,7 @@ class _Integrated:
         moving: list[str] = []
         for name, here, there in pairs:
             if here.speed:
-                speed = lexicon.read(Both(here.speed, there.speed)).expression()
+                speed = self.equations.number(Both(here.speed, there.speed)).expression()
                 moving.append(f"${name.name}$ at {step.stated(speed, self.book.units[name.name])}")
         step.say(f"All begin at zero{f', but {joined(moving)}' if moving else ''}.")
         step.close()
@@ -267,9 +284,9 @@ class _Integrated:
         return name.name
 
 
-def _friction(lexicon: Lexicon, face: int) -> Polynomial:
-    return lexicon.read(Both(lexicon.mechanism.faces[face].friction, lexicon.twin.faces[face].friction))
+def _friction(lexicon: Lexicon, face: int) -> Both:
+    return Both(lexicon.mechanism.faces[face].friction, lexicon.twin.faces[face].friction)
 
 
-def _slip(lexicon: Lexicon, face: int, place: int) -> Polynomial:
-    return lexicon.read(Both(lexicon.mechanism.faces[face].slip[place][1], lexicon.twin.faces[face].slip[place][1]))
+def _slip(lexicon: Lexicon, face: int, place: int) -> Both:
+    return Both(lexicon.mechanism.faces[face].slip[place][1], lexicon.twin.faces[face].slip[place][1])
