@@ -184,7 +184,8 @@ class EquationsOfMotion:
         """By a name."""
         formula = held.expression()
         if formula not in self.named:
-            self.named[formula] = self.book.fresh(base)
+            name = self.named[formula] = self.book.fresh(base)
+            self.book.know(name.name, self.book.value(formula))
         return Polynomial.of(self.named[formula])
 
 

@@ -60,6 +60,7 @@ class _Integrated:
         side = moment.side(setting.time) if moment is not None else setting.time
         self._pulls: list[Symbol] = []  # forces that the equations have to find
         self.state: State = setting.study.trace.sample(np.array([side]))
+        self._told_names = 0  # of those that the equations give to what is long
         self.segment = [s for s in setting.motion.segments if s.start <= side][-1]
 
     @cached_property
@@ -160,10 +161,10 @@ class _Integrated:
 
     def _name(self, step: Writing) -> None:
         """Tell what has been named since."""
-        new = {name: formula for formula, name in self.equations.named.items() if name.name not in self.book.values}
-        for name, formula in new.items():
+        for formula, name in list(self.equations.named.items())[self._told_names :]:
             self.book.know(name.name, self.book.value(formula))
             step.say(f"With {step.law(name, formula)}.")
+        self._told_names = len(self.equations.named)
 
     def _check(self, left: Expression, right: Expression) -> None:
         if len(left.latex()) + len(right.latex()) > LONG:

@@ -2,36 +2,37 @@
 
 from functools import cached_property
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
+import numpy as np
+
 from sim2reason.dsl.vectors import Vector
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Expression, Symbol, added, multiplied, ratio
-from sim2reason.solutions.functions import Call
-from sim2reason.solutions.lexicon import Both
-from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.burning import KILOGRAMS, Burning
+from sim2reason.solutions.expressions import Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.way import Way
 from sim2reason.solutions.worked import NumericRoot
 
-KILOGRAMS = r"\ \text{kg}"
-MOMENTS = (AtStart, AtTime, BurnedOut, Moved)
+MOMENTS = (AtStart, AtTime, BurnedOut, Moved, Stopped)
+HALF = Number(0.5)
 
 
 @strategy
 class RocketFlight(Strategy):
-    """A lone rocket with its engine on: in empty space, in a uniform field, and at the start on a planet."""
+    """A lone rocket, its engine on or off: in empty space, in a uniform field, and at the start on a planet."""
 
     name = "rocket"
     cost = 1.0
+    kinds = Strategy.kinds | {"extremum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether there is no lone rocket."""
@@ -42,77 +43,32 @@ class RocketFlight(Strategy):
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         m = setting.mechanism
+        if isinstance(setting.query, StretchQuery):
+            found = m.attractions or not any(m.gravity) or not _tops(setting)
+            return "it is not about the highest point of a flight in a uniform field" if found else ""
         if unknown := no_goal(setting, MOMENTS):
             return unknown
         if m.attractions and not isinstance(setting.query.moment, AtStart | BurnedOut):
             return "the pull of the planet changes as it rises"
-        if setting.motion.segments[0].a[0] <= 0.0:
-            return "it waits on the ground until it is light enough"
-        return "its engine is off by then" if setting.time > m.burns[0].until * (1.0 + 1e-9) else ""
+        return ""
 
     def write(self, setting: Setting, book: Book) -> str:
         """The mass that is left, then what is asked."""
         return _Burning(setting, book).write()
 
 
-class _Burning(Way):
-    """What goals ask, of a rocket whose engine is on."""
+class _Burning(Burning):
+    """What goals ask, of a rocket whose engine is on, or was."""
 
     def write(self) -> str:
-        """The time, or the goal."""
+        """The time, the height of the highest point, or the goal."""
+        if isinstance(self.query, StretchQuery):
+            return self._s.name
         if self.mechanism.attractions and self.uses in ("v", "s") and self.target is not None:
             raise UnsolvedError("the pull of the planet changes as it rises")
         if self.target is None or self.goal is None:
             return self.time.name
         return self.goal.write(self.target, self).name
-
-    @property
-    def newton(self) -> Newton:
-        """None is needed."""
-        raise UnsolvedError("a rocket has no law of constant mass")
-
-    def force(self, kind: str, name: str) -> Symbol:
-        """None."""
-        raise UnsolvedError(f"no {kind} of {name}")
-
-    # ---- numbers
-
-    def _both(self, here: float, there: float) -> Polynomial:
-        return self.setting.lexicon.read(Both(here, there))
-
-    @property
-    def burns(self) -> tuple[Burn, Burn]:
-        """The engine, here and in the twin."""
-        return self.setting.lexicon.mechanism.burns[0], self.setting.lexicon.twin.burns[0]
-
-    @cached_property
-    def rate_of_burning(self) -> Expression:
-        """µ."""
-        return self._both(*(burn.rate for burn in self.burns)).expression()
-
-    @cached_property
-    def exhaust(self) -> Expression:
-        """U."""
-        return self._both(*(burn.exhaust for burn in self.burns)).expression()
-
-    @cached_property
-    def full(self) -> Expression:
-        """m₀."""
-        lexicon, name = self.setting.lexicon, self.burns[0].body
-        return self._both(lexicon.mechanism.body[name].mass, lexicon.twin.body[name].mass).expression()
-
-    @cached_property
-    def dry(self) -> Expression:
-        """The mass without fuel."""
-        lexicon, name = self.setting.lexicon, self.burns[0].body
-        pairs = zip((lexicon.mechanism, lexicon.twin), self.burns, strict=True)
-        return self._both(*(m.body[name].mass - burn.rate * burn.until for m, burn in pairs)).expression()
-
-    @property
-    def gravity(self) -> Polynomial:
-        """Of the ground, or of the planet at its surface."""
-        lexicon = self.setting.lexicon
-        return self._both(_pull(lexicon.mechanism), _pull(lexicon.twin))
 
     # ---- the moment
 
@@ -121,30 +77,78 @@ class _Burning(Way):
         """When the moment comes."""
         moment = self.query.moment
         if isinstance(moment, BurnedOut):
-            step, name = self.book.open("time"), self.book.fresh("t")
-            formula = ratio(added(self.full, -self.dry), self.rate_of_burning)
-            step.say(f"The fuel lasts for {step.result(name, formula, SECONDS, law=True)}.")
-            step.close()
-            return name
+            return self.burned
         if isinstance(moment, AtTime):
             name = self.book.fresh("t")
             self.book.say_given(name.name, moment.after, SECONDS)
             return name
+        if isinstance(moment, Stopped):
+            return self._stopping
+        if self.out:
+            return self.book.told("time", "In all it takes", self.book.fresh("t"), self.burned + self.coast, SECONDS)
         assert isinstance(moment, Moved)
         return self._after(moment)
+
+    @cached_property
+    def _stopping(self) -> Symbol:
+        """When gravity has taken all the speed that burning gave."""
+        name, step = self.book.fresh("t"), self.book.open("time")
+        g, given = self.gravity.expression(), self.exhaust * Call("ln", ratio(self.full, self.dry))
+        law = step.law(given, g * self._risen(name))
+        formula = given / g + self._wait if self.waits else given / g
+        step.say(f"It stops when gravity has taken all the speed that burning gave: {law},")
+        step.say(f"so {step.result(name, formula, SECONDS)}.")
+        step.close()
+        return name
 
     def _after(self, moment: Moved) -> Symbol:
         distance, name = self.book.fresh("d"), self.book.fresh("t")
         self.book.say_given(distance.name, moment.value, METRES)
-        left = added(self.full, -multiplied(self.rate_of_burning, name))
-        path = self._path(left, name)
+        left = self.first - self.rate_of_burning * name
+        path = self._path(left, self._risen(name))
         step = self.book.open("time")
         law = step.law(distance, path)
-        root = NumericRoot(added(path, -distance), name.name, self.setting.time)
+        root = NumericRoot(path - distance, name.name, self.setting.time)
         who = capital(self.setting.called(self.burns[0].body))
         step.say(f"{who} has moved so far when {law}; found numerically, {step.result(name, root, SECONDS)}.")
         step.close()
         return name
+
+    @cached_property
+    def coast(self) -> Expression:
+        """For how long the engine has been off."""
+        moment, name = self.query.moment, self.book.fresh("t", r"\text{off}")
+        g, (fast, high) = self.gravity.expression(), self._at_end
+        if isinstance(moment, Stopped) or isinstance(self.query, StretchQuery):
+            return self.book.told("time", "Gravity alone stops it after another", name, fast / g, SECONDS)
+        if isinstance(moment, AtTime):
+            said = "From then on it moves with its engine off for"
+            return self.book.told("time", said, name, self.time - self.burned, SECONDS)
+        assert isinstance(moment, Moved)
+        distance = self.book.fresh("d")
+        self.book.say_given(distance.name, moment.value, METRES)
+        rest = distance - high
+        if not self.gravity:
+            return self.book.told("time", "The rest of the way it goes at this speed, in", name, rest / fast, SECONDS)
+        later = self.setting.time - self.burns[0].until
+        falls = later > self.book.value(fast) / self.book.value(g)
+        root = Root(Power(fast, 2) - 2.0 * g * rest)
+        return self._fallen(name, distance, (fast + root if falls else fast - root) / g)
+
+    def _fallen(self, name: Symbol, distance: Symbol, formula: Expression) -> Symbol:
+        """Thrown up with the speed that it has at the end."""
+        step = self.book.open("time")
+        law = step.law(distance, self._thrown(name))
+        step.say("From then on it is thrown upward with its engine off; it has moved so far when")
+        step.say(f"{law}, so {step.result(name, formula, SECONDS)}.")
+        step.close()
+        return name
+
+    def _thrown(self, time: Expression) -> Expression:
+        """How far it is when its engine has been off for a time."""
+        fast, high = self._at_end
+        path = high + fast * time
+        return path - HALF * self.gravity.expression() * Power(time, 2) if self.gravity else path
 
     @cached_property
     def left(self) -> Expression:
@@ -152,10 +156,10 @@ class _Burning(Way):
         moment = self.query.moment
         if isinstance(moment, AtStart):
             return self.full
-        if isinstance(moment, BurnedOut):
+        if isinstance(moment, BurnedOut) or self.out:
             return self.dry
         step, name = self.book.open("mass"), self.book.fresh("m", r"\text{left}")
-        formula = added(self.full, -multiplied(self.rate_of_burning, self.time))
+        formula = added(self.first, -multiplied(self.rate_of_burning, self.time))
         step.say(f"By then its mass is {step.result(name, formula, KILOGRAMS, law=True)}.")
         step.close()
         return name
@@ -174,7 +178,7 @@ class _Burning(Way):
         u, log = self.exhaust, Call("ln", ratio(self.full, left))
         path = added(multiplied(u, time), -multiplied(ratio(multiplied(u, left), self.rate_of_burning), log))
         fall = self.gravity.scaled(-0.5).expression()
-        return added(path, multiplied(fall, multiplied(time, time)) if self.gravity else NIL.expression())
+        return added(path, multiplied(fall, Power(time, 2)) if self.gravity else NIL.expression())
 
     def rate(self, kind: str, k: int) -> Polynomial:
         """Along its way up."""
@@ -185,6 +189,9 @@ class _Burning(Way):
 
     @cached_property
     def _a(self) -> Symbol:
+        if self.out:
+            said, formula = "With its engine off it falls freely:", -self.gravity.expression()
+            return self.book.told("newton", said, self.book.fresh("a"), formula, PER_SQUARE_SECOND)
         thrust, name = self.book.fresh("F"), self.book.fresh("a")
         force = multiplied(self.rate_of_burning, self.exhaust)
         left = self.left
@@ -196,26 +203,45 @@ class _Burning(Way):
         return name
 
     @cached_property
-    def _v(self) -> Symbol:
-        log = Call("ln", ratio(self.full, self.left))
-        formula = multiplied(self.exhaust, log)
+    def _at_end(self) -> tuple[Symbol, Symbol]:
+        """The speed and the distance when the fuel is spent."""
+        mark = r"\text{out}"
+        return self._burnt(self.burned, "v", mark), self._gone(self.burned, mark)
+
+    def _burnt(self, time: Symbol, base: str, mark: str) -> Symbol:
+        """The speed that burning gives by a time."""
+        left = self.dry if self.out else self.left
+        formula = self.exhaust * Call("ln", ratio(self.full, left))
         if self.gravity:
-            formula = added(formula, -multiplied(self.gravity.expression(), self.time))
-        step, name = self.book.open("velocity"), self.book.fresh("v")
+            formula = formula - self.gravity.expression() * self._risen(time)
         told = "The burning mass gives" if not self.gravity else "The burning mass gives, less what gravity takes,"
-        step.say(f"{told} {step.result(name, formula, SPEED, law=True)}.")
-        step.close()
-        return name
+        return self.book.told("velocity", told, self.book.fresh(base, mark), formula, SPEED)
+
+    def _gone(self, time: Symbol, mark: str) -> Symbol:
+        """How far it comes by burning."""
+        path = self._path(self.dry if self.out else self.left, self._risen(time))
+        return self.book.told("distance", "Integrated over the time,", self.book.fresh("s", mark), path, METRES)
+
+    @cached_property
+    def _v(self) -> Symbol:
+        if not self.out:
+            return self._burnt(self.time, "v", "")
+        if self.gravity and isinstance(self.query.moment, AtTime):
+            return self._burnt(self.time, "v", "")
+        fast = self._at_end[0]
+        if not self.gravity:
+            return fast
+        said, formula = "Then gravity alone acts:", fast - self.gravity.expression() * self.coast
+        return self.book.told("velocity", said, self.book.fresh("v"), formula, SPEED)
 
     @cached_property
     def _s(self) -> Symbol:
-        left, time = self.left, self.time
-        if isinstance(self.query.moment, Moved):
+        if isinstance(self.query.moment, Moved) and not isinstance(self.query, StretchQuery):
+            _ = self.time
             return Symbol(next(iter(self.book.stated)))
-        step, name = self.book.open("distance"), self.book.fresh("s")
-        step.say(f"Integrated over the time, {step.result(name, self._path(left, time), METRES, law=True)}.")
-        step.close()
-        return name
+        if not self.out:
+            return self._gone(self.time, "")
+        return self.book.told("distance", "By then it is at", self.book.fresh("s"), self._thrown(self.coast), METRES)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
         """Along its way."""
@@ -224,17 +250,8 @@ class _Burning(Way):
         return self.rate(kind, 0).scaled(round(along)) if abs(along) > 0.5 and body == self.burns[0].body else NIL
 
 
-def _pull(mechanism: Mechanism) -> float:
-    """The acceleration of free fall along the rocket's way, at the start."""
-    axis = mechanism.coordinates[0].axis
-    found = -sum(a * b for a, b in zip(axis, mechanism.gravity, strict=True))
-    frames = start(mechanism)
-    for pull in mechanism.attractions:
-        found += _attracted(mechanism, pull, frames.center(pull.a).place, frames.center(pull.b).place)
-    return found
-
-
-def _attracted(mechanism: Mechanism, pull: Attraction, one: Vector, other: Vector) -> float:
-    apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
-    heavy = max(mechanism.body[pull.a].mass, mechanism.body[pull.b].mass)
-    return pull.constant * heavy / apart**pull.power
+def _tops(setting: Setting) -> bool:
+    """Whether the greatest displacement or height is asked for, and it has come to its highest point by then."""
+    query = setting.query
+    asked = isinstance(query, StretchQuery) and query.functional in ("greatest displacement", "greatest height")
+    return asked and float(setting.motion.state(np.array([setting.time])).v[0, 0]) < 0.0

@@ -1,0 +1,122 @@
+"""A rocket that burns its fuel: its engine, its mass, gravity, and when it begins to rise and has none left."""
+
+from functools import cached_property
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
+from sim2reason.dsl.vectors import Vector
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.solutions.book import UnsolvedError
+from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.stage import SECONDS
+from sim2reason.solutions.way import Way
+
+KILOGRAMS = r"\ \text{kg}"
+
+
+class Burning(Way):
+    """The numbers of a rocket, and the times at which something changes, written as they are needed."""
+
+    @property
+    def newton(self) -> Newton:
+        """None is needed."""
+        raise UnsolvedError("a rocket has no law of constant mass")
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """None."""
+        raise UnsolvedError(f"no {kind} of {name}")
+
+    # ---- numbers
+
+    def _both(self, here: float, there: float) -> Polynomial:
+        return self.setting.lexicon.read(Both(here, there))
+
+    @property
+    def burns(self) -> tuple[Burn, Burn]:
+        """The engine, here and in the twin."""
+        return self.setting.lexicon.mechanism.burns[0], self.setting.lexicon.twin.burns[0]
+
+    @cached_property
+    def rate_of_burning(self) -> Expression:
+        """µ."""
+        return self._both(*(burn.rate for burn in self.burns)).expression()
+
+    @cached_property
+    def exhaust(self) -> Expression:
+        """U."""
+        return self._both(*(burn.exhaust for burn in self.burns)).expression()
+
+    @cached_property
+    def first(self) -> Expression:
+        """The mass with all fuel."""
+        lexicon, name = self.setting.lexicon, self.burns[0].body
+        return self._both(lexicon.mechanism.body[name].mass, lexicon.twin.body[name].mass).expression()
+
+    @cached_property
+    def dry(self) -> Expression:
+        """The mass without fuel."""
+        lexicon, name = self.setting.lexicon, self.burns[0].body
+        pairs = zip((lexicon.mechanism, lexicon.twin), self.burns, strict=True)
+        return self._both(*(m.body[name].mass - burn.rate * burn.until for m, burn in pairs)).expression()
+
+    @property
+    def gravity(self) -> Polynomial:
+        """Of the ground, or of the planet at its surface."""
+        lexicon = self.setting.lexicon
+        return self._both(_pull(lexicon.mechanism), _pull(lexicon.twin))
+
+    # ---- the moment
+
+    @property
+    def waits(self) -> bool:
+        """Whether it stands on the ground until it is light enough."""
+        return self.setting.motion.segments[0].a[0] <= 0.0
+
+    @property
+    def out(self) -> bool:
+        """Whether its engine is off by then."""
+        return self.setting.time > self.burns[0].until * (1.0 + 1e-9) or isinstance(self.query, StretchQuery)
+
+    @cached_property
+    def full(self) -> Expression:
+        """The mass with which it begins to rise."""
+        if not self.waits:
+            return self.first
+        thrust = self.rate_of_burning * self.exhaust
+        said = "It stands on the ground till the thrust holds its weight, until its mass is"
+        return self.book.told("wait", said, self.book.fresh("m", "1"), thrust / self.gravity.expression(), KILOGRAMS)
+
+    def _risen(self, time: Expression) -> Expression:
+        """For how long it has risen by a time."""
+        return time - self._wait if self.waits else time
+
+    @cached_property
+    def _wait(self) -> Symbol:
+        formula = (self.first - self.full) / self.rate_of_burning
+        return self.book.told("wait", "So much fuel is burned after", self.book.fresh("t", "1"), formula, SECONDS)
+
+    @cached_property
+    def burned(self) -> Symbol:
+        """When the fuel is spent."""
+        formula = (self.first - self.dry) / self.rate_of_burning
+        base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
+        return self.book.told("time", "The fuel lasts for", base, formula, SECONDS)
+
+
+def _pull(mechanism: Mechanism) -> float:
+    """The acceleration of free fall along the rocket's way, at the start."""
+    axis = mechanism.coordinates[0].axis
+    found = -sum(a * b for a, b in zip(axis, mechanism.gravity, strict=True))
+    frames = start(mechanism)
+    for pull in mechanism.attractions:
+        found += _attracted(mechanism, pull, frames.center(pull.a).place, frames.center(pull.b).place)
+    return found
+
+
+def _attracted(mechanism: Mechanism, pull: Attraction, one: Vector, other: Vector) -> float:
+    apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
+    heavy = max(mechanism.body[pull.a].mass, mechanism.body[pull.b].mass)
+    return pull.constant * heavy / apart**pull.power
