@@ -10,6 +10,7 @@ import numpy as np
 
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.lowest_point import LowestPoint
@@ -18,11 +19,13 @@ from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added
-from sim2reason.solutions.functions import Call
+from sim2reason.solutions.functions import PI, Call
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.stage import SECONDS
+from sim2reason.solutions.swing_time import SwingTime
 from sim2reason.solutions.unit_latex import DEGREES
 
-MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
+MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
 EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is extreme at rest or where it is fastest
     "greatest speed": ("velocity", "fastest"),
     "greatest angular speed": ("angular velocity", "fastest"),
@@ -39,6 +42,7 @@ EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is
 SLOW = 1e-5  # of its greatest speed: none
 STRAIGHT = 1e-6  # rad
 UP = (0.0, 0.0, 1.0)
+SMALL = "Small swings would have the angular frequency"
 Way = tuple[str, str, str, str]
 
 
@@ -57,17 +61,17 @@ def unasked(setting: Setting, quantities: Collection[str]) -> str:
         if query.functional not in EXTREMES or asked(setting) not in quantities:
             return f"no way to the {query.functional}"
         return ""
-    if query.target is None or not isinstance(query.moment, MOMENTS):
+    if not isinstance(query.moment, MOMENTS):
         return "only integration gives the time"
-    return "" if asked(setting) in quantities else f"no way to the quantity {asked(setting)}"
+    return "" if query.target is None or asked(setting) in quantities else f"no way to the quantity {asked(setting)}"
 
 
 class SwingAngle(ABC):
     """The angle from the downward vertical, positive on the side on which it begins, written as it is needed.
 
-    Who makes one sets `first`, the angle at the start, `began`, its value, and `now` and `turning`, the angle at the
-    moment and its rate, and `turned`, by how much it has turned, for signs alone. `WAYS` has for each quantity the
-    method that gives its formula, its letter, its unit, and what is said before it.
+    Who makes one sets `first`, the angle at the start, `began`, its value, `now` and `turning`, the angle at the moment
+    and its rate, `turned`, by how much it has turned, and `way`, the sign of the rate at first, all for signs alone.
+    `WAYS` has for each quantity the method that gives its formula, its letter, its unit, and what is said before it.
     """
 
     first: Expression
@@ -75,6 +79,7 @@ class SwingAngle(ABC):
     now: float
     turned: float
     turning: float
+    way: float
     WAYS: ClassVar[Mapping[str, Way]]
     falls = True  # its centre of mass is on the side to which the angle is counted
 
@@ -101,6 +106,37 @@ class SwingAngle(ABC):
     def goes_round(self) -> bool:
         """Whether it has the energy for whole turns."""
 
+    # ---- times
+
+    @cached_property
+    @abstractmethod
+    def natural(self) -> Symbol:
+        """The angular frequency of small swings."""
+
+    @cached_property
+    @abstractmethod
+    def spin(self) -> Expression:
+        """The angular speed at the start."""
+
+    @cached_property
+    def times(self) -> SwingTime:
+        """Of the line to its centre of mass."""
+        first, way = (self.first, self.way) if self.falls else (added(PI, -self.first), -self.way)
+        return SwingTime(self.book, self.natural, first, self.spin, way)
+
+    def _when(self) -> Symbol:
+        """Write the time of the moment."""
+        time = self.setting.time
+        if isinstance(self.setting.query.moment, Deflected | TurnedThrough | WentSlack):
+            return self.times.reaches(self.angle if self.falls else added(PI, -self.angle), time)
+        return self.times.upright(time)
+
+    def _at_time(self, moment: AtTime) -> Expression:
+        name = self.book.fresh("t")
+        self.book.say_given(name.name, moment.after, SECONDS)
+        angle = self.times.angle(name)
+        return angle if self.falls else added(PI, -angle)
+
     @cached_property
     def angle(self) -> Expression:
         """The angle at the moment."""
@@ -109,6 +145,8 @@ class SwingAngle(ABC):
             return self._at_extreme()
         if isinstance(moment, AtStart):
             return self.first
+        if isinstance(moment, AtTime):
+            return self._at_time(moment)
         if isinstance(moment, Deflected | TurnedThrough):
             given, turns = self._given(moment.value), isinstance(moment, TurnedThrough)
             signed = given if (self.turned > 0.0 if turns else self.now >= 0.0) else -given
@@ -183,6 +221,8 @@ class SwingAngle(ABC):
     def write(self) -> Symbol:
         """What is asked for, by its quantity."""
         quantity, target = asked(self.setting), self.setting.query.target
+        if not quantity:
+            return self._when()
         sense = target.sense if target is not None else None
         if sense is not None and sense.vector != UP and any(sense.vector):
             raise UnsolvedError("a component along a direction that is not vertical")

@@ -7,14 +7,14 @@ import numpy as np
 
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import Book
-from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, added, multiplied, ratio
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.pendulum import geometry, pivot, place
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import SPEED
-from sim2reason.solutions.swing_angle import SwingAngle
-from sim2reason.solutions.unit_latex import DEGREES
+from sim2reason.solutions.swing_angle import SMALL, SwingAngle
+from sim2reason.solutions.unit_latex import DEGREES, latex
 
 
 class SwingState(SwingAngle):
@@ -37,14 +37,15 @@ class SwingState(SwingAngle):
         self.gravity = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2])).expression()
         masses = (lexicon.mechanism.body[self.body].mass, lexicon.twin.body[self.body].mass)
         self.mass = lexicon.read(Both(*masses)).expression()
-        self.began, self.now, self.turning = here[1], *self._seen()
+        moment = setting.query.moment
+        assert moment is not None
+        self.began, (self.now, self.turning) = here[1], self._seen(moment.side(setting.time))
+        self.way = 1.0 if self._seen(0.0)[1] >= 0.0 else -1.0
         self.turned = self.now - self.began
 
-    def _seen(self) -> tuple[float, float]:
-        """The angle and its rate at the moment, for signs alone."""
-        moment = self.setting.query.moment
-        assert moment is not None
-        state = self.setting.study.trace.sample(np.array([moment.side(self.setting.time)]))
+    def _seen(self, time: float) -> tuple[float, float]:
+        """The angle and its rate at a time, for signs alone."""
+        state = self.setting.study.trace.sample(np.array([time]))
         found = pivot(self.setting.mechanism)
         assert found is not None
         point = found[2]
@@ -56,6 +57,17 @@ class SwingState(SwingAngle):
         return atan2(side * apart[0], -apart[2]), across / hypot(*apart) ** 2
 
     # ---- the angle and the speed
+
+    @cached_property
+    def natural(self) -> Symbol:
+        """ω₀² = g/ℓ."""
+        formula = Root(ratio(self.gravity, self.length))
+        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, latex("rad/s"))
+
+    @cached_property
+    def spin(self) -> Expression:
+        """v₀/ℓ."""
+        return ratio(self.launch, self.length) if self.launch != ZERO else ZERO
 
     @property
     def goes_round(self) -> bool:

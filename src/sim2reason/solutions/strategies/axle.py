@@ -17,7 +17,7 @@ from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swing_angle import SwingAngle, Way, unasked
+from sim2reason.solutions.swing_angle import SMALL, SwingAngle, Way, unasked
 from sim2reason.solutions.unit_latex import DEGREES, latex
 
 HALF, TWO = Number(0.5), Number(2.0)
@@ -39,7 +39,7 @@ class Axle(Strategy):
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         if isinstance(setting.query, PeriodQuery):
-            return "" if setting.query.small else "only integration gives the period of large swings"
+            return ""
         return unasked(setting, _Turning.WAYS)
 
     def write(self, setting: Setting, book: Book) -> str:
@@ -56,14 +56,14 @@ class _Turning(SwingAngle):
         self.arm = Arm(setting, book)
         self.first, self.launch, self.gravity = self.arm.first, self.arm.launch, self.arm.gravity
         self.began = book.value(self.first)
-        self.now, self.turned, self.turning = self._seen()
+        moment = setting.query.moment
+        self.now, self.turned, self.turning = self._seen(moment.side(setting.time) if moment is not None else 0.0)
+        self.way = 1.0 if self._seen(0.0)[2] >= 0.0 else -1.0
 
-    def _seen(self) -> tuple[float, float, float]:
-        """The angle, that from the start, and its rate at the moment, for signs alone."""
-        moment, m = self.setting.query.moment, self.setting.mechanism
-        if moment is None:
-            return 0.0, 0.0, 0.0
-        state = self.setting.study.trace.sample(np.array([moment.side(self.setting.time)]))
+    def _seen(self, time: float) -> tuple[float, float, float]:
+        """The angle, that from the start, and its rate at a time, for signs alone."""
+        m = self.setting.mechanism
+        state = self.setting.study.trace.sample(np.array([time]))
         way = self.arm.way(m)
         side = 1.0 if way[0] >= 0.0 else -1.0
         sense = -side * self.arm.axis[1]  # about y, what points to the right goes down
@@ -90,6 +90,19 @@ class _Turning(SwingAngle):
         return place if self.book.value(place) > 0.0 else -place
 
     # ---- the laws
+
+    @cached_property
+    def natural(self) -> Symbol:
+        """ω₀² = S g/I."""
+        moment = self.arm.moment
+        size = moment if self.falls else -moment
+        formula = Root(size * self.gravity / self.arm.inertia)
+        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, RATE)
+
+    @cached_property
+    def spin(self) -> Expression:
+        """ω at the start."""
+        return self.launch
 
     @property
     def falls(self) -> bool:  # type: ignore[override]
@@ -158,7 +171,9 @@ class _Turning(SwingAngle):
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, latex("rad/s^2"))
 
     def _period(self, query: PeriodQuery) -> Symbol:
-        """Small oscillations: ω² = S g/I."""
+        """Of small oscillations ω² = S g/I; of large ones by elliptic integrals."""
+        if not query.small:
+            return measured_period(self.book, query, self.times.frequency)
         moment = self.arm.moment
         size = moment if self.book.value(moment) > 0.0 else -moment
         said = (
