@@ -12,8 +12,6 @@ from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.bodies.star import Planet, Star
 from sim2reason.bodies.uniform_rod import UniformRod
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
 from sim2reason.entities.parts.fields import ElectricField
 from sim2reason.entities.parts.fields.oscillating_electric import OscillatingElectric
@@ -38,27 +36,12 @@ from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions import solve
-from sim2reason.solutions.check import faults
-from sim2reason.solutions.reading import read
-from worked import asked
+from worked import answer
 
 G = 9.8
 GM = 4.0 * pi**2  # au³/yr²
 PLANET, BEAD, ROD = "system.planets.0", "fields.particle", "arm.pieces.0.body"
 PAIR = f"{PLANET} & system.star"
-
-
-def answer(name: str, entity: Entity, query: Query) -> float:
-    setting = asked(Scene(entities=(Named(name=name, entity=entity),)), query)
-    found = solve(setting)
-    assert found.answer is not None, found.reason
-    assert setting.answer is not None
-    assert not faults(found, setting.answer), found.text
-    reading = read(found.text)
-    assert not reading.unread
-    assert not reading.broken, reading.broken
-    return found.answer
 
 
 def at(quantity: str, subject: str, moment: Moment, kind: str = "event") -> Query:

@@ -5,12 +5,15 @@ from collections.abc import Iterator, Sequence
 
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
+from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES, Query
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.recipes import RECIPES, known
-from sim2reason.solutions import Setting
+from sim2reason.solutions import Setting, solve
+from sim2reason.solutions.check import faults
+from sim2reason.solutions.reading import read
 
 TRIES = 40
 ANSWERED = ("start", "state", "event", "time_to_event")  # kinds that strategies have a way to
@@ -27,6 +30,20 @@ def asked(scene: Scene, question: str | Query) -> Setting:
     query = question if isinstance(question, Query) else parse_question(question, search.study, search.words)
     assert query is not None, question
     return setting_of(search, query)
+
+
+def answer(name: str, entity: Entity, query: Query) -> float:
+    """What is derived about a lone entity, every check passed, its text alone included."""
+    setting = asked(Scene(entities=(Named(name=name, entity=entity),)), query)
+    found = solve(setting)
+    assert found.answer is not None, found.reason
+    assert found.derived, found.strategy
+    assert setting.answer is not None
+    assert not faults(found, setting.answer), found.text
+    reading = read(found.text)
+    assert not reading.unread
+    assert not reading.broken, reading.broken
+    return found.answer
 
 
 def problems(

@@ -13,7 +13,7 @@ from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.relative_motion import RelativeMotion
 from sim2reason.solutions.unit_latex import latex
 
-METRES, SECONDS, RADIANS, SPEED = latex("m"), latex("s"), latex("rad"), latex("m/s")
+METRES, SECONDS, RADIANS, SPEED, KG = latex("m"), latex("s"), latex("rad"), latex("m/s"), latex("kg")
 HALF = Number(0.5)
 LITTLE = 1e-7  # of the amplitude
 
@@ -182,15 +182,3 @@ class Harmonic:
             formula = formula + PI
         said = "Counted from the place of balance it is $A\\cos(\\omega t - \\varphi)$ with"
         return self.book.told("phase", said, self.book.fresh(r"\varphi"), formula, RADIANS)
-
-
-KG = latex("kg")
-
-
-def told_period(book: Book, rate: Symbol, measure: str) -> Symbol:
-    """A period, a frequency, or the angular frequency itself."""
-    if measure == "angular frequency":
-        return rate
-    if measure == "frequency":
-        return book.told("period", "The frequency is", book.fresh("f"), rate / (2.0 * PI), latex("Hz"))
-    return book.told("period", "The period is", book.fresh("T"), 2.0 * PI / rate, SECONDS)

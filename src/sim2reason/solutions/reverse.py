@@ -61,9 +61,7 @@ class Inversion:
             if any(isinstance(part, ImplicitRoot) for part in (formula, *(book.formulas[name] for name in later))):
                 return self._numerically(at)
             if len(names) == 1:
-                found = solved_for(names[0], formula, value, book.values)
-                if len(found.latex()) > LONG:
-                    found = numeric_root(names[0], formula, value, book.values)
+                found = self._inverted(names[0], formula, value)
                 if not isinstance(found, NumericRoot) or names[0] == self.unknown:
                     self._close(names[0], found, at)
                     if names[0] == self.unknown:
@@ -77,6 +75,11 @@ class Inversion:
             last = max(later, key=list(book.formulas).index)
             formula = put(formula, last, book.formulas[last])
         return self._numerically(at)
+
+    def _inverted(self, name: str, formula: Expression, value: Expression) -> Expression:
+        """A formula solved for a name, in numbers if that would be too long to be read."""
+        found = solved_for(name, formula, value, self.book.values)
+        return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, self.book.values)
 
     def _numerically(self, at: str) -> str:
         """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""

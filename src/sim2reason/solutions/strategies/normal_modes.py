@@ -18,8 +18,8 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import Root
 from sim2reason.solutions.goals import GOALS, Goal, Stretch
-from sim2reason.solutions.harmonic import told_period
 from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, speed
 from sim2reason.solutions.normal_modes import NormalModes
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -116,7 +116,7 @@ class _Modal(LinearWay):
         mode = driven[query.rank if query.small else 0]
         said, name = "The angular frequency is", self.book.fresh(r"\omega")
         rate = self.book.told("rate", said, name, Root(mode.square), latex("rad/s"))
-        return told_period(self.book, rate, query.measure)
+        return measured_period(self.book, query, rate)
 
     # ---- the moment
 

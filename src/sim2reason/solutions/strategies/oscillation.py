@@ -19,8 +19,9 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.goals import GOALS, Goal, Stretch
-from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic, told_period
+from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic
 from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.pair_way import PairWay
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
@@ -93,7 +94,7 @@ class Oscillating(LinearWay):
         _ = held.numbers
         self.stops_alone()
         if isinstance(query, PeriodQuery):
-            return told_period(self.book, self.harmonic.rate, query.measure)
+            return measured_period(self.book, query, self.harmonic.rate)
         if self.target is None or self.goal is None:
             return self._time
         return self.goal.write(self.target, self)

@@ -4,6 +4,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.vectors import Vector
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from typing import ClassVar
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.book import Book
+from sim2reason.solutions.expressions import ZERO, Expression, Number, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.pendulum import pivot
 from sim2reason.solutions.setting import Setting

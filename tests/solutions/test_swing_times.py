@@ -1,0 +1,110 @@
+"""Times in swings, and rockets whose engine is off: tables and closed forms, written down independently."""
+
+from math import asin, degrees, gamma, log, pi, radians, sin, sqrt
+
+import pytest
+
+from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.hanger import Cord, LightRod
+from sim2reason.bodies.rocket import DeepSpace, LevelGround, Rocket
+from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.entities.parts.pieces import AxialPiece
+from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.rocket_entity import RocketEntity
+from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.questions import Query, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.period_words import PeriodQuery
+from worked import answer
+
+G, LENGTH = 9.8, 0.8
+RATE = sqrt(G / LENGTH)
+BOB = "pendulum.bob"
+HALF = 1.685750354812596  # K(k² = 1/4), Abramowitz and Stegun, table 17.1
+LEMNISCATE = gamma(0.25) ** 2 / (4.0 * sqrt(pi))  # K(k² = 1/2), 17.3.9
+
+
+def pendulum(query: Query, angle: float, speed: float | None = None, *, rod: bool = False) -> float:
+    hanger = LightRod(length=LENGTH) if rod else Cord(length=LENGTH)
+    return answer("pendulum", Pendulum(bob=Ball(mass=0.5), hanger=hanger, angle=angle, speed=speed), query)
+
+
+@pytest.mark.parametrize(("angle", "quarter"), [(60.0, HALF), (90.0, LEMNISCATE)])
+def test_a_bob_let_go_comes_down_after_a_quarter_of_its_period(angle: float, quarter: float) -> None:
+    """T/4 = K(sin(θ/2))/ω₀ (Landau and Lifshitz, Mechanics, § 11)."""
+    found = pendulum(Query("time_to_event", None, LowestPoint(BOB)), angle)
+    assert found == pytest.approx(quarter / RATE, rel=1e-9)
+
+
+def test_a_bob_on_a_rod_goes_over_the_top() -> None:
+    """With k = 2 the time to the top is K(1/k)/(k ω₀)."""
+    query = Query("time_to_event", None, HighestPoint(BOB))
+    found = pendulum(query, 0.0, 4.0 * RATE * LENGTH, rod=True)
+    assert found == pytest.approx(HALF / (2.0 * RATE), rel=1e-9)
+
+
+def test_after_an_eighth_of_the_period() -> None:
+    """Sn(K/2) = 1/√(1 + k′) (Abramowitz and Stegun, 16.5.2), so sin(φ/2) = k/√(1 + k′) with k′ = cos(θ/2)."""
+    k, other = sin(radians(30.0)), sqrt(0.75)
+    angle = 2.0 * asin(k / sqrt(1.0 + other))
+    query = Query("state", Target("deflection", "pendulum.hanger"), AtTime(0.5 * HALF / RATE))
+    assert pendulum(query, 60.0) == pytest.approx(degrees(angle), rel=1e-8)
+
+
+def test_a_rod_that_swings_far() -> None:
+    """ω₀² = 3 g/2 L; K(sin 30°) for the period, and F(π/6, ½) = 0.529427 from the vertical to sin(φ/2) = ½ sin 30°."""
+    rod = AxialPiece(distance=0.5, body=UniformRod(mass=1.0, length=1.0), axis="along the arm")
+    arm, rate = RotationEntity(pieces=(rod,), angle=60.0), sqrt(1.5 * G)
+    period = PeriodQuery("period", None, None, "period", of=("arm.arm",))
+    assert answer("arm", arm, period) == pytest.approx(4.0 * HALF / rate, rel=1e-9)
+    query = Query("time_to_event", None, Deflected("arm.arm", degrees(2.0 * asin(0.25))))
+    assert answer("arm", arm, query) == pytest.approx((HALF - 0.5294286270519) / rate, rel=1e-9)
+
+
+# ---- rockets
+
+START, DRY, RATE_OF_BURNING, EXHAUST = 800.0, 300.0, 10.0, 0.9
+LASTS = (START - DRY) / RATE_OF_BURNING
+ROCKET = "rocket.rocket"
+
+
+def rocket(query: Query, place: LevelGround | DeepSpace, rate: float = RATE_OF_BURNING) -> float:
+    body = Rocket(mass=START, dry=DRY)
+    return answer("rocket", RocketEntity(rocket=body, place=place, exhaust=EXHAUST, rate=rate), query)
+
+
+def burned(g: float, rate: float = RATE_OF_BURNING, first: float = START) -> tuple[float, float]:
+    """The speed and the distance at the end (Kleppner and Kolenkow, § 3.6): u ln(m₀/m) − g t, and its integral."""
+    u, time = 1000.0 * EXHAUST, (first - DRY) / rate
+    speed = u * log(first / DRY) - g * time
+    return speed, u * time - u * DRY / rate * log(first / DRY) - 0.5 * g * time**2
+
+
+def test_in_empty_space_it_keeps_its_speed() -> None:
+    """V = u ln(m₀/m₁) from then on."""
+    speed, way = burned(0.0)
+    found = rocket(Query("state", Target("displacement", ROCKET), AtTime(LASTS + 25.0)), DeepSpace())
+    assert found == pytest.approx(way + 25.0 * speed, rel=1e-9)
+
+
+def test_above_the_ground_it_goes_on_as_thrown() -> None:
+    """H = h₁ + v₁²/2g."""
+    speed, way = burned(G)
+    query = StretchQuery("extremum", None, AtTime(LASTS + 1.5 * speed / G), "greatest displacement", ROCKET)
+    assert rocket(query, LevelGround()) == pytest.approx(way + speed**2 / (2.0 * G), rel=1e-9)
+    found = rocket(Query("time_to_event", None, Stopped(ROCKET, number=1)), LevelGround())
+    assert found == pytest.approx(LASTS + speed / G, rel=1e-9)
+
+
+def test_one_that_is_too_heavy_at_first_waits() -> None:
+    """It rises from the mass µ u/g on."""
+    rate = 7.0
+    first = rate * 1000.0 * EXHAUST / G
+    speed, _ = burned(G, rate, first)
+    query = Query("time_to_event", None, Stopped(ROCKET, number=1))
+    assert rocket(query, LevelGround(), rate) == pytest.approx((START - DRY) / rate + speed / G, rel=1e-9)
