@@ -11,7 +11,7 @@ import pytest
 
 import sim2reason
 from motions import told_motions
-from plain_scenes import arm, atwood, ramp, squeezed, swing, table
+from plain_scenes import arm, atwood, ramp, row, squeezed, swing, table
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.body import BODIES, Body
@@ -28,7 +28,7 @@ from sim2reason.prose.writer import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Words
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.all_along import AllAlong
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
@@ -145,7 +145,8 @@ def told(scene: Scene) -> tuple[Study, Words]:
 @cache
 def varied() -> list[tuple[Study, Words]]:
     """Motions in which all that is registered can be asked."""
-    return [*map(told, (ramp(friction=0.3, speed=2.0), squeezed(), swing(), arm(), *scenes())), *told_motions()]
+    carts = row((2.0, 1.0), (50.0, 30.0), "left", tilt=20.0)
+    return [*map(told, (ramp(friction=0.3, speed=2.0), squeezed(), swing(), arm(), carts, *scenes())), *told_motions()]
 
 
 def shapes(query: Query, words: Words) -> tuple[str, ...]:
@@ -161,7 +162,7 @@ def test_quantities_with_words_are_offered_and_every_phrase_is_parsed_back(name:
         for target in targets(words):
             if target.quantity == name:
                 offered.add(target.signed)
-                query = Query("start", target, AtStart()) if quantity.timeless else Query("state", target, AtTime(0.5))
+                query = Query("start", target, AllAlong()) if quantity.timeless else Query("state", target, AtTime(0.5))
                 assert {parse_question(text, study, words) for text in shapes(query, words)} == {query}
     assert offered == {
         signed for signed, template in ((False, quantity.magnitude), (True, quantity.signed)) if template

@@ -1,19 +1,14 @@
 """Springs along lines: harmonic oscillation, normal modes, energy, momentum and statics, each by a closed form."""
 
-from collections.abc import Sequence
 from math import acos, asin, cos, pi, radians, sqrt
 
 import pytest
 
-from sim2reason.bodies.cart import Cart
+from plain_scenes import row
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.slab import Slab
-from sim2reason.bodies.spring import Coil
-from sim2reason.bodies.track import RoughTrack
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.springs import Blow, Strained
-from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -26,38 +21,13 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
-from sim2reason.solutions.book import WELL
 from sim2reason.solutions.check import SEEN, faults
 from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
+from sim2reason.solutions.solution import WELL
 from worked import asked
 
 G, STIFFNESS, MASS = 9.8, 50.0, 2.0
-
-
-def row(
-    masses: Sequence[float],
-    stiffnesses: Sequence[float],
-    ends: str,
-    *,
-    strain: float = 0.0,
-    at: int = 0,
-    speed: float = 0.0,
-    tilt: float = 0.0,
-    friction: float = 0.0,
-) -> Scene:
-    """Carts in a row; spring `at` is stretched by `strain`, and the last cart moves to the right."""
-    by_how_much = Strained(spring=at, by=strain) if strain else Strained()
-    blow = Blow(cart=len(masses) - 1, toward="right", speed=speed) if speed else None
-    chain = SpringMassChain(
-        track=RoughTrack(tilt=tilt, friction=friction),
-        carts=tuple(Cart(mass=mass) for mass in masses),
-        ends=ends,  # type: ignore[arg-type]
-        springs=tuple(Coil(stiffness=stiffness) for stiffness in stiffnesses),
-        strain=by_how_much,
-        blow=blow,
-    )
-    return Scene(entities=(Named(name="row", entity=chain),))
 
 
 def lone(**start: float) -> Scene:

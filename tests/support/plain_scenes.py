@@ -1,14 +1,18 @@
 """Scenes small enough to be solved on paper."""
 
+from collections.abc import Sequence
+
 from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.hanger import Cord
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.bodies.sphere import Sphere
-from sim2reason.bodies.track import Track
+from sim2reason.bodies.spring import Coil
+from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
@@ -16,8 +20,10 @@ from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.pieces import RoundPiece
+from sim2reason.entities.parts.springs import Blow, Strained
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 
@@ -97,3 +103,28 @@ def arm(angle: float = 60.0) -> Scene:
     """A sphere of 2 kg and a radius of 0.2 m on a light arm, its centre 0.9 m from the axle, let go."""
     piece = RoundPiece(body=Sphere(mass=2.0, radius=0.2), distance=0.9)
     return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=(piece,), angle=angle)),))
+
+
+def row(
+    masses: Sequence[float],
+    stiffnesses: Sequence[float],
+    ends: str,
+    *,
+    strain: float = 0.0,
+    at: int = 0,
+    speed: float = 0.0,
+    tilt: float = 0.0,
+    friction: float = 0.0,
+) -> Scene:
+    """Carts in a row; spring `at` is stretched by `strain`, and the last cart moves to the right."""
+    by_how_much = Strained(spring=at, by=strain) if strain else Strained()
+    blow = Blow(cart=len(masses) - 1, toward="right", speed=speed) if speed else None
+    chain = SpringMassChain(
+        track=RoughTrack(tilt=tilt, friction=friction),
+        carts=tuple(Cart(mass=mass) for mass in masses),
+        ends=ends,  # type: ignore[arg-type]
+        springs=tuple(Coil(stiffness=stiffness) for stiffness in stiffnesses),
+        strain=by_how_much,
+        blow=blow,
+    )
+    return Scene(entities=(Named(name="row", entity=chain),))

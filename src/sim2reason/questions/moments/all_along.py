@@ -1,14 +1,9 @@
 """Any time after the start, of what never changes."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Self
-
-import numpy as np
 
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 
@@ -17,13 +12,7 @@ from sim2reason.questions.words import Words
 class AllAlong(AtStart):
     """Any time after the start, of what never changes: it is read at the start."""
 
-    label = None
-
-    @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """None: whether it is one depends on what is asked."""
-        del study, words, rng
-        return ()
+    label = "all along"
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: after release."""
