@@ -85,8 +85,7 @@ def command(
         console.as_json(manifest.model_dump(mode="json"))
     else:
         _tell(out, manifest)
-    lines = list(empty(manifest.cells))
-    for line in lines:
+    for line in (lines := list(empty(manifest.cells))):
         console.explain(f"an empty cell: {line}")
     return 1 if lines else 0
 
