@@ -6,6 +6,7 @@ from math import inf
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import AT_ONCE
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.targets import Target
@@ -37,6 +38,8 @@ def lasts(target: Target, trace: Trace) -> bool:
 
     What rubs against something and does not begin at rest may stop later on.
     """
+    if QUANTITIES[target.quantity].timeless:
+        return True
     mechanism = trace.mechanism
     still = not any(coordinate.speed for coordinate in mechanism.coordinates)
     rubs = any(0.0 < face.friction < inf for face in mechanism.faces)
