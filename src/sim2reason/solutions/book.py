@@ -7,6 +7,7 @@ from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.solution import Relation, Step, spelled
 from sim2reason.solutions.subscripts import marked
 from sim2reason.solutions.unit_latex import CANONICAL, latex
+from sim2reason.solutions.worked import Worked
 
 
 class UnsolvedError(Exception):
@@ -119,6 +120,10 @@ class Book:
     def is_hidden(self, held: Expression) -> bool:
         """Whether the value of a formula may not be written: it hangs on what is unknown, or all is in symbols."""
         return self.in_symbols or not self.hidden.isdisjoint(held.symbols())
+
+    def worked(self, formula: Expression) -> Expression:
+        """A formula of which the number alone is written, unless that hangs on what is unknown."""
+        return formula if self.is_hidden(formula) else Worked(formula, self.value(formula))
 
     def open(self, kind: str) -> "Writing":
         """Begin a step."""

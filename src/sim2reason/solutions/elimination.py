@@ -91,14 +91,10 @@ class Elimination:
             step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
         else:
             before, rest = parts(equation.zero, name)
-            right, left = self._worked(rest.expression()), self._worked(before.expression())
+            right, left = self.book.worked(rest.expression()), self.book.worked(before.expression())
             numbers = step.derived(right, multiplied(left, Symbol(name)))
             step.say(f"In numbers, {numbers}, so {step.result(Symbol(name), right / left, self.units[name])}.")
         step.close()
-
-    def _worked(self, held: Expression) -> Expression:
-        """As the number that it comes to, unless that hangs on what is unknown."""
-        return held if self.book.is_hidden(held) else Worked(held, self.book.value(held))
 
     # ---- several unknowns
 
@@ -169,8 +165,8 @@ class Elimination:
         numeric: list[NumericEquation] = []
         said: list[str] = []
         for equation in equations:
-            before = {n: self._worked(-equation.zero.coefficient(n).expression()) for n in names}
-            rest = self._worked(equation.zero.without(names).expression())
+            before = {n: self.book.worked(-equation.zero.coefficient(n).expression()) for n in names}
+            rest = self.book.worked(equation.zero.without(names).expression())
             kept = {n: part for n, part in before.items() if self.book.value(part)}
             numeric.append(NumericEquation(f"({next(marks)})", kept, rest))
             step.rest_on(_key(equation))
@@ -223,14 +219,14 @@ class Elimination:
         self, equation: NumericEquation, pivot: NumericEquation, last: str, marks: Iterator[str]
     ) -> NumericEquation:
         """An equation less so much of another that an unknown is gone."""
-        ratio = self._worked(equation.left[last] / pivot.left[last])
+        ratio = self.book.worked(equation.left[last] / pivot.left[last])
         names = dict.fromkeys((*equation.left, *pivot.left))
         left = {
-            name: self._worked(equation.left.get(name, ZERO) - multiplied(ratio, pivot.left.get(name, ZERO)))
+            name: self.book.worked(equation.left.get(name, ZERO) - multiplied(ratio, pivot.left.get(name, ZERO)))
             for name in names
             if name != last
         }
-        right = self._worked(equation.right - multiplied(ratio, pivot.right))
+        right = self.book.worked(equation.right - multiplied(ratio, pivot.right))
         found = NumericEquation(f"({next(marks)})", left, right)
         step = self._open("combine")
         step.rest_on(equation.label)

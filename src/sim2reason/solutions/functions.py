@@ -49,20 +49,29 @@ class Power(Expression):
 
 
 @dataclass(frozen=True, slots=True)
-class Root(Expression):
-    """A square root, the positive one."""
+class _OfOne(Expression):
+    """A function of one formula."""
 
     inside: Expression
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """What stands under the sign."""
+        """What it is a function of."""
         return (self.inside,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The root of something else."""
+        """The same function of something else."""
         (inside,) = parts
-        return Root(inside)
+        return type(self)(inside)
+
+    def symbols(self) -> Iterator[str]:
+        """Those of what it is a function of."""
+        return self.inside.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class Root(_OfOne):
+    """A square root, the positive one."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """The root; ValueError below zero."""
@@ -72,10 +81,6 @@ class Root(Expression):
     def latex(self) -> str:
         """Under its sign."""
         return rf"\sqrt{{{self.inside.latex()}}}"
-
-    def symbols(self) -> Iterator[str]:
-        """Those under it."""
-        return self.inside.symbols()
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,20 +119,8 @@ class Call(Expression):
 
 
 @dataclass(frozen=True, slots=True)
-class Absolute(Expression):
+class Absolute(_OfOne):
     """An absolute value."""
-
-    inside: Expression
-
-    @property
-    def parts(self) -> tuple[Expression, ...]:
-        """What stands between the bars."""
-        return (self.inside,)
-
-    def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """That of something else."""
-        (inside,) = parts
-        return Absolute(inside)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Never negative; of a complex value, the value of which the real part is not, so that it has a derivative."""
@@ -137,10 +130,6 @@ class Absolute(Expression):
     def latex(self) -> str:
         """Between bars."""
         return rf"\left|{self.inside.latex()}\right|"
-
-    def symbols(self) -> Iterator[str]:
-        """Those between them."""
-        return self.inside.symbols()
 
 
 @dataclass(frozen=True, slots=True)

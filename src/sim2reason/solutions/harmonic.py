@@ -26,6 +26,7 @@ class Harmonic:
     motion: LinearMotion | RelativeMotion
     name: Symbol
     first: Polynomial  # v₀
+    like: "Harmonic | None" = None  # one with the same mass and stiffness, which is told already
 
     @property
     def _free(self) -> int:
@@ -71,15 +72,19 @@ class Harmonic:
     @cached_property
     def mass(self) -> Expression:
         """What moves, as if all of it moved with the free coordinate."""
+        if self.like is not None:
+            return self.like.mass
         held = self.motion.mass(self._free, self._free)
         if len(held.terms) == 1:
             return held.expression()
-        said = "If all that moves moved as $x$ does, with the same kinetic energy, its mass would be"
-        return self.book.told("inertia", said.replace("x", self.name.name), self._fresh("M"), held.factored(), KG)
+        said = f"If all that moves moved as ${self.name.name}$ does, with the same kinetic energy, its mass would be"
+        return self.book.told("inertia", said, self._fresh("M"), held.factored(), KG)
 
     @cached_property
     def stiffness(self) -> Expression:
         """How much harder it is driven back a metre farther on."""
+        if self.like is not None:
+            return self.like.stiffness
         held = self.motion.stiffness(self._free, self._free)
         if len(held.terms) == 1:
             return held.expression()
@@ -92,6 +97,8 @@ class Harmonic:
     @cached_property
     def rate(self) -> Symbol:
         """ω = √(k/M)."""
+        if self.like is not None:
+            return self.like.rate
         formula = Root(self.stiffness / self.mass)
         said = "It is driven back in proportion to how far it is from the place of balance, so it oscillates with"
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))

@@ -5,6 +5,7 @@ ratios. By Lagrange's equations every term follows from those ratios and Newton'
 """
 
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import replace
 from functools import cached_property
 
@@ -16,8 +17,9 @@ from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression
 from sim2reason.solutions.newton import Row, symbol
-from sim2reason.solutions.polynomials import Polynomial, total
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.spring_laws import SpringLaws
 
@@ -54,8 +56,16 @@ class LinearMotion:
         self.laws = SpringLaws(setting.lexicon, segment)
         self.givens = {g.symbol: g.value for g in setting.lexicon.givens.values()}
         self._wanted = [*wanted]
+        self.begin = NIL
         self.free = self._free()
         self._check()
+
+    def counted_from(self, begin: Expression, at: float) -> "LinearMotion":
+        """The same with the place of the only free coordinate counted from `begin`, a symbol or zero, `at` m off."""
+        found = copy(self)
+        found.begin = NIL if begin == ZERO else Polynomial.of(begin)
+        found.givens = self.givens | dict.fromkeys(begin.symbols(), at)
+        return found
 
     # ---- constraints
 
@@ -173,9 +183,10 @@ class LinearMotion:
         return self._sums[self.free.index(i)][0].without([f"S{n}" for n in self.laws.springs])
 
     def load(self, i: int) -> Polynomial:
-        """Q: all forces along a free coordinate at the start."""
+        """Q: all forces along a free coordinate where places are counted from, by default at the start."""
         pulls = [(n, self.drawn(n, i)) for n in self.springs]
-        return self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
+        found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
+        return found - self.stiffness(i, i) * self.begin if self.begin else found
 
     @property
     def damped(self) -> bool:

@@ -3,24 +3,19 @@
 from abc import abstractmethod
 from functools import cached_property
 
-import numpy as np
-
-from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import product
 from sim2reason.dsl.vectors import Vector
-from sim2reason.questions.moments.moved import Moved
-from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions.book import UnsolvedError
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.elimination import solved
-from sim2reason.solutions.expressions import Expression, Symbol
-from sim2reason.solutions.fractions import over
+from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import Components
+from sim2reason.solutions.greatest import greatest_target
 from sim2reason.solutions.linear_motion import LinearMotion
 from sim2reason.solutions.newton import Newton, Row
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.relative_motion import RelativeMotion
-from sim2reason.solutions.setting import capital, joined
+from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.shared import NEWTONS
 from sim2reason.solutions.unit_latex import latex
 from sim2reason.solutions.way import STILL, Way
@@ -31,6 +26,12 @@ TIMES = {0.5: "half as far as", 2.0: "twice as far as", 1.0: "as far as"}
 
 class LinearWay(Way):
     """Goals in terms of where the free coordinates are, and how fast they change."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Where a greatest value is asked for, `greatest` is the quantity whose value it is."""
+        super().__init__(setting, book)
+        self.greatest = greatest_target(setting)
+        self.target = self.greatest or self.target
 
     @abstractmethod
     def place(self, i: int) -> Polynomial:
@@ -82,31 +83,6 @@ class LinearWay(Way):
     def first(self, i: int) -> Polynomial:
         """The rate of a free coordinate at the start."""
         return self.first_speeds.get(i, NIL)
-
-    def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """How far a coordinate comes as the only free one does, a fraction; None where that hangs on the time, too."""
-        return Polynomial.of(self.motion.ratio(k, self.motion.free[0])), Polynomial.of(1.0)
-
-    def moved_to(self, moment: Moved) -> Expression:
-        """Where the only free coordinate is when a body has moved a stated distance."""
-        k, *_ = self.moving([moment.name])
-        share, name = self.share(k), self.book.fresh("d")
-        if share is None:
-            raise UnsolvedError("the moment is not about the relative motion")
-        self.book.say_given(name.name, moment.value, METRES)
-        there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
-        return over(share[1] * Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0), share[0])
-
-    def stops_alone(self) -> None:
-        """UnsolvedError where a body comes to rest while the free coordinate goes on."""
-        moment = self.query.moment
-        if isinstance(moment, Stopped) and any(self.share(k) is None for k in self.moving([moment.name])):
-            raise UnsolvedError("the moment is not about the relative motion")
-
-    def seen(self, row: Array) -> float:
-        """Of the engine's values of all coordinates, that of the only free one."""
-        i = self.motion.free[0]
-        return self.newton.scale[i].here * float(row[i])
 
     def introduce(self, names: dict[int, Symbol]) -> None:
         """Say what the free coordinates are called, and how far the others go."""

@@ -5,12 +5,12 @@
 
 from collections.abc import Sequence
 from functools import cached_property
-from itertools import permutations
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.cramer import signed_permutations
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.fractions import over
 from sim2reason.solutions.functions import Power, Root
@@ -60,8 +60,7 @@ class ModeLaws:
     def _powers(self) -> list[Polynomial]:
         """The coefficients of det(K − λM) by the power of λ."""
         found = [NIL] * (self.size + 1)
-        for order in permutations(range(self.size)):
-            sign = _sign(order)
+        for sign, order in signed_permutations(self.size):
             product = [Polynomial.of(sign)]
             for i, j in enumerate(order):
                 stiff, mass = self.entry(i, j)
@@ -100,9 +99,7 @@ class ModeLaws:
             mode = self._named(self.zeros + n)
             turned = sign if self.book.value(a) > 0.0 else -sign
             formula = (-b - Number(turned) * Root(Power(b, 2) - 4.0 * a * c)) / (2.0 * a)
-            if not self.book.is_hidden(formula):
-                formula = Worked(formula, self.book.value(formula))
-            self._root(mode, powers, formula)
+            self._root(mode, powers, self.book.worked(formula))
             found.append(mode)
         return found
 
@@ -186,19 +183,3 @@ class ModeLaws:
                 near = float(self.squares[mode.number])
                 step.say(told_root(self.book, step, mode.square, held, near, SQUARED, "Found numerically, one root is"))
         step.close()
-
-
-def determinant(rows: list[list[Polynomial]]) -> Polynomial:
-    """By Leibniz's formula."""
-    parts: list[Polynomial] = []
-    for order in permutations(range(len(rows))):
-        product = Polynomial.of(_sign(order))
-        for i, j in enumerate(order):
-            product = product * rows[i][j]
-        parts.append(product)
-    return total(parts)
-
-
-def _sign(order: Sequence[int]) -> float:
-    swaps = sum(a > b for n, a in enumerate(order) for b in order[n + 1 :])
-    return -1.0 if swaps % 2 else 1.0

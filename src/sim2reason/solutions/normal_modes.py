@@ -10,16 +10,15 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.book import Writing
+from sim2reason.solutions.cramer import cramer
 from sim2reason.solutions.elimination import solved
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Symbol
-from sim2reason.solutions.fractions import over
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.mode import Mode
-from sim2reason.solutions.mode_laws import ModeLaws, determinant
+from sim2reason.solutions.mode_laws import ModeLaws
 from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.unit_latex import latex
-from sim2reason.solutions.worked import Worked
 
 METRES, SPEED, RATE = latex("m"), latex("m/s"), latex("rad/s")
 FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
@@ -92,14 +91,8 @@ class NormalModes(ModeLaws):
         said: list[str] = []
         coefficients = [[row.coefficient(name) for name in left] for row in rows[: len(left)]]
         rest = [row.without(left).scaled(-1.0) for row in rows[: len(left)]]
-        below = determinant(coefficients)
-        for n, name in enumerate(left):
-            above = determinant(
-                [[rest[r] if c == n else part for c, part in enumerate(row)] for r, row in enumerate(coefficients)]
-            )
-            formula = over(above, below)
-            worked = formula if self.book.is_hidden(formula) else Worked(formula, self.book.value(formula))
-            said.append(step.result(Symbol(name), worked, ""))
+        for name, formula in zip(left, cramer(coefficients, rest), strict=True):
+            said.append(step.result(Symbol(name), self.book.worked(formula), ""))
         return said
 
     # ---- what is excited

@@ -1,20 +1,19 @@
 """Two free coordinates with a momentum that is kept, by which what both share follows from their relative motion."""
 
-from abc import abstractmethod
 from functools import cached_property
 
 from sim2reason.dsl.state import Array
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.elimination import solved
 from sim2reason.solutions.expressions import Expression, Symbol
-from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.relative_motion import RelativeMotion
+from sim2reason.solutions.single_way import SingleWay
 from sim2reason.solutions.stage import METRES, SPEED
 from sim2reason.solutions.unit_latex import latex
 
 
-class PairWay(LinearWay):
+class PairWay(SingleWay):
     """A way for the relative motion, with what momentum says of the rest."""
 
     @property
@@ -44,19 +43,7 @@ class PairWay(LinearWay):
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
         said = "The momentum is zero, so the centre of mass stays where it is. So far the two have moved apart by"
-        return self.book.told("momentum", said, self.called(), formula, METRES)
-
-    @abstractmethod
-    def called(self) -> Symbol:
-        """The name of how far the relative motion has come."""
-
-    @abstractmethod
-    def clock(self) -> Symbol:
-        """The time of the moment."""
-
-    @abstractmethod
-    def relative(self, kind: str) -> Polynomial:
-        """Place ``s``, speed ``v`` or acceleration ``a`` of the relative motion."""
+        return self.book.told("momentum", said, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
         """The rate at the start: of the relative motion, or of what is shared."""
@@ -89,19 +76,19 @@ class PairWay(LinearWay):
 
     # ---- what both share
 
-    def _balanced(self, base: str, unit: str, kind: str, total: Polynomial, said: str) -> Polynomial:
+    def _balanced(self, kind: str, unit: str, total: Polynomial, said: str) -> Polynomial:
         """From: mass times what is shared + mass times what is relative = a total."""
-        if base in self._told:
-            return self._told[base]
+        if kind in self._told:
+            return self._told[kind]
         shared, both, _ = self._relative.masses
         mark = self.setting.mark(self.mechanism.coordinates[self._relative.other].body)
-        step, name = self.book.open("momentum"), self.book.fresh(base, mark)
-        left = shared * Polynomial.of(name) + both * self.relative(kind)
+        step, name = self.book.open("momentum"), self.book.fresh(kind, mark)
+        left = shared * Polynomial.of(name) + both * self.along(kind)
         law = step.law(left.collected([name.name]), total.expression())
         step.say(f"{said} {law}, so {step.result(name, solved(left - total, name.name), unit)}.")
         step.close()
-        self._told[base] = Polynomial.of(name)
-        return self._told[base]
+        self._told[kind] = Polynomial.of(name)
+        return self._told[kind]
 
     @cached_property
     def _told(self) -> dict[str, Polynomial]:
@@ -113,26 +100,26 @@ class PairWay(LinearWay):
     def place(self, i: int) -> Polynomial:
         """Of the relative motion, or what is shared: where the centre of mass is."""
         if i != self._relative.other:
-            return self.relative("s")
+            return self.along("s")
         total = self.kept
         if total:
             total = total * Polynomial.of(self.clock())
-        if not total and not self.relative("s"):
+        if not total and not self.along("s"):
             return NIL
         said = f"The centre of mass moves as the momentum that is kept says; with the displacement of {self._partner()}"
-        return self._balanced("s", METRES, "s", total, said)
+        return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
         """Of the relative motion, or what is shared."""
         if i != self._relative.other:
-            return self.relative("v")
-        if not self.kept and not self.relative("v"):
+            return self.along("v")
+        if not self.kept and not self.along("v"):
             return NIL
-        return self._balanced("v", SPEED, "v", self.kept, f"Momentum is kept; with the velocity of {self._partner()}")
+        return self._balanced("v", SPEED, self.kept, f"Momentum is kept; with the velocity of {self._partner()}")
 
     def acceleration(self, i: int) -> Polynomial:
         """Of the relative motion, or what is shared."""
         if i != self._relative.other:
-            return self.relative("a")
+            return self.along("a")
         said = f"The centre of mass is not accelerated; with the acceleration of {self._partner()}"
-        return self._balanced("a", latex("m/s^2"), "a", NIL, said)
+        return self._balanced("a", latex("m/s^2"), NIL, said)

@@ -9,6 +9,7 @@ from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.dynamics import Dynamics
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.way import Way
@@ -41,7 +42,7 @@ class Course(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class StagePart:
+class StagePart(Stretch):
     """One stage of a way, and the laws that give its forces."""
 
     way: Way

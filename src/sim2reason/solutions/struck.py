@@ -6,9 +6,9 @@ from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ONE, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.flights import Impact
 from sim2reason.solutions.functions import Power
+from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.goals.turning import squared
 from sim2reason.solutions.oblique import Flights
-from sim2reason.solutions.polynomials import Polynomial
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,33 +47,12 @@ class StruckBodies:
 
 
 @dataclass(frozen=True, slots=True)
-class FlightPart:
-    """One flight of a body; `last` is that in which the question ends."""
+class FlightPart(Stretch):
+    """One flight of a body."""
 
     flights: Flights
     number: int
     until: Symbol | None  # the time at which it is left
-
-    @property
-    def time(self) -> Symbol:
-        """Nothing asks for it."""
-        raise UnsolvedError("no time of a flight is asked for")
-
-    def force(self, kind: str, name: str) -> Polynomial:
-        """None in flight."""
-        raise UnsolvedError(f"no {kind} of {name} in flight")
-
-    def moved(self, body: str, line: str) -> Polynomial:
-        """No line is tied to it."""
-        raise UnsolvedError(f"{line} is not tied to {body}")
-
-    def slipped(self, body: str) -> Polynomial:
-        """It lies on nothing."""
-        raise UnsolvedError(f"{body} lies on nothing")
-
-    def drawn(self, line: str) -> Polynomial:
-        """There is no line."""
-        raise UnsolvedError(f"{line} is drawn by nobody")
 
     def path(self, body: str) -> Expression:
         """From where the flight begins to where it ends, without a sign."""

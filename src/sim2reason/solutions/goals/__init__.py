@@ -9,7 +9,7 @@ from typing import Protocol
 from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
 from sim2reason.registry import Registry
-from sim2reason.solutions.book import Book
+from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.polynomials import Polynomial, total
@@ -20,33 +20,35 @@ WAYS = ("to the right", "away from us", "upward")
 AXES = ("x", "y", "z")
 
 
-class Stretch(Protocol):
-    """A part of a motion in which no force changes."""
+class Stretch(ABC):
+    """A part of a motion; by default a path is all that it has."""
+
+    __slots__ = ()
 
     @property
     def time(self) -> Symbol:
         """How long it takes."""
-        ...
+        raise UnsolvedError("no time in which no force changes")
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """A tension, or the friction on a body that slides: zero where there is none."""
-        ...
+        """A tension, or the friction on a body that slides, if it is constant: zero where there is none."""
+        raise UnsolvedError(f"no {kind} of {name} that is constant")
 
     def moved(self, body: str, line: str) -> Polynomial:
         """How far a body moves along a line that is tied to it, away from where that is tied."""
-        ...
+        raise UnsolvedError(f"no way of {body} along {line}")
 
     def slipped(self, body: str) -> Polynomial:
         """How far a body slips on its face."""
-        ...
+        raise UnsolvedError(f"no slip of {body}")
 
     def drawn(self, line: str) -> Polynomial:
         """By how much a line grows shorter."""
-        ...
+        raise UnsolvedError(f"no change of {line}")
 
+    @abstractmethod
     def path(self, body: str) -> Expression:
         """How far a body travels along its line, to and fro."""
-        ...
 
 
 class Struck(Protocol):

@@ -19,13 +19,13 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.fractions import over
 from sim2reason.solutions.functions import Power, Root
-from sim2reason.solutions.goals import GOALS, Goal
-from sim2reason.solutions.linear_way import LinearWay
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.greatest import greatest_target, time_of_greatest
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.single_way import SingleWay
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.travelled import extreme_target, time_of_greatest
 from sim2reason.solutions.unit_latex import latex
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping, MostStretched, MostCompressed, NaturalLength)
@@ -45,9 +45,9 @@ class WorkAndEnergy(Strategy):
         """Why it does not apply."""
         if setting.mechanism.meetings:
             return "something may collide"
-        if extreme_target(setting) is None and (unknown := no_goal(setting, MOMENTS)):
+        if greatest_target(setting) is None and (unknown := no_goal(setting, MOMENTS)):
             return unknown
-        target = extreme_target(setting)
+        target = greatest_target(setting)
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: Setting, book: Book) -> str:
@@ -55,19 +55,8 @@ class WorkAndEnergy(Strategy):
         return Working(setting, book).write().name
 
 
-class Working(LinearWay):
+class Working(SingleWay):
     """Speeds by energy; accelerations by power."""
-
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """Of a greatest value, the quantity whose value it is."""
-        super().__init__(setting, book)
-        self.greatest = extreme_target(setting) is not None
-        self.target = extreme_target(setting) or self.target
-
-    @property
-    def goal(self) -> Goal | None:
-        """None for a time."""
-        return GOALS[self.target.quantity] if self.target is not None else None
 
     @cached_property
     def _i(self) -> int:
@@ -78,9 +67,13 @@ class Working(LinearWay):
             raise UnsolvedError("it is damped")
         return self.motion.free[0]
 
-    @cached_property
+    @property
     def name(self) -> Symbol:
         """What the free coordinate is called."""
+        return self._name
+
+    @cached_property
+    def _name(self) -> Symbol:
         name = self.book.fresh("x")
         self.introduce({self._i: name})
         return name
@@ -216,11 +209,8 @@ class Working(LinearWay):
         law = step.law(self._kinetic(name), first + work)
         inner = 2.0 * work / self._mass
         root = Root(Power(self._first, 2) + inner if self._first != ZERO else inner)
-        step.say(
-            "When $x$ changes at the rate $v$, all that moves has the kinetic energy on the left;".replace(
-                "$x$", f"${self.name.name}$"
-            ).replace("$v$", f"${name.name}$")
-        )
+        changes = f"${self.name.name}$ changes at the rate ${name.name}$"
+        step.say(f"When {changes}, all that moves has the kinetic energy on the left;")
         step.say(f"it grows by the work of all forces: {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
         step.close()
@@ -276,18 +266,3 @@ class Working(LinearWay):
         """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate."""
         held = {"s": lambda: self._place, "v": lambda: self._speed, "a": lambda: self._rise}[kind]()
         return NIL if held == ZERO else Polynomial.of(held)
-
-    def place(self, i: int) -> Polynomial:
-        """How far it has come."""
-        del i
-        return self.along("s")
-
-    def speed(self, i: int) -> Polynomial:
-        """How fast."""
-        del i
-        return self.along("v")
-
-    def acceleration(self, i: int) -> Polynomial:
-        """How fast that changes."""
-        del i
-        return self.along("a")

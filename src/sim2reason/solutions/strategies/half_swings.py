@@ -38,21 +38,6 @@ class HalfSwings(Strategy):
         return _Swinging(setting, book).write().name
 
 
-class Shifted(LinearMotion):
-    """The same equations, with places counted from another one."""
-
-    def __init__(self, setting: Setting, segment: Segment, wanted: Sequence[int], begin: Expression, at: float) -> None:
-        """`begin`, a symbol or zero, comes to `at`, m."""
-        super().__init__(setting, segment, wanted)
-        self._begin = NIL if begin == ZERO else Polynomial.of(begin)
-        self.givens = {**self.givens, **(dict.fromkeys(begin.symbols(), at))}
-
-    def load(self, i: int) -> Polynomial:
-        """All forces at that place."""
-        begin: Polynomial = getattr(self, "_begin", NIL)
-        return super().load(i) - self.stiffness(i, i) * begin if begin else super().load(i)
-
-
 class _Swinging(Oscillating):
     """The last swing; those before it leave where and when it begins."""
 
@@ -68,15 +53,12 @@ class _Swinging(Oscillating):
     def _swing(self, segment: Segment, name: Symbol, before: Harmonic | None) -> Harmonic:
         """One swing, from `begin` on."""
         at = self.book.value(self.begin) if self.begin != ZERO else 0.0
-        motion = Shifted(self.setting, segment, self.linear.free, self.begin, at)
+        motion = LinearMotion(self.setting, segment, self.linear.free).counted_from(self.begin, at)
         if len(motion.free) != 1:
             raise UnsolvedError("there are several modes")
         if motion.damped or not any(motion.laws.rough.values()):
             raise UnsolvedError("it does not slide all the while")
-        found = Harmonic(self.book, motion, name, NIL if before else self.first(motion.free[0]))
-        if before is not None:
-            found.__dict__.update({key: getattr(before, key) for key in ("mass", "stiffness", "rate")})
-        return found
+        return Harmonic(self.book, motion, name, NIL if before else self.first(motion.free[0]), before)
 
     @cached_property
     def harmonic(self) -> Harmonic:

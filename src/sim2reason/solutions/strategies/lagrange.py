@@ -12,17 +12,15 @@ from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.cramer import cramer
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.fractions import over
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.linear_way import LinearWay
-from sim2reason.solutions.mode_laws import determinant
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
 from sim2reason.solutions.unit_latex import latex
-from sim2reason.solutions.worked import Worked
 
 MOMENTS = (AtStart, AtTime, Moved)
 HALF = Number(0.5)
@@ -83,15 +81,10 @@ class _Together(LinearWay):
         step.say(f"energy and the work of all forces give Lagrange's equations {joined(said)}.")
         step.label("equations")
         step.close()
-        below = determinant(rows)
-        for n, i in enumerate(free):
-            above = determinant([[loads[r] if c == n else p for c, p in enumerate(row)] for r, row in enumerate(rows)])
+        for i, formula in zip(free, cramer(rows, loads), strict=True):
             step = self.book.open("solve")
             step.rest_on("equations")
-            formula = over(above, below) if above else ZERO
-            hidden = self.book.is_hidden(formula)
-            held = formula if hidden else Worked(formula, self.book.value(formula))
-            step.say(f"By Cramer's rule {step.result(names[i], held, latex('m/s^2'))}.")
+            step.say(f"By Cramer's rule {step.result(names[i], self.book.worked(formula), latex('m/s^2'))}.")
             step.close()
         return names
 

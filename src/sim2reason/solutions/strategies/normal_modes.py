@@ -17,7 +17,8 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import Root
-from sim2reason.solutions.goals import GOALS, Goal, Stretch
+from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.greatest import time_of_greatest
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, speed
@@ -28,7 +29,7 @@ from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import ACCELERATION
 from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target, time_of_greatest
+from sim2reason.solutions.travelled import EARLY, Travelled
 from sim2reason.solutions.unit_latex import latex
 
 SCAN = 2001
@@ -55,16 +56,6 @@ class SeveralModes(Strategy):
 class _Modal(LinearWay):
     """Sums over modes."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """Of a greatest value, the quantity whose value it is."""
-        super().__init__(setting, book)
-        self.target = extreme_target(setting) or self.target
-
-    @property
-    def goal(self) -> Goal | None:
-        """None for a time or a period."""
-        return GOALS[self.target.quantity] if self.target is not None else None
-
     @cached_property
     def _all(self) -> NormalModes:
         motion = self.linear
@@ -87,7 +78,7 @@ class _Modal(LinearWay):
     def _forms(self) -> list[Array]:
         """The sums of places that the moment and the goal are about, over the free coordinates."""
         parts: list[dict[int, float]] = []
-        if not isinstance(self.query.moment, AtTime) or self._extreme_asked:
+        if not isinstance(self.query.moment, AtTime) or self.greatest:
             parts.append(self._condition[1])
         if self.target is not None and self.goal is not None:
             lines = [*self.goal.lines(self.target)]
@@ -121,15 +112,10 @@ class _Modal(LinearWay):
     # ---- the moment
 
     @cached_property
-    def _extreme_asked(self) -> bool:
-        """Whether the moment is that of a greatest value."""
-        return extreme_target(self.setting) is not None
-
-    @cached_property
     def _time(self) -> Symbol:
         """When it is: given, or the root of what the moment says."""
         moment, name = self.query.moment, self.book.fresh("t")
-        if isinstance(moment, AtTime) and not self._extreme_asked:
+        if isinstance(moment, AtTime) and not self.greatest:
             self.book.say_given(name.name, moment.after, SECONDS)
             return name
         said, held, law = self._condition
@@ -153,7 +139,7 @@ class _Modal(LinearWay):
     def _goes_on(self) -> Expression:
         """What is added to the sum of places: a strain at the start, or a distance."""
         moment = self.query.moment
-        if self._extreme_asked:
+        if self.greatest:
             return ZERO
         if isinstance(moment, NaturalLength):
             return self.spring("strain", moment.name).expression()
@@ -169,7 +155,7 @@ class _Modal(LinearWay):
     def _condition(self) -> tuple[str, dict[int, float], Law]:
         """In words, and a sum of places, speeds or accelerations, by coordinate, that comes to a number."""
         moment = self.query.moment
-        if self._extreme_asked:
+        if self.greatest:
             return self._extreme()
         if isinstance(moment, Moved):
             k, *_ = self.moving([moment.name])
@@ -215,7 +201,7 @@ class _Modal(LinearWay):
     @property
     def _when(self) -> float:
         """The time, s, by the engine: of a greatest value, when that is taken."""
-        return time_of_greatest(self.setting) if self._extreme_asked else self.setting.time
+        return time_of_greatest(self.setting) if self.greatest else self.setting.time
 
     # ---- what goals ask
 

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Elastic
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -18,15 +19,16 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.goals import GOALS, Goal, Stretch
+from sim2reason.solutions.goals import GOALS, Stretch
+from sim2reason.solutions.greatest import greatest_target
 from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic
-from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.pair_way import PairWay
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.single_way import SingleWay
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.travelled import EARLY, Travelled, extreme_target
+from sim2reason.solutions.travelled import EARLY, Travelled
 from sim2reason.solutions.unit_latex import latex
 
 SUMS = ("distance travelled", "impulse of the net force", "energy dissipated by friction")
@@ -43,14 +45,14 @@ class Oscillation(Strategy):
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if not any(hasattr(line.law, "stiffness") for line in setting.mechanism.lines):
+        if not any(isinstance(line.law, Elastic) for line in setting.mechanism.lines):
             return "there is no spring"
         if setting.mechanism.meetings:
             return "something may collide"
         query = setting.query
         if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:
             return f"no way to the {query.functional}"
-        target = extreme_target(setting) or setting.target
+        target = greatest_target(setting) or setting.target
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: Setting, book: Book) -> str:
@@ -59,21 +61,16 @@ class Oscillation(Strategy):
         return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
 
 
-class Oscillating(LinearWay):
+class Oscillating(SingleWay):
     """One free coordinate; its places are counted from `begin`, where it is at the time `started`, s."""
 
     begin: Expression = ZERO
     started = 0.0
 
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """Of a greatest value, the quantity whose value it is."""
-        super().__init__(setting, book)
-        self.target = extreme_target(setting) or self.target
-
     @property
-    def goal(self) -> Goal | None:
-        """None for a time or a period."""
-        return GOALS[self.target.quantity] if self.target is not None else None
+    def name(self) -> Symbol:
+        """What the free coordinate is called, counted from `begin`."""
+        return self.harmonic.name
 
     @cached_property
     def harmonic(self) -> Harmonic:
@@ -156,13 +153,8 @@ class Oscillating(LinearWay):
         return self.until(self.book.told("time", said, self.book.fresh("t"), formula, SECONDS))
 
     @cached_property
-    def _extreme(self) -> bool:
-        """Whether the moment is that of a greatest value."""
-        return extreme_target(self.setting) is not None
-
-    @cached_property
     def _timed(self) -> bool:
-        return isinstance(self.query.moment, AtTime) and not self._extreme
+        return isinstance(self.query.moment, AtTime) and not self.greatest
 
     @cached_property
     def _place(self) -> Expression:
@@ -175,7 +167,7 @@ class Oscillating(LinearWay):
             if held.begun != ZERO:
                 formula = formula + held.begun * Call("sin", self._angle)
             return self.book.told("place", "It has come as far as", held.name, formula, METRES)
-        if not self._extreme:
+        if not self.greatest:
             if isinstance(moment, NaturalLength):
                 return self._relaxed(moment.name)
             if isinstance(moment, Moved):
@@ -222,7 +214,6 @@ class Oscillating(LinearWay):
             else:
                 formula = held.rate * Root(Power(held.amplitude, 2) - Power(apart, 2))
                 what = "So far from the place of balance its speed is"
-            step = self.book.open("speed")
             step.say(f"{what} {step.result(name, formula if sign > 0.0 else -formula, SPEED, law=True)}.")
         step.close()
         return name
@@ -263,21 +254,6 @@ class Oscillating(LinearWay):
         held = self.whole_place if kind == "s" else self._speed
         return NIL if held == ZERO else Polynomial.of(held)
 
-    def place(self, i: int) -> Polynomial:
-        """How far it has come."""
-        del i
-        return self.along("s")
-
-    def speed(self, i: int) -> Polynomial:
-        """How fast."""
-        del i
-        return self.along("v")
-
-    def acceleration(self, i: int) -> Polynomial:
-        """−ω² (x − x₀)."""
-        del i
-        return self.along("a")
-
 
 class _Pair(PairWay, Oscillating):
     """Two bodies that a spring joins, of which nothing outside pulls: their relative motion oscillates."""
@@ -286,15 +262,3 @@ class _Pair(PairWay, Oscillating):
     def stretches(self) -> Sequence[Stretch]:
         """A body goes on while it swings."""
         raise UnsolvedError("its path is no path of the relative motion")
-
-    def called(self) -> Symbol:
-        """The name of how far the relative motion has come."""
-        return self.harmonic.name
-
-    def clock(self) -> Symbol:
-        """The time of the moment."""
-        return Oscillating.clock(self)
-
-    def relative(self, kind: str) -> Polynomial:
-        """Of the relative motion."""
-        return self.along(kind)

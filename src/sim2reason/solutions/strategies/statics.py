@@ -8,16 +8,14 @@ from functools import cached_property
 
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.cramer import cramer, determinant
 from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.fractions import over
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.linear_way import LinearWay
-from sim2reason.solutions.mode_laws import determinant
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.stage import METRES
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.worked import Worked
 
 
 @strategy
@@ -66,8 +64,8 @@ class _AtRest(LinearWay):
         self.introduce(names)
         rows = [[motion.stiffness(i, j) for j in free] for i in free]
         loads = [motion.load(i) for i in free]
-        below, said = determinant(rows), list[str]()
-        if not below:
+        said: list[str] = []
+        if not determinant(rows):
             raise UnsolvedError("it has no place of its own to rest")
         step = self.book.open("balance")
         for row, load in zip(rows, loads, strict=True):
@@ -76,13 +74,10 @@ class _AtRest(LinearWay):
         step.say(f"There the forces of springs balance all others: {joined(said)}.")
         step.label("balance")
         step.close()
-        for n, i in enumerate(free):
-            above = determinant([[loads[r] if c == n else p for c, p in enumerate(row)] for r, row in enumerate(rows)])
-            formula = over(above, below)
-            plain = len(free) == 1 or self.book.is_hidden(formula)
+        for i, formula in zip(free, cramer(rows, loads), strict=True):
             step = self.book.open("solve")
             step.rest_on("balance")
-            held = formula if plain else Worked(formula, self.book.value(formula))
+            held = formula if len(free) == 1 else self.book.worked(formula)
             step.say(f"So {step.result(names[i], held, METRES)}.")
             step.close()
         return names
