@@ -52,10 +52,10 @@ class WorkAndEnergy(Strategy):
 
     def write(self, setting: Setting, book: Book) -> str:
         """The work, the kinetic energy, then what is asked."""
-        return Working(setting, book).write().name
+        return EnergyWay(setting, book).write().name
 
 
-class Working(SingleWay):
+class EnergyWay(SingleWay):
     """Speeds by energy; accelerations by power."""
 
     @cached_property

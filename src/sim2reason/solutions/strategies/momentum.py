@@ -4,7 +4,7 @@ from sim2reason.solutions.book import Book
 from sim2reason.solutions.pair_way import PairWay
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import strategy
-from sim2reason.solutions.strategies.energy import WorkAndEnergy, Working
+from sim2reason.solutions.strategies.energy import EnergyWay, WorkAndEnergy
 
 
 @strategy
@@ -20,5 +20,5 @@ class MomentumKept(WorkAndEnergy):
         return _Pair(setting, book).write().name
 
 
-class _Pair(PairWay, Working):
+class _Pair(PairWay, EnergyWay):
     """The relative motion by energy."""

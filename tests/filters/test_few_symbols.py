@@ -1,0 +1,30 @@
+"""How many symbols a formula must hold, by the numbers that must move an answer in numbers."""
+
+import numpy as np
+import pytest
+
+from plain_scenes import atwood, ramp
+from sim2reason.dsl.scene import Scene
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.questions import Formula, Query, Question, Study, Target
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.recipes import Difficulty
+
+
+def reason(scene: Scene, difficulty: Difficulty, within: tuple[str, ...]) -> str:
+    study = Study.of(scene, np.linspace(0.0, 1.0, 11))
+    symbols = (*within, "g")
+    formula = Formula(" ".join(symbols), symbols, ("",) * len(symbols), ((1.0,) * len(symbols),), (1.0,), within)
+    query = Query("state", Target("velocity", study.mechanism.bodies[-1].name), AtTime(0.5))
+    question = Question("symbolic", query, "?", 1.0, "m/s", formula=formula)
+    return FILTERS["few symbols"].reason(Candidate(study, question, "a b c", difficulty=difficulty))
+
+
+@pytest.mark.parametrize(
+    ("scene", "difficulty", "wanted"),
+    [(ramp(), "easy", 2), (ramp(), "hard", 3), (atwood(), "easy", 2), (atwood(), "medium", 3), (atwood(), "hard", 4)],
+)
+def test_one_symbol_less_than_must_count_is_too_few(scene: Scene, difficulty: Difficulty, wanted: int) -> None:
+    names = ("a", "b", "c", "d")
+    assert reason(scene, difficulty, names[:wanted]) == ""
+    assert reason(scene, difficulty, names[: wanted - 1]) == f"{wanted - 1} symbols of {wanted}"
