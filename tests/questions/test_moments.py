@@ -17,8 +17,10 @@ from sim2reason.questions.crossing import begins_beyond, crossings, first_crossi
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.spoken import said, say, spoken, two_digits
 from sim2reason.simulation.scenes import simulate
@@ -137,3 +139,28 @@ def test_numbers_are_found_again_by_their_unit_alone(value: float, unit: str) ->
     text = f"What is it when A is at {say(value, unit)}?"
     assert said(text, unit) == [spoken(value)]
     assert not any(said(text, other) for other in ("s", "m", "m/s", "m/s^2", "J") if other != unit)
+
+
+ROCKS = (
+    "A slider (mass $M$) slides freely along a straight horizontal rail. A straight light arm can turn in a vertical "
+    "plane about a horizontal axle. Rigidly attached to the arm is a small ball of mass $m$, a distance $d$ from the "
+    "axle. At first the line from the axle to the ball points an angle $\\theta$ to the right of the downward "
+    "vertical. "
+    "The slider carries a frictionless hinge, to which the arm is fixed. A light string tied to the slider runs along "
+    "the rail to the left and ends in a hand that pulls with a steady force of $F_1$. A second light string tied to "
+    "the slider runs along the rail to the right and ends in a hand that pulls with a steady force of $F_2$. Until "
+    "t = 0 everything is held at rest. Take g = 9.8 m/s². Numerical values: $M$ = 5.6 kg, $m$ = 5.5 kg, $d$ = 0.50 m, "
+    "$\\theta$ = 13°, $F_1$ = PULL N and $F_2$ = 37 N. Calculate the greatest angular speed of the arm before the ball "
+    "first passes through the lowest point of its path. State the answer in rad/s to three significant figures, inside "
+    "\\boxed{}."
+)
+
+
+@pytest.mark.parametrize(("left", "passes"), [("57", False), ("38", True)])
+def test_an_arm_that_rocks_to_one_side_does_not_pass_through_its_lowest_point(left: str, *, passes: bool) -> None:
+    """A cart with the acceleration a holds its arm at tan θ = a/g: with 57 N at 10.4°, and 13° is hardly more."""
+    asked = parse_prompt(ROCKS.replace("PULL", left), np.random.default_rng(1))
+    moment = asked.query.moment
+    assert isinstance(moment, LowestPoint)
+    assert asked.study.time(moment) is not None
+    assert moment.comes(asked.study) is passes
