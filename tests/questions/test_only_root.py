@@ -6,7 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from plain_scenes import atwood
+from sim2reason.questions import Query, Study
+from sim2reason.questions.dependence import Dependence
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.only_root import Scan
+from sim2reason.questions.targets import Target
+from sim2reason.simulation.scenes import simulate
 
 ROOT = 2.0
 VALUES = tuple(np.geomspace(0.2, 100.0, 64).tolist())
@@ -84,3 +90,30 @@ def test_what_begins_to_happen_at_the_root_makes_no_other_root() -> None:
 
 def test_a_function_that_only_rises_has_one_root() -> None:
     assert found(lambda value: value**3) is None
+
+
+@dataclass
+class Wayward(Known):
+    """A magnitude: beyond 4 it falls to zero at 11.6 and rises again; from 11.7 on there is none for a while."""
+
+    def __call__(self, value: float) -> float | None:
+        return None if 11.7 < value < 12.5 else self.result(value)
+
+    def course(self, value: float) -> tuple[int, ...]:
+        return () if self(value) is None else (int(value > 11.6),)
+
+
+def test_where_a_magnitude_passes_through_zero_next_to_where_it_has_no_value() -> None:
+    """The change of a counterweight's potential energy, close to balance: it takes too long just beyond it."""
+    result = Wayward(lambda value: value / ROOT if value < 4.0 else min(2.0, 10.0 * abs(value - 11.6)))
+    at = Scan(result, ROOT, 1.0, MARGIN).another(VALUES)  # type: ignore[arg-type]
+    assert at == pytest.approx(11.6, abs=0.11)
+
+
+def test_which_way_coordinates_have_gone_belongs_to_what_happens() -> None:
+    """Atwood's machine turns round where the masses are equal: no event tells it."""
+    scene = atwood(left=3.0, right=2.0)
+    query = Query("state", Target("velocity", "one.system.blocks.0"), AtTime(0.5))
+    dependence = Dependence(query, Study(scene, simulate(scene)), "one.system.blocks.0.mass")
+    heavier, heaviest, lighter = (dependence.course(mass) for mass in (2.5, 4.0, 1.5))
+    assert heavier == heaviest != lighter

@@ -21,8 +21,10 @@ AT_ONCE = 1e-6  # of a time
 STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
 
-Course = tuple[tuple[str, tuple[str, ...]], ...]
-"""Events in turn, by kind and subjects."""
+STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
+
+Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
+"""Events in turn, by kind and subjects, and which way each coordinate has changed."""
 
 
 class Dependence:
@@ -90,9 +92,8 @@ class Dependence:
     def _note(self, value: float, study: Study) -> None:
         """When what is asked about comes in a motion, and after what; itself it may be an event, within rounding."""
         self._times[value] = time = KINDS[self._query.kind].time(self._query, study) or 0.0
-        self._courses[value] = tuple(
-            (e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - AT_ONCE)
-        )
+        events = tuple((e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - AT_ONCE))
+        self._courses[value] = events, _ways(study, time)
 
     def _plans(self, value: float, scene: Scene) -> list[tuple[float, ...]]:
         """How long to follow a motion, s: to a stated time; until what is waited for comes; else to its own horizon.
@@ -162,6 +163,13 @@ class Dependence:
     def _excess(self, at: float, value: float) -> float | None:
         found = self(at)
         return None if found is None else found - value
+
+
+def _ways(study: Study, time: float) -> tuple[float, ...]:
+    """Which way each coordinate has changed by a time, or begins to: in between, a magnitude passes through zero."""
+    known = study.trace.sample(np.array([0.0, time]))
+    changes = known.q[-1] - known.q[0] if time else known.a[0]
+    return tuple(np.sign(np.where(np.abs(changes) > STILL * np.abs(changes).max(), changes, 0.0)).tolist())
 
 
 def towards_border(dependence: Callable[[float], float | None], one: float, other: float) -> Iterator[float]:

@@ -112,12 +112,18 @@ class Scan:
             yield from towards_border(self._coarse, one, other)
 
     def _turning_points(self) -> Iterator[float]:
-        """Numbers between neighbours for which different things happen: the answer may be anything in between."""
+        """Numbers between neighbours for which different things happen: the answer may be anything in between.
+
+        Where there is none halfway, those towards the borders of where there is one.
+        """
         pairs = list(pairwise(sorted({*self._known, self._root})))
         for _ in range(CLOSER):
             apart = [pair for pair in pairs if self._differ(*pair)]
             middles = [0.5 * (low + high) for low, high in apart]
             yield from middles
+            for (low, high), at in zip(apart, middles, strict=True):
+                if self._coarse(at) is None:
+                    yield from (*towards_border(self._coarse, low, at), *towards_border(self._coarse, at, high))
             pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
 
     def _differ(self, one: float, other: float) -> bool:
