@@ -54,7 +54,7 @@ def test_what_changes_far_from_what_is_drawn_is_not_closed_in_on() -> None:
     """Friction is drawn up to 0.7; on a slope of 60° it would have to be tan 60° = 1.73, beyond twice that."""
     scene = ramp(angle=60.0, friction=0.3)
     trial = Trial(study(scene), OUTCOMES["slides"]("ramp.blocks.0"), "ramp.plane.friction")
-    assert trial.change(usual=True) is None
+    assert trial.usual_change() is None
     tried = len(trial._known)
     assert trial.change() == pytest.approx(tan(radians(60.0)), rel=1e-7)
     assert tried < len(trial._known)
@@ -87,6 +87,15 @@ def test_a_string_stays_taut_if_the_bob_gets_no_higher_than_its_end() -> None:
 def test_a_speed_at_which_it_goes_slack_is_no_threshold() -> None:
     """It goes slack between two speeds: it changes twice."""
     assert critical(pendulum(Cord(length=1.0), 40.0, 2.0), "goes_slack", "p.hanger", "p.speed") is None
+
+
+def test_one_of_two_changes_is_doubted() -> None:
+    """From v² = 2 g ℓ cos θ on it goes slack, until v² = g ℓ (3 + 2 cos θ), with which it goes right round."""
+    scene, outcome = pendulum(Cord(length=1.0), 40.0, 2.0), OUTCOMES["goes_slack"]("p.hanger")
+    first = sqrt(2.0 * G * cos(radians(40.0)))
+    assert not Trial(study(scene), outcome, "p.speed").changes_only_at(first)
+    query = ThresholdQuery("threshold", None, None, outcome, "p.speed", "", about=first)
+    assert "other values" in KINDS["threshold"].doubt(query, study(scene), None)
 
 
 def lifted(mass: float = 2.0, friction: float = 0.0) -> Scene:

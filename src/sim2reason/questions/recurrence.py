@@ -15,7 +15,7 @@ from sim2reason.questions.choices import apart, at
 from sim2reason.questions.crossing import crossings
 from sim2reason.simulation.trace import Trace
 
-SAME = 1e-6  # of the greatest excursion and of the greatest speed: what differs by less is the same
+SAME, ERRS = 1e-6, 100.0  # of the greatest excursion and speed, or times what a step errs by: less is no difference
 MOST = 12  # instants that are tried
 
 
@@ -75,6 +75,7 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     def alike(here: State) -> bool:
         off = np.where(turned, np.remainder(gone(here) + pi, 2.0 * pi) - pi, gone(here))
         changed = here.v[:, number] - speeds
-        return float(np.abs(off).max()) <= SAME * far and float(np.abs(changed).max()) <= SAME * fast
+        same = max(SAME, ERRS * trace.tolerance)
+        return float(np.abs(off).max()) <= same * far and float(np.abs(changed).max()) <= same * fast
 
     return next((time for time in islice(crossings(trace, excess), MOST) if alike(at(trace, time))), None)

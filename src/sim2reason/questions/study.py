@@ -13,7 +13,8 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, Trace
 
 SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
-ENOUGH = 1e-8  # relative: what a step may err by in a motion that is only compared with this one
+ENOUGH = 1e-8  # relative: what a step may err by in a motion whose answers are equal to this one's, or are not
+ROUGH = 1e-6  # relative: or in one that matters only by how much its answers differ
 BEYOND = 1.1  # times the moment that is asked about, to which variants and the witness follow a motion
 
 
@@ -98,4 +99,4 @@ class Study:
 def _made(scene: Scene, mechanism: Mechanism, until: float) -> Study | None:
     if not mechanism.coordinates:
         return None
-    return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), ENOUGH))
+    return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), ROUGH))

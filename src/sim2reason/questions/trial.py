@@ -20,7 +20,7 @@ LONGER = 7  # times that a motion is followed twice as long
 EXACT, ROUGH = 1e-9, 1e-5  # relative: of closing in; where it only matters by how much it differs
 SAME = 5e-7  # relative: a change that is no farther from where one is known is in the same place
 COARSE = 1e-6  # relative: what a step may err by where two values are a tenth apart
-CLOSE, WIDER, WIDEST = 0.02, 3.0, 5  # relative: how near a known change another one is looked for first; times; turns
+CLOSE, WIDER, WIDEST = 0.004, 5.0, 5  # relative: how near a known change another one is looked for first; times; turns
 BENT = 2.0  # times what a secant misses of a parabola about zero: how far to its sides one looks
 HALVED = 2  # guesses in which what is left should at least be halved
 
@@ -64,16 +64,41 @@ class Trial:
             duration *= 2.0
         return None
 
-    def change(self, *, usual: bool = False) -> float | None:
-        """Where the outcome changes, if it does so just once in the number's range; `usual`: near what is drawn."""
+    def change(self) -> float | None:
+        """Where the outcome changes, if it does so just once in the number's range."""
         values = range_of(self._scene, self._path)
         sparse = self._turns((*values[::SPARSE], values[-1]))
-        if len(sparse) != 1 or (usual and not self._is_usual(*sparse[0])):
+        turns = self._turns(values) if len(sparse) == 1 else []
+        return self.between(*turns[0]) if len(turns) == 1 else None
+
+    def usual_change(self) -> float | None:
+        """Where the outcome changes near what is drawn, if a few points of the range show just one change.
+
+        Whether there are others between these points, `changes_only_at` says; to look at all costs far more.
+        """
+        values = range_of(self._scene, self._path)
+        sparse = self._turns((*values[::SPARSE], values[-1]))
+        if len(sparse) != 1 or not self._is_usual(*sparse[0]):
             return None
-        turns = self._turns(values)
-        if len(turns) != 1 or (usual and not self._is_usual(*turns[0])):
-            return None
-        return self.between(*turns[0])
+        low, high = self._halved([value for value in values if sparse[0][0] <= value <= sparse[0][1]])
+        return self.between(low, high) if self._is_usual(low, high) else None
+
+    def changes_only_at(self, value: float) -> bool:
+        """Whether the outcome changes nowhere else in the number's range."""
+        turns = self._turns(range_of(self._scene, self._path))
+        return len(turns) == 1 and turns[0][0] <= value <= turns[0][1]
+
+    def _halved(self, values: list[float]) -> tuple[float, float]:
+        """Two neighbours among values between which the outcome changes, where it does from the first to the last."""
+        first = self(values[0], COARSE)
+        while len(values) > 2:
+            middle = len(values) // 2
+            found = self(values[middle], COARSE)
+            if found is None:
+                values.pop(middle)
+            else:
+                values = values[middle:] if found == first else values[: middle + 1]
+        return values[0], values[-1]
 
     def _turns(self, values: Iterable[float]) -> list[tuple[float, float]]:
         """Between which neighbours among some values it changes; no more than two such pairs."""

@@ -11,7 +11,7 @@ from sim2reason.filters.parts.numbers import SHIFT, givens, shifted, with_values
 
 EXACT = 1e-5  # relative: how well the product must be the answer
 NEAR = 5.0 * SHIFT  # how near to a multiple of a half a measured power must be
-NOTHING = 1e-4  # a smaller power is none
+NOTHING = 2e-3  # a smaller power is none; shifted motions tell it to a thousandth
 FAR = 5.0  # deg: by how much an angle is turned to see whether it is the function that its power says
 HIGHEST = 2.0  # power
 SIMPLE = (1.0, 2.0, 4.0, sqrt(2.0), pi, 2.0 * pi)  # factors in front, and their inverses

@@ -64,7 +64,7 @@ class ThresholdKind(Kind):
         outcome = found[int(rng.integers(len(found)))]
         for unknown in some(words.unknowns, rng):
             trial = Trial(study, outcome, unknown.path)
-            critical = trial.change(usual=True)
+            critical = trial.usual_change()
             if critical is not None and is_usual(study.scene, unknown.path, critical):
                 happens = bool(rng.random() < 0.5)
                 greatest = trial(critical * (1.0 + SIDE)) is not happens
@@ -100,11 +100,13 @@ class ThresholdKind(Kind):
         return ()
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """The second engine must see on either side what the first one sees."""
+        """It must change nowhere else; the second engine must see on either side what the first one sees."""
         del certificate
         assert isinstance(query, ThresholdQuery)
         assert query.outcome is not None
         first, second = query.trial(study), Trial(study, query.outcome, query.parameter, WITNESS)
+        if not first.changes_only_at(query.about):
+            return "the outcome changes at other values too"
         sides = (query.about * (1.0 - SIDE), query.about * (1.0 + SIDE))
         agreed = all(first(side) is not None and first(side) == second(side) for side in sides)
         return "" if agreed else "the engines disagree on what happens next to the threshold"
