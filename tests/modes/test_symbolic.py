@@ -8,8 +8,12 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, half_atwood, ramp, swing
+from sim2reason.bodies.glider import Glider
+from sim2reason.bodies.track import Track
 from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
 from sim2reason.filters.few_symbols import FewSymbols
@@ -19,6 +23,7 @@ from sim2reason.prose.formula_numbers import said_in
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
@@ -78,6 +83,19 @@ def test_on_the_way_up_is_assumed() -> None:
     assert found is not None
     assert found.text.startswith("Assume that the block moves up the slope. ")
     assert "at t = $t_1$" in found.text or "t = $t_1$" in found.text
+
+
+def test_among_several_who_meets_first_is_assumed_whatever_their_numbers() -> None:
+    """Just after A has struck B, v_B = v_A m_A (1 + e)/(m_A + m_B), whether or not the third is ever near."""
+    carts = (Glider(mass=1.0, x=-1.0, v=2.0), Glider(mass=2.0, x=0.0, v=0.5), Glider(mass=3.0, x=2.0, v=1.5))
+    scene = Scene(
+        entities=(Named(name="t", entity=ComplexCollisionPlane(track=Track(), gliders=carts, restitution=0.5)),)
+    )
+    query = Query("event", Target("velocity", "t.gliders.1"), Collided("t.gliders.0 & t.gliders.1"))
+    found = completed(scene, query, "m/s")
+    assert paid(found, r"v_B + \frac{m_A (1 + e)(v_A - v_B)}{m_A + m_B}")
+    assert found is not None
+    assert found.text.startswith("Assume that there is no collision before the moment in question. ")
 
 
 def test_no_formula_where_only_integration_answers() -> None:

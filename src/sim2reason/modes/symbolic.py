@@ -185,18 +185,22 @@ class _Varied:
         )
 
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
-        """The fewest regimes that leave no scene in which the formula does not hold; None if no few do."""
-        kept: list[Regime] | None = None
+        """The fewest regimes that leave no scene in which the formula does not hold; None if no few do.
+
+        And those that are told always, first of all.
+        """
+        kept = self._shared(words)
+        told = {held for held in kept if held.always_told(self._near[0].study)}
         excluding: list[set[Regime]] = []
         for other in self._widely(rng):
             if self._agrees(formula.expression, other):
                 continue
-            kept = self._shared(words) if kept is None else kept
             excluding.append({held for held in kept if not held.holds(other.study, other.until)})
             if not excluding[-1]:
                 return None
-        options = (some for some in _some(kept or ()) if all(not held.isdisjoint(some) for held in excluding))
-        return next(options, None) if excluding else ()
+        fitting = (some for some in _some(kept) if told.issubset(some))
+        options = (some for some in fitting if all(not held.isdisjoint(some) for held in excluding))
+        return next(options, None) if excluding or told else ()
 
     @property
     def beyond(self) -> list[Mapping[str, float]]:

@@ -37,6 +37,11 @@ class Regime(ABC):
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is so in another motion up to a time, s."""
 
+    def always_told(self, study: Study) -> bool:
+        """Whether a formula without it can not be read, whatever the numbers of the scene; by default not."""
+        del study
+        return False
+
     @abstractmethod
     def clause(self, words: Words) -> str:
         """It in words, after *assume that*."""

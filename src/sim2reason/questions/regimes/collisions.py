@@ -38,6 +38,10 @@ class CollideInTurn(Regime):
         came = [e.subjects for e in study.trace.events if e.kind == "collision" and e.time < until * (1.0 - BEFORE)]
         return [*map(set, came)] == [*map(set, self.order)]
 
+    def always_told(self, study: Study) -> bool:
+        """Where more than two may meet: symbols of places and velocities do not say who stands where."""
+        return len(_meetings(study.mechanism)) > 1
+
     def clause(self, words: Words) -> str:
         """As in: the only collision before the moment in question is that of balls A and B."""
         said = [_said(names, words) for names in self.order]
