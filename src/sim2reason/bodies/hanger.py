@@ -20,7 +20,7 @@ class Cord(Hanger):
 
     nouns = ("string",)
     words = {"straight": Word("length", {}, "is taut and makes")}
-    lone = ("a light inextensible {noun} of length {length}", "a light inextensible {noun} {length} long")
+    lone = ("a light inextensible {noun} of length {length}", "a light, inextensible {noun} of length {length}")
 
     @property
     def look(self) -> Slender:
@@ -34,7 +34,7 @@ class LightRod(Hanger):
 
     nouns = ("rod",)
     words = {"straight": Word("length", {}, "makes")}
-    lone = ("a light rigid {noun} of length {length}", "a light rigid {noun} {length} long")
+    lone = ("a light rigid {noun} of length {length}", "a light, rigid {noun} of length {length}")
 
     @property
     def look(self) -> Slender:

@@ -95,8 +95,8 @@ class ComplexCollisionPlane(Entity):
         PAIRS,
         assuming(
             "{hits}.",
-            "{pairs?whatever collides/whatever collides otherwise} will {they}.",
-            "{pairs?in a collision/in any other collision} the two {they}.",
+            "{pairs?bodies/other bodies} that collide {they}.",
+            "{pairs?in a collision/in any other collision} the two bodies {they}.",
         ),
     )
 

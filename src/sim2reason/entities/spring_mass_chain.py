@@ -72,7 +72,7 @@ class SpringMassChain(Entity):
         either(
             "{springs:/light }{springs} {springs:runs/run, in this order,} {where}.",
             "{where} {springs:runs/run, in this order,} {springs:/light }{springs}.",
-            "the {springs:link/links} {where} {springs:is/are, in this order,} {springs:/light }{springs}.",
+            "{where} there {springs:is/are, in this order,} {springs:/light }{springs}.",
         ),
         DASHPOTS,
         AT_FIRST,

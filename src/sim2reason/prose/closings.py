@@ -182,7 +182,7 @@ CLOSINGS: tuple[Closing, ...] = (
         _slackens,
         (
             "whenever the string becomes taut again, the velocity along it is lost.",
-            "each time the slack string is stretched again, the velocity along it is lost.",
+            "each time the slack string becomes taut, the velocity along it is lost.",
             "the string does not bounce: where it becomes taut again, the velocity along it is lost.",
         ),
     ),

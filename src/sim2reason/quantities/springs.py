@@ -62,7 +62,7 @@ class ExtensionRate(Quantity):
 
     name, unit, symbol = "extension rate", "m/s", "u"
     of = Springs()
-    magnitude = "the rate at which the length of {spring} changes"
+    magnitude = "the magnitude of the rate at which the length of {spring} changes"
     how = "how fast is the length of {spring} changing {when}?"
     given = True
     weight = 0.5

@@ -72,9 +72,9 @@ class BallPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm {distance} {side}.",
+            "{body} is fixed to the arm, {distance} {side}.",
             "rigidly attached to the arm is {body}, {distance} {side}.",
-            "the arm carries {body}, fixed to it {distance} {side}.",
+            "the arm carries {body}, fixed to it at {distance} {side}.",
         ),
     )
 
@@ -175,7 +175,7 @@ class CappedPiece(WeldedPiece):
     says = (
         either(
             "{body} is fixed to the arm; its {body.front} faces {faces} and has its centre on the arm, {distance} {side}.",
-            "rigidly attached to the arm is {body}, whose {body.front} faces {faces} and has its centre on the arm {distance} {side}.",
+            "rigidly attached to the arm is {body}, whose {body.front} faces {faces} and has its centre on the arm, {distance} {side}.",
             "the arm carries {body}, welded to it with its {body.front} centred {distance} {side} and facing {faces}.",
         ),
     )

@@ -19,7 +19,7 @@ from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
 from sim2reason.simulation.rest.likeness import alike_at_rest
 from sim2reason.simulation.rest.witness import unrest
 
-WHEN = ("in the position of equilibrium", "at equilibrium", "at rest in equilibrium")
+WHEN = ("in the position of equilibrium", "at equilibrium", "in equilibrium")
 STILL = 1e-6  # m or rad
 
 

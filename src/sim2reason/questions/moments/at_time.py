@@ -65,5 +65,9 @@ class AtTime(Moment):
         """As in: in the first 0.80 s after release."""
         time = words.say(self.after, "s")
         if words.released:
-            return (f"in the first {time} after release", f"within {time} of release", f"during the first {time}")
+            return (
+                f"in the first {time} after release",
+                f"during the first {time} after release",
+                f"during the first {time}",
+            )
         return (f"between t = 0 and t = {time}", f"from t = 0 to t = {time}", f"in the time from t = 0 to t = {time}")

@@ -28,7 +28,7 @@ class BurnedOut(Occurrence):
         """As in: when the engine of the rocket burns out."""
         rocket = self.subject(words)
         return (
-            f"at the end of the burn of {rocket}",
+            f"when {rocket} has burnt all its fuel",
             f"when the engine of {rocket} burns out",
             f"at the moment when the fuel of {rocket} is used up",
         )
