@@ -18,6 +18,7 @@ from sim2reason.errors import DatasetError
 Reply = list[Attempt] | str
 """The outcomes of a batch, or why there are none: ``crashed …`` or ``hung …``."""
 _SPAWN = get_context("forkserver")  # a fork of a process with threads may deadlock
+STARTING = 60.0  # s: a worker may take so long to begin on a busy machine, whatever a batch may take
 
 
 @dataclass
@@ -35,10 +36,12 @@ class _Worker:
         process = _SPAWN.Process(target=serve, args=(theirs, maker), daemon=True)
         process.start()
         theirs.close()  # now the worker alone holds it: its death closes the pipe
-        return cls(process, ours, patience, time.monotonic() + patience)
+        return cls(process, ours, patience, time.monotonic() + max(patience, STARTING))
 
     def give(self, batch: Batch) -> None:
-        self.batch, self.deadline = batch, time.monotonic() + self.patience
+        self.batch = batch
+        if self.began:
+            self.deadline = time.monotonic() + self.patience
         with suppress(OSError):  # it died while it waited: `take` will say so
             self.pipe.send(batch)
 
