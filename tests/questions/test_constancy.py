@@ -38,6 +38,13 @@ def test_velocities_of_free_pucks_hang_on_which_collision_has_been_alone() -> No
     assert matters(table(), AtTime(0.9), Target("displacement", RIGHT))
 
 
+@pytest.mark.parametrize(("when", "hangs"), [(0.15, True), (0.9, False)])
+def test_a_value_that_has_settled_may_be_asked_for_at_any_time(when: float, hangs: bool) -> None:
+    """1 − e^(−t/τ), which differs from its limit by 5 % until 3τ alone."""
+    trace = study(atwood()).trace
+    assert hangs_on(AtTime(when), trace, when, lambda times: 1.0 - np.exp(-times / 0.04)) is hangs
+
+
 def test_constant_forces_last() -> None:
     """In an Atwood machine a = g (M − m)/(M + m) and T = 2 M m g/(M + m), all the while."""
     trace = study(atwood()).trace

@@ -16,6 +16,7 @@ CLEARLY = 0.05  # relative: what changes by less is paid at any moment
 SAME = 1e-6  # relative: what changes by less does not change
 ENDINGS = frozenset({"reach", "limit"})  # events of which texts say that they do not come
 SHARES = np.array([0.07, 0.3, 0.6, 0.93])  # of a stretch between two events: where a value is looked at
+SEVERAL = 2  # of those instants, of eight: a value that differs at one of them alone has settled
 Values = Callable[[Array], Array]
 """A value at some instants, s: (n,) to (n,); NaN where there is none."""
 
@@ -28,11 +29,16 @@ def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
     here = float(values(np.array([moment.side(time)]))[0])
     before, after = _between(trace, time)
     others = np.concatenate([before + SHARES * (time - before), time + SHARES * (after - time)])
-    if moment.event:
-        others = np.append(others, [np.nextafter(time, 0.0), time])
-    ends = [0, len(SHARES) * 2 - 1]  # where it most often is another one: the rest need not be looked at then
-    parts = (others[ends], np.delete(others, ends))
-    return any(bool(np.any(np.abs(values(part) - here) > CLEARLY * abs(here))) for part in parts)
+    sides = np.array([np.nextafter(time, 0.0), time] if moment.event else [])
+
+    def differing(instants: Array) -> int:
+        return int(np.sum(np.abs(values(instants) - here) > CLEARLY * abs(here)))
+
+    ends = [0, len(others) - 1]  # which most often differ: the rest need not be looked at then
+    found = differing(others[ends])
+    if found < SEVERAL:
+        found += differing(np.delete(others, ends))
+    return found >= SEVERAL or differing(sides) > 0
 
 
 def lasts(target: Target, trace: Trace) -> bool:
