@@ -4,9 +4,16 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp, swing
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.pipe import Pipe
+from sim2reason.bodies.sphere import Sphere
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.rolling import NoSlipping, Rolling
+from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.questions import KINDS, Moment, Query, Question, Study, Target
+from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.moved import Moved
@@ -52,6 +59,24 @@ def test_two_bodies_are_more() -> None:
     """a = g (M − m)/(M + m) has two sums, T = 2 M m g/(M + m) has one, in which both stand twice."""
     assert reason(atwood(), AtTime(0.5), Target("velocity", HANGING)) == ""
     assert reason(atwood(), AtTime(0.5), Target("tension", "tendon_1")) == ""
+
+
+def rolls(body: Pipe | Sphere, start: Rolling | None = None) -> Scene:
+    ball = RollingEntity(body=body, plane=Incline(angle=20.0), grip=NoSlipping(), start=start)
+    return Scene(entities=(Named(name="lane", entity=ball),))
+
+
+def test_two_laws_are_more_whatever_comes_out() -> None:
+    """Friction on a pipe that rolls: ½ m g sin θ; on a sphere: 2/7 m g sin θ. N = m g cos θ of both has one law."""
+    for body in (Pipe(mass=2.0, radius=0.1), Sphere(mass=2.0, radius=0.1)):
+        assert reason(rolls(body), AtTime(0.5), Target("friction force", "lane.body")) == ""
+        assert "product" in reason(rolls(body), AtTime(0.5), Target("normal force", "lane.body"))
+
+
+def test_what_is_read_off_a_definition_is_one_line() -> None:
+    """L = m R v of a pipe that rolls, at the start."""
+    scene = rolls(Pipe(mass=2.0, radius=0.1), Rolling(way="down the slope", speed=1.5))
+    assert "product" in reason(scene, AtStart(), Target("angular momentum", "lane.body"))
 
 
 def test_a_special_angle_makes_no_product() -> None:
