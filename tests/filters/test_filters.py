@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from motions import spring_block
-from plain_scenes import G, atwood, half_atwood, massive, ramp, table
+from motions import rod_pendulum, spring_block
+from plain_scenes import G, arm, atwood, half_atwood, massive, ramp, table, three
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.incline import Incline
@@ -22,6 +22,7 @@ from sim2reason.entities.parts.rolling import NoSlipping, Rolling
 from sim2reason.entities.parts.springs import Strained
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.spring_mass_chain import SpringMassChain
+from sim2reason.entities.two_d_collision_plane import PairRestitution
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.parts.effects import effects
@@ -31,6 +32,7 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
 
@@ -184,7 +186,58 @@ def test_what_would_pay_a_wrong_idea_goes() -> None:
     block = Target("acceleration", BLOCK)
     assert reason("simplification", candidate(massive(0.2), AtStart(), block)).startswith("massless pulley: ")
     assert not reason("simplification", candidate(massive(2.0), AtStart(), block))
-    assert not reason("simplification", candidate(massive(0.002), AtStart(), block))  # pays, as it should
+    assert reason("simplification", candidate(massive(0.002), AtStart(), block)), "so light a disc is not told of"
+
+
+def test_a_wrong_idea_that_changes_nothing_is_paid_all_the_same() -> None:
+    """N = m g cos θ, whatever rubs: whoever overlooks the friction has it right by accident."""
+    force = Target("normal force", "ramp.blocks.0")
+    rough = candidate(ramp(friction=0.2), AtTime(0.5), force)
+    assert reason("simplification", rough).startswith("no friction: ")
+    assert not reason("simplification", candidate(ramp(), AtTime(0.5), force))
+
+
+def test_a_wrong_idea_about_nothing_but_a_marked_part_is_not_paid() -> None:
+    """A third disc is met too late to matter: the item says so, and with it goes whatever is thought of its hits."""
+    scene = three().having("table.restitution", 1.0)
+    special = PairRestitution(first=1, second=2, restitution=0.4)
+    hit, velocity = Collided(BOTH, after=True), Target("velocity", RIGHT)
+    found = candidate(scene.having("table.pairs", (special,)), hit, velocity)
+    assert {effect.subject for effect in effects(found, part=True) if effect.close} == {"table.pucks.2"}
+    assert {e.simplification.name for e in effects(found, part=False) if e.close} == {"elastic collisions"}
+    assert not reason("simplification", found)
+    tilted = candidate(scene.having("table.table.tilt", 5.0), hit, None)
+    assert reason("simplification", tilted).startswith("gravity left out: "), "which is about all three"
+
+
+def test_no_wrong_idea_is_an_approximation_that_holds() -> None:
+    """Energies tell the speed at a place, whenever it is passed."""
+    large = arm(90.0).having_all({"arm.pieces.0.body.radius": 0.5, "arm.pieces.0.distance": 0.6})
+    passed = candidate(large, TurnedThrough("arm.arm", 40.0), Target("angular velocity", "arm.arm"))
+    slips = {effect.simplification.name: effect for effect in effects(passed, part=False)}
+    assert slips["later root"].same
+    assert not slips["later root"].wrong
+    assert slips["small angle"].wrong
+    assert not reason("simplification", passed)
+
+
+def test_what_is_not_read_off_a_motion_is_no_matter_of_reading_it() -> None:
+    """The period of small swings: the angle *is* small, and how the motion begins is indifferent."""
+    study, words = rod_pendulum(60.0).told()
+    queries = (KINDS["period"].draw(study, words, {}, np.random.default_rng(seed)) for seed in range(20))
+    query = next(query for query in queries if query is not None and KINDS["period"].time(query, study) == 0.0)
+    answer = KINDS["period"].answer(query, study)
+    assert answer is not None
+    found = Candidate(study, Question("numeric", query, "?", answer, "s"), "a b c")
+    assert not {"small angle", "from rest"} & {effect.simplification.name for effect in effects(found, part=False)}
+
+
+def test_no_more_than_two_in_five_numbers_are_idle_for_whatever_reason() -> None:
+    """5/7 g sin θ hangs on neither the mass nor the radius of a sphere: one of the three numbers is left."""
+    ball = RollingEntity(body=Sphere(mass=2.0, radius=0.1), plane=Incline(angle=20.0), grip=NoSlipping())
+    scene = Scene(entities=(Named(name="ball", entity=ball),))
+    start = candidate(scene, AtStart(), Target("acceleration", "ball.body"))
+    assert reason("sensitivity", start) == "idle numbers: ball.body.mass, ball.body.radius"
 
 
 def test_numbers_that_do_not_matter() -> None:
@@ -234,7 +287,10 @@ def test_what_is_held_has_no_force_of_its_own() -> None:
 def test_too_few_numbers_that_matter_make_no_problem() -> None:
     """g sin θ is one number."""
     start = candidate(ramp(), AtStart(), Target("acceleration", "ramp.blocks.0"))
-    assert reason("sensitivity", replace(start, difficulty="easy")) == "reach: 1 numbers matter"
+    assert reason("sensitivity", replace(start, difficulty="easy")) == "idle numbers: ramp.blocks.0.mass"
+    later = candidate(ramp(), AtTime(0.5), Target("velocity", "ramp.blocks.0"))
+    assert not reason("sensitivity", replace(later, difficulty="easy"))
+    assert reason("sensitivity", later) == "reach: 2 numbers matter"
 
 
 def test_slips_that_are_about_the_whole_are_made_where_nothing_is_asked_of_a_part() -> None:

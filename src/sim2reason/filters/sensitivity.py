@@ -6,10 +6,11 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters, shifted
-from sim2reason.filters.parts.reach import shortfall
+from sim2reason.filters.parts.reach import of_question, shortfall
 
 COUNTED = 2  # numbers with which a count must change
 IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # of what is given: how much may have no bearing, unmarked
+EVER = 0.4  # of that and of the question's own: no more, be it marked or cancel, or the text tells another story
 
 
 class Sensitivity(Filter):
@@ -29,15 +30,16 @@ class Sensitivity(Filter):
         own = _cancelling(candidate.study.mechanism, query.subject)
         excused = [g for g in given if own & {*g.paths} or any(_belongs(g, name) for name in aside)]
         counted = candidate.kind.measured(query).whole  # which changes with some of the numbers only
+        told = len(given) + of_question(candidate)
         moving, idle = list[Given](), list[Given]()
         for found in elasticities(candidate):
             if found.given in given:
                 (moving if matters(candidate, found) else idle).append(found.given)
-            if counted:
-                continue
+            if len(idle) > EVER * told:
+                return f"idle numbers: {_paths(idle)}"
             unmarked = [g for g in idle if g not in excused and not _is_indifferent(candidate, g)]
-            if len(unmarked) > IDLE[candidate.difficulty] * len(given) or 2 * len(idle) > len(given):
-                return f"idle numbers: {', '.join(path for g in unmarked for path in g.paths)}"
+            if not counted and len(unmarked) > IDLE[candidate.difficulty] * len(given):
+                return f"idle numbers: {_paths(unmarked)}"
         if counted:
             return "" if len(moving) >= COUNTED else f"reach: the count changes with {len(moving)} numbers"
         short = shortfall(candidate, moving)
@@ -48,6 +50,10 @@ class Sensitivity(Filter):
         for found in elasticities(candidate):
             moved = "matters" if matters(candidate, found) else "does not matter"
             yield f"{', '.join(found.given.paths)}: |d ln answer / d ln number| = {found.size:.3g}; it {moved}"
+
+
+def _paths(found: list[Given]) -> str:
+    return ", ".join(path for given in found for path in given.paths)
 
 
 def _is_indifferent(candidate: Candidate, given: Given) -> bool:

@@ -3,24 +3,34 @@
 from collections.abc import Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.filters.parts.effects import effects
+from sim2reason.filters.parts.effects import Effect, effects
 
 
 class Simplified(Filter):
-    """A mistake about the physics changes the answer, but so little that it is paid, or nearly."""
+    """A mistake about the physics is paid, or nearly: it changes the answer a little, or not at all.
+
+    One that changes nothing may stay where it is about nothing but a part that the item marks as having no bearing.
+    """
 
     order = 4
 
     def reason(self, candidate: Candidate) -> str:
-        """Make every mistake that can be made; one that changes nothing claims nothing about the answer."""
+        """Make every mistake that can be made."""
         for effect in effects(candidate, part=False):
-            if effect.close and not effect.same:
+            if effect.close and effect.wrong and not (effect.same and _is_about_a_marked_part(effect, candidate)):
                 return f"{effect.simplification.name}: the answer changes by {effect.change:.2g}"
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """What each does to the answer."""
         return (effect.told for effect in effects(candidate, part=False))
+
+
+def _is_about_a_marked_part(effect: Effect, candidate: Candidate) -> bool:
+    """Whether nobody could make that mistake without some part that the item will mark as having no bearing."""
+    without = (part.study for part in effects(candidate, part=True) if part.close and part.study is not None)
+    query, slip = candidate.question.query, effect.simplification
+    return any(effect.subject not in slip.subjects(query, study) for study in without)
 
 
 FILTERS.add("simplification", Simplified())

@@ -17,14 +17,20 @@ def least(candidate: Candidate) -> int:
     return (ALONE if len(bodies) < 2 or candidate.difficulty == "easy" else TOGETHER)[candidate.difficulty]
 
 
+def of_question(candidate: Candidate) -> int:
+    """How many numbers the question itself has: those that it states, and one that it leaves unknown."""
+    moment = candidate.question.query.moment
+    return len(moment.stated if moment is not None else ()) + bool(candidate.question.unknown)
+
+
 def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
     """What those that move the answer fall short of, in a few words; empty if they are enough.
 
     The numbers that the question itself states count as well, and what it leaves unknown; g does not.
     """
-    mechanism, moment = candidate.study.mechanism, candidate.question.query.moment
+    mechanism = candidate.study.mechanism
     bodies = [body for body in mechanism.bodies if body.mass > 0.0 and body.coordinates]
-    count = len(moving) + len(moment.stated if moment is not None else ()) + bool(candidate.question.unknown)
+    count = len(moving) + of_question(candidate)
     if len(bodies) < 2:
         return "" if count >= ALONE[candidate.difficulty] else f"{count} numbers matter"
     masses = sum(given.parameters[0].measure.unit == mechanism.units.spell(MASS) for given in moving)

@@ -23,12 +23,15 @@ class Simplification(ABC):
         part: whether it takes a part of the scene away, so that an answer which stays shows a part without bearing;
             else it is a mistake about the physics of a part that bears.
         misleads: whether anybody would make it, so that the answer it leads to is one that a student could give.
+        sound_if_same: whether nobody errs who makes it where the answer stays what it is: an approximation that holds,
+            or a choice that need not be made.
     """
 
     name: ClassVar[str]
     reason: ClassVar[str]
     part: ClassVar[bool] = False
     misleads: ClassVar[bool] = True
+    sound_if_same: ClassVar[bool] = False
 
     @abstractmethod
     def subjects(self, query: Query, study: Study) -> Iterable[str]:

@@ -16,6 +16,7 @@ class LaterRoot(OtherReading):
 
     name = "later root"
     reason = "the second time at which this happens is taken for the first"
+    sound_if_same = True  # then what is asked hangs on the place alone, and who takes energies never asks for the time
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where a passage is asked about, which can come twice."""

@@ -24,6 +24,7 @@ class SmallAngle(OtherReading):
 
     name = "small angle"
     reason = "the angle is taken as small"
+    sound_if_same = True  # then it is small
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where weight drives a motion whose equations change."""
