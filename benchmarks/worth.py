@@ -1,8 +1,10 @@
-"""What an answer hangs on: ``python benchmarks/worth.py [ITEMS] [SEED]``.
+"""What an answer hangs on: ``python benchmarks/worth.py [ITEMS] [SEED] [MODE,MODE]``.
 
 Each prompt is read back into a scene and a question. Then every stated number is halved and doubled (angles are turned
 by 10°), and every slip is made: how many numbers leave the answer where it is, and how many problems pay for a slip?
-How many answers are one line, and how many quantities are the same at other moments?
+An approximation that holds is no slip, nor is what such answers by nature do not depend on. How many answers are one
+line, how many quantities are the same at other moments, and how many parts without bearing are not marked? The
+prompts of those are printed.
 """
 
 import sys
@@ -13,12 +15,12 @@ import numpy as np
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
-from sim2reason.filters import Candidate
+from sim2reason.filters import FILTERS, Candidate
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import elasticities, givens, matters
-from sim2reason.filters.parts.products import product_of
-from sim2reason.questions import Question
+from sim2reason.questions import MODES, Question
 from sim2reason.questions.constancy import ENDINGS
+from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.recipes import RECIPES, known
@@ -27,11 +29,17 @@ HIDDEN = np.random.default_rng(1)
 
 
 def candidate_of(item: Item) -> Candidate:
-    """The question of an item, from its text alone."""
-    parsed = parse_prompt(item.prompt, HIDDEN)
-    question = Question(item.mode, parsed.query, "", item.answer.value, item.answer.unit, item.answer.sign)
-    difficulty = known(item.difficulty)
-    return Candidate(parsed.study, question, item.prompt, difficulty=difficulty, tolerance=item.answer.tolerance)
+    """The question of an item, from its text alone, with the numbers for symbols that travel with it."""
+    formula, answer = item.answer.formula, item.answer.value
+    parsed = parse_prompt(item.prompt, HIDDEN, formula.given() if formula is not None else {})
+    query, given, unknown = parsed.query, parsed.asked.given, next(iter(parsed.reading.unknown), "")
+    study, elasticity = parsed.study, 1.0
+    question = Question(item.mode, query, "", answer, item.answer.unit, item.answer.sign, unknown, given)
+    if given is not None and unknown:
+        study = MODES[item.mode].study(question, study)
+        elasticity = (Dependence(query, study, unknown).rate(answer) or 0.0) * answer / given.value
+        question = Question(item.mode, query, "", answer, item.answer.unit, "", unknown, given, elasticity)
+    return Candidate(study, question, item.prompt, difficulty=known(item.difficulty), tolerance=item.answer.tolerance)
 
 
 def is_idle(found: Candidate) -> bool:
@@ -56,62 +64,73 @@ class Count:
 
     def __init__(self) -> None:
         """Nothing."""
-        self.items, self.stated, self.idle, self.cancelling = 0, 0, 0, 0
+        self.items, self.stated, self.idle, self.cancelling, self.sound = 0, 0, 0, 0, 0
         self.paid, self.marked = Counter[str](), Counter[str]()
-        self.paying = self.lines = self.idle_moments = 0
-        self.by_recipe: dict[str, list[int]] = {}
+        self.paying = self.lines = self.idle_moments = self.unmarked = 0
+        self.rows: dict[str, list[int]] = {}
 
     def add(self, item: Item) -> None:
         """One more."""
         found = candidate_of(item)
         self.items += 1
         self._numbers(item, found)
-        every = [*effects(found, part=False), *effects(found, part=True)]
-        paid = [e for e in every if e.simplification.misleads and e.change <= item.answer.tolerance]
-        aside = bool(item.idle)
-        for effect in paid:
-            (self.marked if aside else self.paid)[effect.simplification.name] += 1
-            print(f"  {item.id}: {effect.simplification.name} {effect.subject} pays ({effect.change:.2g})")
-        self.paying += bool(paid) and not aside
-        self._trivial(item, found)
+        faults = [*self._slips(item, found), *self._trivial(found)]
+        for fault in faults:
+            print(f"  {item.id}: {fault}")
+        if faults:
+            print(f"{item.prompt}\n  Answer: {item.answer.told}")
 
-    def _trivial(self, item: Item, found: Candidate) -> None:
-        line = product_of(found) if not found.kind.measured(found.question.query).whole else ""
-        idle = is_idle(found)
+    def _slips(self, item: Item, found: Candidate) -> list[str]:
+        """Those that are paid; and parts that could be taken away, though the item does not say so."""
+        parts = [effect for effect in effects(found, part=True) if effect.change <= item.answer.tolerance]
+        slips = [effect for effect in effects(found, part=False) if effect.change <= item.answer.tolerance]
+        paid = [effect for effect in (*slips, *parts) if effect.simplification.misleads and effect.wrong]
+        self.sound += sum(not effect.wrong for effect in slips)
+        for effect in paid:
+            (self.marked if item.idle else self.paid)[effect.simplification.name] += 1
+        self.paying += bool(paid) and not item.idle
+        self.unmarked += bool(parts) and not item.idle
+        unmarked = {f"{effect.subject} has no bearing" for effect in parts if not item.idle}
+        return [*(f"{e.simplification.name} {e.subject} pays ({e.change:.2g})" for e in paid), *unmarked]
+
+    def _trivial(self, found: Candidate) -> list[str]:
+        line, idle = FILTERS["one line"].reason(found), is_idle(found)
         self.lines, self.idle_moments = self.lines + bool(line), self.idle_moments + idle
-        if line or idle:
-            print(f"  {item.id}: {line or 'the moment decorates'}")
+        return [*([line] if line else []), *(["the moment decorates"] if idle else [])]
 
     def _numbers(self, item: Item, found: Candidate) -> None:
-        stated = [given for given in givens(found.study.scene) if given.owner != "world"]
+        stated = [given for given in givens(found.study.scene, found.question.unknown) if given.owner != "world"]
         own = f"{found.question.query.subject}.mass"
         idle = [e.given for e in elasticities(found) if e.given in stated and not matters(found, e)]
         parts = [effect.subject for effect in effects(found, part=True) if effect.close]
         unmarked = [g for g in idle if not any(g.paths[0].startswith(f"{part}.") for part in parts)]
-        row = self.by_recipe.setdefault(item.recipe, [0, 0, 0])
         self.cancelling += sum(own in given.paths for given in unmarked)
-        row[0] += len(stated)
-        row[1] += len(unmarked)
-        row[2] += len(idle)
+        for name in (item.recipe, item.difficulty, item.mode):
+            row = self.rows.setdefault(name, [0, 0, 0])
+            for place, more in enumerate((stated, unmarked, idle)):
+                row[place] += len(more)
         self.stated, self.idle = self.stated + len(stated), self.idle + len(unmarked)
 
 
-def main(items: int = 300, seed: int = 21) -> int:
+def main(items: int = 300, seed: int = 21, modes: str = "numeric") -> int:
     """Print the shares; exit code 1 if over 6 % of the numbers are idle, 3 % pay a slip, or one is trivial."""
-    config, count = Config(items=items, recipes=tuple(RECIPES), seed=seed), Count()
+    config = Config(items=items, recipes=tuple(RECIPES), modes=tuple(modes.split(",")), seed=seed)
+    count = Count()
     for position in range(items):
         item = make(config.request(position)).item
         if item is not None:
             count.add(item)
     print(f"{'recipe':16} stated  idle  idle with what is marked")
-    for recipe, (stated, idle, every) in sorted(count.by_recipe.items()):
-        print(f"{recipe:16} {stated:6} {idle / stated:5.1%} {every / stated:5.1%}")
+    for name, (stated, idle, every) in count.rows.items():
+        print(f"{name:16} {stated:6} {idle / stated:5.1%} {every / stated:5.1%}")
     idle, paying = count.idle / count.stated, count.paying / count.items
     print(f"{count.items} items: {idle:.1%} of {count.stated} numbers idle ({count.cancelling} masses that cancel)")
     print(f"{count.lines} are one line, {count.idle_moments} have a moment that decorates")
+    print(f"{count.unmarked} have a part without bearing that is not marked")
     print(f"{paying:.1%} pay a slip: {dict(count.paid.most_common())}; beside marked parts: {dict(count.marked)}")
+    print(f"{count.sound} times an approximation holds, or no root need be chosen")
     return int(idle > 0.06 or paying > 0.03 or count.lines + count.idle_moments > 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main(*map(int, sys.argv[1:])))
+    sys.exit(main(*map(int, sys.argv[1:3]), *sys.argv[3:4]))
