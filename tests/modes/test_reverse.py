@@ -212,6 +212,19 @@ def test_the_unknown_follows_from_the_prompt(recipe: str) -> None:
             assert join_unit(f"{value:.3g}", item.answer.unit) not in item.prompt  # of another unit it may be said
 
 
+def test_an_unknown_that_fits_beyond_its_range_only_is_found() -> None:
+    """A sphere must have room for its hole, and may well be larger than spheres are as a rule."""
+    read = parse_prompt(
+        "On a stationary plane inclined at 12° to the horizontal there is a sphere of radius $R$ and mass 6.9 kg with "
+        "a spherical hole of radius 0.060 m whose centre is 0.094 m from its own, which can roll straight up or down "
+        "the slope. To begin with, the line from its centre to the hole makes 121° with the upward vertical, on the "
+        "downhill side. It rolls without slipping. The motion begins from rest. Use g = 9.8 m/s². For which value of "
+        "$R$ is the magnitude of the friction force exerted on the sphere by the plane just after release equal to "
+        r"4.89 N? Write the final answer, in m and to three significant figures, in \boxed{}."
+    )
+    assert read.answer == pytest.approx(0.180246, rel=1e-5)
+
+
 def halved(known: Study, query: Query, path: str, about: float, given: float) -> float:
     low, high = 0.98 * about, 1.02 * about
     below = excess(known, query, path, low, given) > 0.0

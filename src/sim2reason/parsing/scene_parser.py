@@ -22,15 +22,8 @@ from sim2reason.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
 ENDS = 2  # of a connection
-SHARES = (
-    0.6,
-    0.3,
-    0.8,
-    0.1,
-    0.9,
-    0.0,
-    1.0,
-)  # of the way through the range of an unknown, where a scene may fit together
+SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5
+"""Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
 
 
 @dataclass(frozen=True)
