@@ -1,6 +1,6 @@
 """Numbers that follow from a result, by formulas from textbooks; and results from which they do not."""
 
-from math import asin, cos, degrees, radians, sin, sqrt
+from math import asin, cos, degrees, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
@@ -157,6 +157,17 @@ def test_the_answer_gives_just_what_is_said() -> None:
         assert KINDS[question.query.kind].answer(question.query, about) == pytest.approx(question.result, rel=1e-8)
         assert question.answer == pytest.approx(search.study.scene.value(question.unknown), rel=0.01)
         assert another(question, about) is None or another(question, about) != question.answer
+
+
+def test_the_elasticity_is_that_of_a_power_where_there_is_one() -> None:
+    """t = √(2 s/(g sin θ)): with a number as it was drawn, not as its result was rounded, it is exact."""
+    search = QuestionSearch(ramp(angle=31.0), 3)
+    streams = map(np.random.default_rng, range(30))
+    asked = [MODES["reverse"].ask(search.study, search.words, "time_to_event", rng) for rng in streams]
+    of_angle = [q for q in asked if q is not None and q.unknown == "ramp.plane.angle"]
+    assert of_angle
+    expected = -0.5 * radians(31.0) / tan(radians(31.0))
+    assert [question.elasticity for question in of_angle] == pytest.approx([expected] * len(of_angle), rel=2e-4)
 
 
 def test_a_response_follows_from_the_elasticity() -> None:

@@ -138,7 +138,7 @@ def _fixed(dependence: Dependence, drawn: float, result: float, unit: str) -> tu
         if given.half <= FIXED * abs(rate * drawn):
             answer = dependence.solved(given.value, drawn)
             if answer is not None and abs(answer - drawn) <= FIXED * abs(drawn):
-                return given, answer, rate * answer / given.value
+                return given, answer, rate * drawn / result
     return None
 
 
