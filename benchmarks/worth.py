@@ -15,6 +15,7 @@ import numpy as np
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
+from sim2reason.errors import TextError
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import elasticities, givens, matters
@@ -71,7 +72,11 @@ class Count:
 
     def add(self, item: Item) -> None:
         """One more."""
-        found = candidate_of(item)
+        try:
+            found = candidate_of(item)
+        except TextError as error:
+            print(f"  {item.id} is not read: {error}\n{item.prompt}")
+            return
         self.items += 1
         self._numbers(item, found)
         faults = [*self._slips(item, found), *self._trivial(found)]
