@@ -31,7 +31,7 @@ IDEAS = {
 }
 
 
-@recipe("chain")
+@recipe("chain", weights={"period": 0.5})  # of which neither what is strained nor a blow bears
 def draw_chain(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Carts on a track, or beads on a ring, with springs between them: struck, or let go with a spring strained."""
     return one_of(IDEAS[difficulty], rng, "chain")
