@@ -27,6 +27,7 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.recipes import RECIPES, known
 
 HIDDEN = np.random.default_rng(1)
+AT_ONCE = 1e-6  # of a time: what happens so close to a moment is what comes then
 
 
 def candidate_of(item: Item) -> Candidate:
@@ -44,16 +45,16 @@ def candidate_of(item: Item) -> Candidate:
 
 
 def is_idle(found: Candidate) -> bool:
-    """Whether a quantity is within 2 % the same at nine instants of the whole stretch between the events around it."""
+    """Whether a quantity is within 2 % the same at nine instants on both sides of its moment, up to the next events."""
     query, trace = found.question.query, found.study.trace
     if query.target is None or query.moment is None or found.time is None or query.kind == "time_to_event":
         return False
     events = [event.time for event in trace.events if event.kind not in {"turn", *ENDINGS}]
     if query.kind == "start" and (events or type(query.moment) is not AtStart):
         return False  # what comes later may differ, or it is asked of all the motion
-    before = max((time for time in events if time < found.time * (1.0 - 1e-9)), default=0.0)
-    after = min((time for time in events if time > found.time * (1.0 + 1e-9)), default=trace.stable_until)
-    instants = np.linspace(before, after, 11)[1:-1]
+    before = max((time for time in events if time < found.time * (1.0 - AT_ONCE)), default=0.0)
+    after = min((time for time in events if time > found.time * (1.0 + AT_ONCE)), default=trace.stable_until)
+    instants = np.append(np.linspace(before, found.time, 7)[1:-1], np.linspace(found.time, after, 6)[1:-1])
     if query.moment.sided is not None:
         instants = np.append(instants, [np.nextafter(found.time, 0.0), found.time])
     values = query.target.values(trace.sample(instants))
