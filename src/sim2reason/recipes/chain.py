@@ -31,7 +31,7 @@ IDEAS = {
 }
 
 
-@recipe("chain", weights={"period": 0.5})  # of which neither what is strained nor a blow bears
+@recipe("chain", weights={"period": 0.5, "start": 0.3})  # a blow bears on neither, nor does every spring on both
 def draw_chain(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Carts on a track, or beads on a ring, with springs between them: struck, or let go with a spring strained."""
     return one_of(IDEAS[difficulty], rng, "chain")

@@ -58,7 +58,7 @@ TIERS = {
 }
 
 
-@recipe("mixed")
+@recipe("mixed", weights={"start": 0.4})  # on which lengths of rods do not bear yet
 def draw_mixed(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """Two entities of different families, joined by strings, hinges and springs."""
     return grow(TIERS[difficulty], rng)
