@@ -38,7 +38,7 @@ def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
     found = differing(others[ends])
     if found < SEVERAL:
         found += differing(np.delete(others, ends))
-    return found >= SEVERAL or differing(sides) > 0
+    return found >= SEVERAL or (len(sides) > 0 and differing(sides) > 0)
 
 
 def lasts(target: Target, trace: Trace) -> bool:
