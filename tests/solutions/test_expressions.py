@@ -12,7 +12,7 @@ from sim2reason.grading.tokens import tokenize
 from sim2reason.solutions.digits import rounded, shortened
 from sim2reason.solutions.expressions import Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.worked import NumericRoot, Worked, gradient
 
 M, A, THETA = Symbol("m_A"), Symbol("a"), Symbol(r"\theta")
@@ -72,6 +72,13 @@ def test_sines_and_cosines_of_one_angle_make_one() -> None:
     s, c = (Polynomial.of(Call(name, THETA)) for name in ("sin", "cos"))
     assert (s * s + c * c).number == 1.0
     assert ((s + c) * (s + c) - (s * c).scaled(2.0)).number == 1.0
+
+
+def test_sines_and_cosines_of_two_angles_make_one() -> None:
+    s, c = (Polynomial.of(Call(name, THETA)) for name in ("sin", "cos"))
+    z, w = (Polynomial.of(Call(name, A)) for name in ("sin", "cos"))
+    assert ((s * s + c * c) * (z * z + w * w)).number == 1.0
+    assert total([s * s * z * z, s * s * w * w, c * c * z * z, c * c * w * w]).number == 1.0
 
 
 @given(st.floats(0.1, pi / 2 - 0.1))

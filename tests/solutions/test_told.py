@@ -1,19 +1,29 @@
 """Solutions as texts ask for them: in other units, in symbols, in as few sentences as say it."""
 
+from dataclasses import replace
 from functools import cache
+from math import pi
 
 import pytest
 
 from plain_scenes import atwood
+from sim2reason.bodies.charge import ChargedBead, Launched
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.plan import Request
 from sim2reason.datasets.worked_solutions import worked
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import parse_unit
+from sim2reason.entities.em_entity import EmEntity
+from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.questions import StatedResult
+from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.spoken_units import CGS, SI
 from sim2reason.solutions import Solution, solve, solve_prompt
 from sim2reason.solutions.book import Book
+from sim2reason.solutions.check import faults
 from sim2reason.solutions.cross_elimination import CrossElimination, SymbolicEquation
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.merging import merged
@@ -23,6 +33,7 @@ from sim2reason.solutions.told import told_in
 from sim2reason.solutions.unit_latex import latex, unit_of
 from worked import asked
 
+BEAD = "fields.particle"
 made = cache(lambda request: ItemSearch(request).found())
 
 
@@ -41,6 +52,18 @@ def test_the_answer_is_converted_in_its_last_line() -> None:
     assert read(told.text.replace("2.35", "2.53")).broken
     assert read(told.text.replace("23.520\\ \\text{N} \\approx", "25.320\\ \\text{N} \\approx")).broken
     assert told_in(SI, plain, "N") == plain
+
+
+def test_an_unknown_with_a_prefix_ends_in_the_unit_of_the_text() -> None:
+    """q = 2πm/(TB) = 5.0 mC, with T = 4.0 s given."""
+    start, magnetic = Launched(speed=2.0, angle=0.0), UniformMagnetic(strength=2.0 * pi / 10.0, way="positive z")
+    fields = EmEntity(magnetic=magnetic, particle=ChargedBead(mass=2.0, charge=5.0, sign="positive"), start=start)
+    setting = asked(Scene(entities=(Named(name="fields", entity=fields),)), PeriodQuery("period", of=(BEAD,)))
+    solution = solve(replace(setting, unknown=f"{BEAD}.charge", stated=StatedResult("4.0", "s")))
+    assert solution.answer == pytest.approx(5.0)
+    assert not faults(solution, 5.0)
+    assert r"= 0.0050000\ \text{C} \approx \boxed{5.00}\ \text{mC}$." in solution.text
+    assert not read(solution.text).broken
 
 
 @pytest.mark.parametrize("unit", ["N", "m/s^2", "1/s", "kg m/s", "deg", ""])

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from math import degrees
 
 import numpy as np
 
@@ -10,7 +9,6 @@ from sim2reason.dsl.state import Array
 from sim2reason.solutions.digits import DIGITS, shortened
 from sim2reason.solutions.expressions import Expression, Number, Sum, Symbol
 from sim2reason.solutions.solution import WELL, Relation, Solution
-from sim2reason.solutions.unit_latex import DEGREES
 from sim2reason.solutions.worked import gradient
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
@@ -171,4 +169,4 @@ def by_digits(solution: Solution, digits: int = DIGITS) -> float:
         elif name not in values and all(other in values for other in relation.right.symbols()):
             values[name] = shortened(float(relation.right.value(values, digits).real), digits)
     found = values.get(solution.goal, float("nan"))
-    return degrees(found) if solution.unit == DEGREES else found
+    return solution.said(found)

@@ -46,8 +46,7 @@ class StatedNumber:
         """The number as it is said, with its unit."""
         measure, value = self.parameter.measure, self.parameter.value or 0.0
         if self.value != value and not self.angle:  # in the units that formulas need
-            unit = "kg" if measure.unit == "g" else measure.unit[1:]
-            return f"{self.value:.12f}".rstrip("0").rstrip(".") + latex(unit)
+            return f"{self.value:.12f}".rstrip("0").rstrip(".") + self.counted_unit
         text = f"{value:.{measure.places(value)}f}"
         if abs(float(text) - value) > 1e-12 * abs(value):
             text = repr(value)
@@ -57,6 +56,19 @@ class StatedNumber:
     def unit(self) -> str:
         """Its unit, in LaTeX."""
         return latex(self.parameter.measure.unit)
+
+    @property
+    def counted_unit(self) -> str:
+        """That in which formulas count it, in LaTeX: without the prefix that the text may use."""
+        unit = self.parameter.measure.unit
+        if self.scale == 1.0 or self.angle:
+            return self.unit
+        return latex("kg" if unit == "g" else unit[1:])
+
+    @property
+    def scale(self) -> float:
+        """By what a number of the text is multiplied where formulas count it."""
+        return factor(self.parameter.measure.unit)
 
     @property
     def angle(self) -> bool:

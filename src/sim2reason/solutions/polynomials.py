@@ -206,15 +206,19 @@ def _holds(monomial: Monomial, names: Collection[str]) -> bool:
 def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
     """Without what cancels, and with sin² + cos² as 1."""
     kept = {monomial: part for monomial, part in terms.items() if abs(part) > NOTHING}
-    for monomial, part in list(kept.items()):
+    waiting = [*kept][::-1]
+    while waiting:
+        monomial = waiting.pop()
         sine = next((a for a, p in monomial if p == 2 and isinstance(a, Call) and a.function == "sin"), None)
-        if sine is None:
+        if sine is None or monomial not in kept:  # it may have been the partner of one before
             continue
+        part = kept[monomial]
         rest = tuple(held for held in monomial if held[0] != sine)
         partner = _joined(rest, ((Call("cos", sine.argument), 2),))
         if abs(kept.get(partner, 0.0) - part) <= NOTHING and partner in kept:
             del kept[monomial], kept[partner]
             kept[rest] = kept.get(rest, 0.0) + part
+            waiting.insert(0, rest)  # for the sines and cosines of another angle, when all is known
     return {monomial: part for monomial, part in kept.items() if abs(part) > NOTHING}
 
 

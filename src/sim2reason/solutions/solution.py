@@ -69,7 +69,8 @@ class Solution:
     stated: tuple[str, ...] = ()  # the names of the numbers that the question itself says
     constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # that no scene may change
     formula: str = ""  # the answer to a problem in symbols
-    asked: tuple[str, float] | None = None  # the unit that the question asks for, and what one of `unit` is in it
+    scale: float = 1.0  # what one of `unit` is in the unit of the answer, degrees but for those
+    asked: tuple[str, float] | None = None  # the unit that the text asks for, and what one of the answer's is in it
 
     @property
     def derived(self) -> bool:
@@ -90,7 +91,12 @@ class Solution:
         if self.asked is None:
             return rf" \approx \boxed{{{rounded(answer, 3)}}}{self.unit}"
         unit, factor = self.asked
-        return rf" = {rounded(answer)}{self.unit} \approx \boxed{{{rounded(answer * factor, 3)}}}{unit}"
+        number = spelled(self.values[self.goal], self.unit)
+        return rf" = {number} \approx \boxed{{{rounded(answer * factor, 3)}}}{unit}"
+
+    def said(self, value: float) -> float:
+        """What the goal comes to, as the answer counts it."""
+        return degrees(value) if self.unit == DEGREES else value * self.scale
 
     @property
     def relations(self) -> list[Relation]:

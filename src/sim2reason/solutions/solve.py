@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import degrees, radians
+from math import radians
 
 import numpy as np
 
@@ -72,7 +72,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     book = Book(setting.words.units, asks_time=asks_time, called=called)
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
-        unit = given.unit if path == setting.unknown else ""
+        unit = given.counted_unit if path == setting.unknown else ""
         book.know(given.symbol, given.value, unit)
         if path == setting.unknown:
             book.sought = given.symbol
@@ -86,12 +86,16 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     steps = book.steps if strategy.integrates else merged(_needed(book.steps, goal))
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     unit = book.units.get(goal, "")
-    answer = degrees(book.values[goal]) if unit == DEGREES else book.values[goal]
-    if setting.answer is None or abs(answer - setting.answer) > SAME * abs(setting.answer):
-        return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")
     stated = tuple(name for name in book.stated if name not in book.constants)
     values = book.observed | book.values
-    return Solution(strategy.name, steps, values, goal, answer, unit, stated=stated, constants=book.constants)
+    found = Solution(strategy.name, steps, values, goal, unit=unit, stated=stated, constants=book.constants)
+    unknown = setting.lexicon.givens.get(setting.unknown)
+    if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:
+        found = replace(found, scale=1.0 / unknown.scale, asked=(unknown.unit, 1.0))
+    answer = found.said(book.values[goal])
+    if setting.answer is None or abs(answer - setting.answer) > SAME * abs(setting.answer):
+        return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")
+    return replace(found, answer=answer)
 
 
 def _inverted(setting: Setting, book: Book, goal: str) -> str:

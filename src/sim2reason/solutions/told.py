@@ -18,4 +18,4 @@ def told_in(system: SpokenUnits, solution: Solution, unit: str) -> Solution:
         replace(step, text=step.text.replace(GIVEN, "Given, in SI units: ", 1)) if step.kind == "givens" else step
         for step in solution.steps
     )
-    return replace(solution, steps=steps, asked=(latex(other), float(factor)) if other != unit else None)
+    return replace(solution, steps=steps, asked=(latex(other), float(factor)) if other != unit else solution.asked)

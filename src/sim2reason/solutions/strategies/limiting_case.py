@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import cached_property
-from math import degrees
 
 import numpy as np
 
@@ -18,7 +17,6 @@ from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import PER_SQUARE_SECOND
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import DEGREES
 from sim2reason.solutions.written_dynamics import WrittenDynamics
 
 ASIDE = 1e-5  # relative: how far from the limit it is seen what moves
@@ -46,7 +44,7 @@ class LimitingCase(Strategy):
         assert isinstance(query, ThresholdQuery)
         draft = book.copy()
         self._written(setting, draft)
-        value = degrees(draft.values[sought]) if draft.units[sought] == DEGREES else draft.values[sought]
+        value = draft.values[sought] / setting.lexicon.givens[query.parameter].scale
         book.values[sought] = draft.values[sought]  # the engine has it as well as it sees what moves
         return self._written(replace(setting, scene=setting.scene.having(query.parameter, value)), book)
 
