@@ -211,6 +211,8 @@ class Writing:
         value = self._book.value(formula)
         if self._book.is_hidden(formula):
             return f"${formula.latex()}$"
+        if isinstance(formula, Number):
+            return f"${spelled(value, unit)}$"
         self._noted(Relation(formula, Number(value), "derived", unit))
         return f"${formula.latex()} = {spelled(value, unit)}$"
 

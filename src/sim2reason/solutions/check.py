@@ -41,7 +41,7 @@ def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]
     if not solution.derived:  # an integration carries all digits
         return found
     carried = by_digits(solution)
-    if abs(carried - answer) > CARRIED * abs(answer):
+    if not abs(carried - answer) <= CARRIED * abs(answer):  # also where it is not a number
         found.append(f"with {DIGITS} digits it gives {carried:.6g}, not {answer:.6g}")
     return found
 
@@ -158,7 +158,7 @@ def _spanned(rows: Sequence[Array], goal: Array) -> bool:
 
 
 def by_digits(solution: Solution, digits: int = DIGITS) -> float:
-    """The answer, worked out by whoever carries so many digits from line to line."""
+    """The answer, worked out by whoever carries so many digits from line to line; NaN where that ends early."""
     values: dict[str, float] = {}
     for relation in solution.relations:
         if not isinstance(relation.left, Symbol):
@@ -167,6 +167,9 @@ def by_digits(solution: Solution, digits: int = DIGITS) -> float:
         if relation.role == "given":
             values[name] = solution.values[name]
         elif name not in values and all(other in values for other in relation.right.symbols()):
-            values[name] = shortened(float(relation.right.value(values, digits).real), digits)
+            try:
+                values[name] = shortened(float(relation.right.value(values, digits).real), digits)
+            except (ValueError, ArithmeticError):  # such as the arccosine of what rounding has made more than 1
+                return float("nan")
     found = values.get(solution.goal, float("nan"))
     return solution.said(found)

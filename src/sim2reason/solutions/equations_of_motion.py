@@ -42,7 +42,7 @@ class Names:
 class EquationsOfMotion:
     """Mass matrix, loads and constraints, as polynomials of names.
 
-    A number that is no simple function of what the text says stands as itself, unless something is unknown.
+    A number that is no simple function of what the text says `stands` as itself.
     """
 
     def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
@@ -56,6 +56,7 @@ class EquationsOfMotion:
         self._below: dict[Expression, Polynomial] = {}  # what one is divided by
         self.named: dict[Expression, Symbol] = {}  # lengths, and what stands in several places
         self._shared: frozenset[int] = frozenset()
+        self.stands = False
 
     def written_in(self, book: Book) -> Self:
         """The same, after a draft in a copy of the book."""
@@ -122,8 +123,7 @@ class EquationsOfMotion:
         try:
             return self._lexicon.read(both)
         except UnreadError:
-            if self.book.sought:
-                raise
+            self.stands = True
             return Polynomial.of(both.here)
 
     def _node(self, here: int, there: int) -> Polynomial:

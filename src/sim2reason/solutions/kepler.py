@@ -163,14 +163,23 @@ class KeplerOrbit:
         if self.dot == ZERO:
             begins_far = self._at(self.along) < 0.0
             return TWO * PI if begins_far == far else PI
-        size = Call("arccos", self.along / Root(Power(self.along, 2) + Power(self.across, 2)))
-        inward = self._at(self.across) < 0.0
-        turn = {(True, False): None, (True, True): PI, (False, True): PI, (False, False): TWO * PI}[inward, far]
-        formula = size if turn is None else turn + size if inward else turn - size
+        begins = self._begins
+        turn = PI if far else TWO * PI if self._at(begins) > 0.0 else ZERO
+        formula = turn - begins if turn != ZERO else -begins
         where = "farthest" if far else "nearest"
         which = r"180^\circ" if far else "0"
         said = f"It is {where} where $E$ is ${which}$ or whole turns more, so that $E$ has grown by"
         return self.book.told("apsis", said, self.named(r"\eta"), formula, RADIANS)
+
+    @property
+    def _begins(self) -> Expression:
+        """The eccentric anomaly at the start, by that function which small errors of p and q change the least."""
+        p, q = self._at(self.along), self._at(self.across)
+        if abs(p) < abs(q):
+            size = Call("arccos", self.along / Root(Power(self.along, 2) + Power(self.across, 2)))
+            return size if q > 0.0 else -size
+        least = Call("arctan", self.across / self.along)
+        return least if p > 0.0 else least + PI if q > 0.0 else least - PI
 
     def to_distance(self, distance: Symbol) -> Symbol:
         """By how much it has grown when the body is first so far from where it began."""

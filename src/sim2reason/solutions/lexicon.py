@@ -8,8 +8,10 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import combinations_with_replacement
+from math import comb
+from operator import mul
 
 import numpy as np
 
@@ -18,7 +20,7 @@ from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
 from sim2reason.prose.formula_numbers import factor
-from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.functions import Call
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.unit_latex import latex
@@ -27,6 +29,8 @@ SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
 SAME = 1e-10  # relative: far less than two numbers can agree by chance
 TRIES = 4
 FACTORS = 60  # the largest denominator of a number that is no accident
+LARGEST = 10_000  # its largest numerator
+TERMS = 2500  # products of several numbers that are tried
 
 
 class UnreadError(Exception):
@@ -135,15 +139,30 @@ class Lexicon:
         raise UnreadError("no scene like this one, with other numbers, could be built")
 
     @cached_property
-    def _atoms(self) -> list[tuple[Both, Expression]]:
-        found: list[tuple[Both, Expression]] = []
+    def _atoms(self) -> list[tuple[Both, Polynomial]]:
+        found: list[tuple[Both, Polynomial]] = []
         for path, there in self._twin[1].items():
             given, symbol = self.givens[path], Symbol(self.givens[path].symbol)
             if given.angle:
-                found.append((Both(math.sin(given.value), math.sin(there)), Call("sin", symbol)))
-                found.append((Both(math.cos(given.value), math.cos(there)), Call("cos", symbol)))
-            found.append((Both(given.value, there), symbol))
-        return found
+                found.append((Both(math.sin(given.value), math.sin(there)), Polynomial.of(Call("sin", symbol))))
+                found.append((Both(math.cos(given.value), math.cos(there)), Polynomial.of(Call("cos", symbol))))
+            found.append((Both(given.value, there), Polynomial.of(symbol)))
+        return [*found, *self._attracting()]
+
+    def _attracting(self) -> list[tuple[Both, Polynomial]]:
+        """The constant of gravitation; with a planet's g the mass is g R²/G, so that it cancels."""
+        pulls = self.mechanism.attractions
+        if not pulls:
+            return []
+        size, name = pulls[0].constant, Symbol("G")
+        inverse = Both(1.0 / size, 1.0 / size), Polynomial({((name, -1),): 1.0})
+        return [(Both(size, size), Polynomial.of(name)), *([] if self.constant is not None else [inverse])]
+
+    @cached_property
+    def constant(self) -> float | None:
+        """The constant of gravitation, where the text says the masses of all that attracts."""
+        pulls, heavy = self.mechanism.attractions, [given.value for given in self.givens.values()]
+        return pulls[0].constant if pulls and self.mechanism.body[pulls[0].b].mass in heavy else None
 
     def read(self, number: Both) -> Polynomial:
         """What a number is: 0, a simple fraction, or one times something said, or a product of two or a sum of such."""
@@ -153,6 +172,8 @@ class Lexicon:
         return known
 
     def _searched(self, number: Both) -> Polynomial:
+        if any(number.here == number.there == pull.constant for pull in self.mechanism.attractions):
+            return Polynomial.of(Symbol("G"))  # far smaller, in the SI, than what rounding leaves of other numbers
         if abs(number.here) < SAME and abs(number.there) < SAME:
             return NIL
         plain = _factor(number, Both(1.0, 1.0))
@@ -161,23 +182,33 @@ class Lexicon:
         for atom, name in self._atoms:
             factor = _factor(number, atom)
             if factor is not None:
-                return Polynomial.of(name).scaled(factor)
+                return name.scaled(factor)
         return self._of_two(number)
 
     def _of_two(self, number: Both) -> Polynomial:
         for (one, name), (two, other) in combinations_with_replacement(self._atoms, 2):
             factor = _factor(number, one * two)
             if factor is not None:
-                return (Polynomial.of(name) * Polynomial.of(other)).scaled(factor)
-        lengths = [(atom, name) for atom, name in self._atoms if isinstance(name, Symbol)]
+                return (name * other).scaled(factor)
+        lengths = [(atom, name) for atom, name in self._atoms if name.symbol is not None]
         for one, name in lengths:
             for sign in (1.0, -1.0):
                 rest = number - Both(sign * one.here, sign * one.there)
                 for two, other in (*lengths, (Both(1.0, 1.0), None)):
                     factor = _factor(rest, two)
                     if factor is not None:
-                        left = Polynomial.of(other or 1.0).scaled(factor)
-                        return Polynomial.of(name).scaled(sign) + left
+                        return name.scaled(sign) + (other or Polynomial.of(1.0)).scaled(factor)
+        return self._of_several(number)
+
+    def _of_several(self, number: Both) -> Polynomial:
+        """A product of three or four, such as m g R² of a planet."""
+        for size in (3, 4):
+            if comb(len(self._atoms) + size - 1, size) > TERMS:
+                break
+            for held in combinations_with_replacement(self._atoms, size):
+                factor = _factor(number, reduce(mul, (atom for atom, _ in held)))
+                if factor is not None:
+                    return reduce(mul, (name for _, name in held)).scaled(factor)
         raise UnreadError(f"{number.here:.6g} is no simple function of the numbers in the text")
 
 
@@ -193,5 +224,6 @@ def _factor(number: Both, atom: Both) -> float | None:
     here, there = number.here / atom.here, number.there / atom.there
     if abs(here - there) > SAME * abs(here):
         return None
-    simple = float(Fraction(here).limit_denominator(FACTORS))
+    fraction = Fraction(here).limit_denominator(FACTORS)
+    simple = float(fraction) if abs(fraction.numerator) <= LARGEST else 0.0
     return simple if simple and abs(simple - here) <= SAME * abs(here) else None

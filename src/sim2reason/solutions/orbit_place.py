@@ -205,16 +205,17 @@ class Turned(OrbitPlace):
         return first + self.orbit.momentum / (self.radius * self.orbit.radius) * across
 
     def _anomaly(self) -> Expression:
-        """The difference of two eccentric anomalies, e cos E = 1 − r/a."""
+        """From where the place r₀ − a (1 − cos η) + … has turned: cot(η/2) = (b − q a)/r₀, or −q a/r₀."""
         orbit = self.orbit
-        here = ONE - self.radius / orbit.axis
-        first, last = (Call("arccos", part / orbit.eccentricity) for part in (orbit.along, here))
-        begins = first if orbit.book.value(orbit.across) >= 0.0 else -first
-        if orbit.dot == ZERO:  # it begins at an apsis
-            begins = ZERO if orbit.book.value(orbit.along) > 0.0 else PI
-        ends = last if orbit.book.value(self._outward_now) >= 0.0 else -last
-        formula = ends - begins
-        if orbit.book.value(formula) <= 0.0:
-            formula = formula + TWO * PI
-        said = r"As $e \cos E$ is $1 - r/a$ at both places, $E$ has grown by"
+        if self._quarters == 2:
+            formula = PI if orbit.dot == ZERO else PI + TWO * Call("arctan", orbit.axis * orbit.across / orbit.radius)
+            said = "The line has turned through two right angles when $E$ has grown by"
+        else:
+            swift = orbit.momentum if self._sense > 0.0 else -orbit.momentum
+            small = swift / Root(orbit.parameter * orbit.axis)
+            rest = small - orbit.across if orbit.dot != ZERO else small
+            formula = TWO * Call("arctan", orbit.radius / (orbit.axis * rest))
+            if orbit.book.value(formula) <= 0.0:
+                formula = formula + TWO * PI
+            said = "The line has turned through a right angle when $E$ has grown by"
         return orbit.book.told("anomaly", said, orbit.named(r"\eta"), formula, RADIANS)

@@ -26,5 +26,6 @@ def unit_of(text: str) -> str:
     return f"1/{unit}" if found[2] else unit
 
 
-MECHANICAL = ("m", "s", "kg", "N", "J", "m/s", "m/s^2", "kg m/s", "m^2", "m^2/s", "m^3/s^2", "1/s", "rad/s")
+LENGTHS = "m", "m^2", "m/s", "m/s^2", "m^2/s", "m^3/s^2"
+MECHANICAL = (*LENGTHS, "s", "kg", "N", "J", "N s", "J s", "kg m/s", "1/s", "rad/s")
 CANONICAL = {latex(name): name for name in MECHANICAL}  # by their LaTeX
