@@ -1,5 +1,6 @@
 """Orbits, charges in fields, bodies on axles and rocking ones: textbooks' closed forms, written down independently."""
 
+from dataclasses import replace
 from math import acos, asin, cos, degrees, pi, radians, sin, sqrt
 
 import numpy as np
@@ -12,6 +13,8 @@ from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.bodies.star import Planet, Star
 from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
 from sim2reason.entities.parts.fields import ElectricField
 from sim2reason.entities.parts.fields.oscillating_electric import OscillatingElectric
@@ -22,8 +25,8 @@ from sim2reason.entities.parts.rolling import Hole, NoSlipping
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.solar_system import SolarSystem
-from sim2reason.entities.spring_block import SpringBlock
-from sim2reason.questions import Query, Target
+from sim2reason.entities.spring_block import Launch, SpringBlock
+from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.at_start import AtStart
@@ -36,7 +39,10 @@ from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.period_words import PeriodQuery
-from worked import answer
+from sim2reason.solutions import solve
+from sim2reason.solutions.check import faults
+from sim2reason.solutions.reading import read
+from worked import answer, asked
 
 G = 9.8
 GM = 4.0 * pi**2  # au³/yr²
@@ -202,6 +208,49 @@ def test_a_block_oscillates_along_its_spring() -> None:
     assert sprung(Query("time_to_event", None, Away(block, 0.15))) == pytest.approx(acos(1.0 - 1.5) / rate)
     query = StretchQuery("extremum", None, WholeMotion(), "greatest kinetic energy", block)
     assert sprung(query) == pytest.approx(STIFF * 0.1**2 / 2.0)
+
+
+# ---- a body on springs in a plane
+
+
+def held(nails: tuple[tuple[float, float], ...], free: float, query: Query) -> float:
+    """Springs of one stiffness and natural length; begun aside, thrown."""
+    springs = tuple(NailedSpring(stiffness=STIFF, length=free, x=x, y=y) for x, y in nails)
+    entity = SpringBlock(block=Block(mass=MASS), springs=springs, x=0.5, y=0.1, launch=Launch(x=0.3, y=-0.1))
+    return answer("springs", entity, query)
+
+
+CORNERS = tuple((round(0.3 + 0.6 * cos(radians(a)), 2), round(0.2 + 0.6 * sin(radians(a)), 2)) for a in (20, 140, 260))
+
+
+def test_springs_at_the_corners_of_a_triangle_balance_near_its_centre() -> None:
+    """Where all are 0.6 m long, but for the rounding of the places to centimetres."""
+    query = Query("equilibrium", Target("extension", "springs.springs.0"))
+    assert held(CORNERS, 0.4, query) == pytest.approx(0.2, rel=2e-2)
+
+
+@pytest.mark.parametrize(("rank", "share"), [(0, 0.36), (1, 0.64)])
+def test_two_springs_that_are_not_strained_oscillate_along_and_across(rank: int, share: float) -> None:
+    """They are 0.6 m apart, and the place is 0.4 m from the line between: K = 2k diag(0.36, 0.64) along and across."""
+    query = PeriodQuery("period", measure="frequency", small=True, of=("springs.block",), rank=rank, modes=2)
+    found = held(((0.0, 0.0), (0.168, 0.576)), 0.5, query)
+    assert found == pytest.approx(sqrt(2.0 * STIFF * share / MASS) / (2.0 * pi))
+
+
+def test_a_reverse_question_about_an_equilibrium_finds_the_natural_length() -> None:
+    springs = tuple(NailedSpring(stiffness=STIFF, length=0.4, x=x, y=y) for x, y in CORNERS)
+    scene = Scene(
+        entities=(Named(name="springs", entity=SpringBlock(block=Block(mass=MASS), springs=springs, x=0.2, y=0.1)),)
+    )
+    setting = asked(scene, Query("equilibrium", Target("spring force", "springs.springs.0")))
+    assert setting.answer is not None
+    stated = StatedResult(repr(setting.answer), "N")
+    reverse = replace(setting, unknown="springs.springs.1.length", stated=stated)
+    found = solve(reverse)
+    assert found.derived, found.reason
+    assert found.answer == pytest.approx(0.4)
+    assert not faults(found, 0.4)
+    assert not read(found.text).broken
 
 
 # ---- a body that rocks

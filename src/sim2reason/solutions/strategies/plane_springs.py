@@ -1,0 +1,273 @@
+"""Springs in a plane: where a body that they hold is in equilibrium, and its small oscillations about that place.
+
+A spring of stiffness k and natural length ℓ₀ that is ℓ long resists along itself with k, and across with k (1 − ℓ₀/ℓ),
+its pull over its length. See Goldstein, Poole and Safko, Classical Mechanics, § 6.2.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import atan2, pi, sin
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.simulation.rest.equilibrium import equilibrium
+from sim2reason.solutions.book import Book, UnsolvedError, Writing
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added
+from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.inverse import put
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.measured_period import measured_period
+from sim2reason.solutions.newton import Newton
+from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.told_root import told_root
+from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.way import Way
+from sim2reason.solutions.worked import NumericRoot
+
+METRES, PER_METRE = latex("m"), latex("N/m")
+HALF, TWO = Number(0.5), Number(2.0)
+LEVEL = 1e-9
+PLANE = 2  # coordinates
+
+
+@strategy
+class PlaneSprings(Strategy):
+    """A body on a level table, held by springs that run in several directions."""
+
+    name = "springs in a plane"
+    cost = 1.3
+    kinds = frozenset({"equilibrium", "period"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether something else than springs holds it."""
+        return "" if _held_in_a_plane(mechanism) else "no lone body is held by springs in a plane"
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query, target = setting.query, setting.target
+        if isinstance(query, PeriodQuery):
+            return "" if query.small and query.modes == PLANE else "no way to motions that are not small"
+        known = target is not None and target.quantity in GOALS
+        return "" if known else f"no way to the quantity {target.quantity if target is not None else ''}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The place where all forces balance, then what is asked."""
+        way = _Held(setting, book)
+        if isinstance(setting.query, PeriodQuery):
+            return way.oscillate(setting.query).name
+        assert way.target is not None
+        return GOALS[way.target.quantity].write(way.target, way).name
+
+
+def _held_in_a_plane(m: Mechanism) -> bool:
+    others = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
+    slides = all(c.kind == "slide" and abs(c.axis[2]) < LEVEL for c in m.coordinates)
+    if others or len(m.bodies) != 1 or len(m.coordinates) != PLANE or not slides:
+        return False
+    return all(isinstance(line.law, Elastic) and not line.law.side and _nail(m, line) for line in m.lines)
+
+
+def _nail(m: Mechanism, line: Line) -> str:
+    """The fixed end of a spring; empty if it has none."""
+    return next((site for site in line.through if m.site[site].body is None), "") if len(line.through) == PLANE else ""
+
+
+@dataclass(frozen=True, slots=True)
+class _Spring:
+    """One of them, with its fixed end."""
+
+    name: str
+    stiffness: Expression
+    natural: Expression
+    end: tuple[Expression, Expression]
+    length: Symbol  # in equilibrium
+
+
+class _Held(Way):
+    """The body in equilibrium, at the place (X, Y)."""
+
+    @property
+    def newton(self) -> Newton:
+        """For the mass alone."""
+        return Newton(self.setting.lexicon, self.setting.motion.segments[0])
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """None but those of springs."""
+        raise UnsolvedError(f"no {kind} of {name}")
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """How far from its start it is in equilibrium."""
+        return Polynomial.of(self.place[k]) - self._places[k][0] if kind == "s" else NIL
+
+    def spring(self, what: str, line: str) -> Polynomial:
+        """Lengths are those in equilibrium."""
+        held = next(held for held in self.springs if held.name == line)
+        if what == "damping":
+            return NIL
+        if what == "stiffness":
+            return Polynomial.of(held.stiffness)
+        _ = self.place
+        length = Polynomial.of(held.length)
+        return length - Polynomial.of(held.natural) if what == "strain" else length
+
+    def growth(self, kind: str, line: str) -> Polynomial:
+        """None: it is at rest there."""
+        del kind, line
+        return NIL
+
+    # ---- equilibrium
+
+    @cached_property
+    def _places(self) -> Sequence[Sequence[Polynomial]]:
+        """By axis, where the body begins and where the springs are fixed, in the numbers of the text."""
+        m, lexicon = self.mechanism, self.setting.lexicon
+        body, nails = m.bodies[0].name, [_nail(m, line) for line in m.lines]
+        found: list[list[Polynomial]] = []
+        for axis in range(PLANE):
+            pairs: list[tuple[float, ...]] = []
+            for f in (start(m), start(lexicon.twin)):
+                points = [f.center(body).place, *(f.site(nail).place for nail in nails)]
+                pairs.append(tuple(float(point[axis]) for point in points))
+            found.append(_unshifted([lexicon.read(Both(*pair)) for pair in zip(*pairs, strict=True)]))
+        return found
+
+    @cached_property
+    def springs(self) -> list[_Spring]:
+        """All of them."""
+        m, lexicon, found = self.mechanism, self.setting.lexicon, list[_Spring]()
+        for number, line in enumerate(m.lines):
+            twin = lexicon.twin.lines[number]
+            assert isinstance(line.law, Elastic)
+            assert isinstance(twin.law, Elastic)
+            x, y = (places[number + 1].expression() for places in self._places)
+            stiffness = lexicon.read(Both(line.law.stiffness, twin.law.stiffness)).expression()
+            natural = lexicon.read(Both(line.law.length, twin.law.length)).expression()
+            length = self.book.fresh(r"\ell", str(number + 1) if len(m.lines) > 1 else "")
+            found.append(_Spring(line.name, stiffness, natural, (x, y), length))
+        return found
+
+    @cached_property
+    def _there(self) -> tuple[float, float]:
+        """The place of equilibrium, by the engine, in the numbers of the text."""
+        rest = equilibrium(self.mechanism)
+        if rest is None:
+            raise UnsolvedError("there is no equilibrium")
+        begun = [self.book.value(places[0].expression()) for places in self._places]
+        return begun[0] + float(rest.coordinates[0]), begun[1] + float(rest.coordinates[1])
+
+    @cached_property
+    def place(self) -> tuple[Symbol, Symbol]:
+        """Where it is: both balances of forces, solved for X and Y."""
+        names = self.book.fresh("X"), self.book.fresh("Y")
+        step, who = self.book.open("balance"), self.setting.called(self.mechanism.bodies[0].name)
+        lengths = {held.length: Root(_square(held, names)) for held in self.springs}
+        told = [step.law(name, formula) for name, formula in lengths.items()]
+        place = f"$({names[0].name}, {names[1].name})$"
+        step.say(f"With {who} at {place} the springs have the lengths {joined(told)}.")
+        sums = [self._sum(names, axis) for axis in range(2)]
+        said = [step.law(held, ZERO) for held in sums]
+        step.say(f"In equilibrium their forces cancel along both axes: {joined(said)}.")
+        across, along = (_without(held, lengths) for held in sums)
+        inner = NumericRoot(along, names[1].name, self._there[1])
+        outer = put(across, names[1].name, inner)
+        step.say(told_root(self.book, step, names[0], outer, self._there[0], METRES, "Solved numerically,"))
+        step.say(told_root(self.book, step, names[1], along, self._there[1], METRES, "With it,"))
+        shown = [self._told_length(step, name, formula) for name, formula in lengths.items()]
+        step.say(f"There {joined(shown)}.")
+        step.close()
+        return names
+
+    def _sum(self, names: tuple[Symbol, Symbol], axis: int) -> Expression:
+        """Of all forces along an axis, the other way."""
+        found: Expression = ZERO
+        for held in self.springs:
+            found = added(found, held.stiffness * (ONE - held.natural / held.length) * (names[axis] - held.end[axis]))
+        return found
+
+    def _told_length(self, step: Writing, name: Symbol, formula: Expression) -> str:
+        """In numbers, or, where something in it is unknown, as its formula has it."""
+        if self.book.is_hidden(formula):
+            return step.result(name, formula, METRES)
+        self.book.know(name.name, self.book.value(formula), self.book.spelled(METRES))
+        step.label(name.name)
+        return step.stated(name, METRES)
+
+    # ---- small oscillations
+
+    def oscillate(self, query: PeriodQuery) -> Symbol:
+        """The two directions in which the force points straight back, and how stiff the wanted one is."""
+        turn = self._direction(query.rank)
+        step, stiff, whole = self.book.open("stiffness"), self.book.fresh(r"\kappa"), ZERO
+        for held in self.springs:
+            weight, bearing = self._weights[held.name]
+            across = held.stiffness - weight
+            whole = whole + across + weight * Power(Call("cos", bearing - turn), 2)
+        said = "A spring resists across itself by its pull over its length, so that in this direction the stiffness is"
+        step.say(f"{said} {step.result(stiff, whole, PER_METRE, law=True)}.")
+        step.close()
+        mass = self.mass(self.mechanism.bodies[0].name).expression()
+        rate = self.book.fresh(r"\omega")
+        self.book.told("rate", "The angular frequency is", rate, Root(stiff / mass), latex("rad/s"))
+        return measured_period(self.book, query, rate)
+
+    @cached_property
+    def _weights(self) -> Mapping[str, tuple[Symbol, Symbol]]:
+        """By spring, k ℓ₀/ℓ and its angle with the x axis."""
+        found: dict[str, tuple[Symbol, Symbol]] = {}
+        place = self.place
+        for number, held in enumerate(self.springs, start=1):
+            mark = str(number) if len(self.springs) > 1 else ""
+            weight, bearing = self.book.fresh("w", mark), self.book.fresh(r"\beta", mark)
+            step = self.book.open("bearing")
+            slope = Call("arctan", (place[1] - held.end[1]) / (place[0] - held.end[0]))
+            told = step.result(bearing, slope, DEGREES, law=True)
+            part = step.result(weight, held.stiffness * held.natural / held.length, PER_METRE, law=True)
+            step.say(f"Spring {mark} is at {told} to the x axis; let {part}.")
+            step.close()
+            found[held.name] = weight, bearing
+        return found
+
+    def _direction(self, rank: int) -> Expression:
+        """Of a mode, as an angle with the x axis: tan 2α = Σ w sin 2β / Σ w cos 2β."""
+        sine, cosine = ZERO, ZERO
+        for weight, bearing in self._weights.values():
+            sine = sine + weight * Call("sin", TWO * bearing)
+            cosine = cosine + weight * Call("cos", TWO * bearing)
+        angle = self.book.fresh(r"\alpha")
+        # along 2α the weights add up to the most: there it is stiffest
+        stiffest = atan2(self.book.value(sine), self.book.value(cosine)) / 2.0
+        formula = HALF * Call("arctan", sine / cosine)
+        wanted = stiffest + (0.0 if rank else pi / 2.0)
+        if abs(sin(self.book.value(formula) - wanted)) > HALF.x:
+            formula = formula + PI / TWO
+        which = "stiffest" if rank else "softest"
+        said = f"The force points straight back in the direction in which they are {which} together, at the angle"
+        return self.book.told("direction", said, angle, formula, DEGREES)
+
+
+def _square(held: _Spring, place: tuple[Symbol, Symbol]) -> Expression:
+    """Of the length of a spring to a place."""
+    (x, y), (far, up) = place, held.end
+    return Power(x - far, 2) + Power(y - up, 2)
+
+
+def _without(formula: Expression, lengths: Mapping[Symbol, Expression]) -> Expression:
+    """A formula with what lengths are in place of their names."""
+    for name, length in lengths.items():
+        formula = put(formula, name.name, length)
+    return formula
+
+
+def _unshifted(places: list[Polynomial]) -> list[Polynomial]:
+    """Places along an axis without what is taken from all of them, as x₁ is from 0, x₂ − x₁ and x − x₁."""
+    for place in places:
+        taken = Polynomial({monomial: -part for monomial, part in place.terms.items() if part == -1.0})
+        moved = [held + taken for held in places]
+        if taken and all(len(held.terms) <= 1 for held in moved):
+            return moved
+    return places
