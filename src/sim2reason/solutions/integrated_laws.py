@@ -39,7 +39,7 @@ class IntegratedLaws:
             any(kind.kind == "stuck" and kind.name == " and ".join(meeting.names) for kind in self.segment.kinds)
             for meeting in self.mechanism.meetings
         )
-        phase = phase_at(self.state)._replace(stuck=stuck)
+        phase = phase_at(self._amid)._replace(stuck=stuck)
         if lexicon.constant is not None:
             gravitational_constant(self.book, lexicon.constant)
         draft = EquationsOfMotion(lexicon, self.book.copy(), phase, self.names)
@@ -49,6 +49,13 @@ class IntegratedLaws:
         found = EquationsOfMotion(lexicon, self.book, phase, self.names)
         found.shorten()
         return found
+
+    @property
+    def _amid(self) -> State:
+        """A moment well inside the segment: at its ends a body may be on the border of a region."""
+        motion, begins = self.setting.motion, self.segment.start
+        ends = min((held.start for held in motion.segments if held.start > begins), default=motion.end)
+        return motion.state(np.array([0.5 * (begins + ends)]))
 
     def write(self) -> None:
         """All of them, in one step."""

@@ -1,0 +1,86 @@
+"""Limiting swing: the value of a number from which on something goes right round, or a string goes slack.
+
+By energy: what goes round is at rest on top; a string is without tension there, or at its height of the fixed point.
+"""
+
+from math import cos
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.outcomes.goes_round import GoesRound
+from sim2reason.questions.outcomes.goes_slack import GoesSlack
+from sim2reason.solutions.arm import Arm, lone_axle
+from sim2reason.solutions.book import Book
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.functions import Call, Power
+from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.pendulum import geometry, pivot
+from sim2reason.solutions.reverse import Inversion
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import latex
+
+HALF, TWO, THREE = Number(0.5), Number(2.0), Number(3.0)
+
+
+@strategy
+class LimitingSwing(Strategy):
+    """The value from which on what swings about a fixed point or axle goes right round, or its string goes slack."""
+
+    name = "limiting swing"
+    cost = 1.0
+    kinds = frozenset({"threshold"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether nothing swings by itself."""
+        swings = pivot(mechanism) is not None or lone_axle(mechanism)
+        return "" if swings else "nothing swings about a fixed point by itself"
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query = setting.query
+        if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, GoesRound | GoesSlack):
+            return "it is not about going round or slack"
+        return "" if setting.sought is not None else "there is no such value"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """What is left of the energy in the limiting case, which is nothing; then the number."""
+        left = _of_body(setting, book) if pivot(setting.mechanism) is not None else _of_axle(setting, book)
+        step = book.open("limit")
+        step.say(f"In the limiting case that is nothing: {step.law(left, ZERO)}.")
+        step.close()
+        return Inversion(book, left.name, 0.0, book.sought).write()
+
+
+def _of_axle(setting: Setting, book: Book) -> Symbol:
+    """Of a rigid body: its energy of motion on top."""
+    arm = Arm(setting, book)
+    first: Expression = Call("cos", arm.first)
+    lift = arm.moment * (ONE + first) if book.value(arm.moment) > 0.0 else -arm.moment * (ONE - first)
+    formula = HALF * arm.inertia * Power(arm.launch, 2) - lift * arm.gravity
+    said = "Where the centre of mass is highest, there is left of the energy of its motion"
+    return book.told("energy", said, book.fresh("K"), formula, latex("J"))
+
+
+def _of_body(setting: Setting, book: Book) -> Symbol:
+    """Of a small body, over its mass: v² on top, or where its string would go slack."""
+    lexicon, query = setting.lexicon, setting.query
+    pairs = zip(geometry(lexicon.mechanism), geometry(lexicon.twin), strict=True)
+    length, angle, launch = (lexicon.read(Both(*pair)).expression() for pair in pairs)
+    gravity = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2])).expression()
+    square = Power(launch, 2) if launch != ZERO else ZERO
+    fallen = TWO * gravity * length * Call("cos", angle)
+    assert isinstance(query, ThresholdQuery)
+    if isinstance(query.outcome, GoesRound):
+        said, formula = "By energy, the square of the speed on top is", square - fallen - TWO * gravity * length
+    else:
+        g, ell, v = (book.value(part) for part in (gravity, length, launch))
+        top = v**2 - g * ell * (THREE.x + TWO.x * cos(book.value(angle)))
+        level = v**2 - 2.0 * g * ell * cos(book.value(angle))
+        if abs(level) < abs(top):
+            formula = square - fallen
+            said = "The string stays taut if its body turns back below the fixed point. By energy, v² at that height is"
+        else:
+            formula = square - fallen - THREE * gravity * length
+            said = "On top weight alone may at most bend the path, g ≤ v²/ℓ. By energy, v² − g ℓ is there"
+    return book.told("energy", said, book.fresh("w"), formula, latex("m^2/s^2"))
