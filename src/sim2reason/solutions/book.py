@@ -9,6 +9,8 @@ from sim2reason.solutions.subscripts import marked
 from sim2reason.solutions.unit_latex import CANONICAL, latex
 from sim2reason.solutions.worked import Worked
 
+SECONDS = latex("s")
+
 
 class UnsolvedError(Exception):
     """A strategy found that it cannot answer after all; the message says why."""
@@ -75,9 +77,9 @@ class Book:
 
     def say_given(self, name: str, value: float, unit: str) -> None:
         """A number that the question itself says."""
-        unit = self.spelled(unit)
+        is_time, unit = unit == SECONDS, self.spelled(unit)
         self.know(name, value, unit)
-        if self.asks_time and "s}" in unit and not self.sought:
+        if self.asks_time and is_time and not self.sought:
             self.sought = name
             self.hidden.add(name)
         else:

@@ -14,6 +14,7 @@ from sim2reason.solutions.field_motion import FieldMotion, Turning, motion_in
 from sim2reason.solutions.fields import Fields
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.told_root import told_root
 from sim2reason.solutions.unit_latex import latex
 from sim2reason.solutions.worked import NumericRoot
 
@@ -51,10 +52,9 @@ class FieldMoment:
         square, level = self._distance(name), Power(distance, 2)
         step = self.book.open("time")
         law = step.law(square, level)
-        root = NumericRoot(square - level, name.name, self.setting.time)
         who = capital(self.setting.called(self.fields.body))
-        step.say(f"{who} is so far away when {law}; the first root, found")
-        step.say(f"numerically, is {step.result(name, root, SECONDS)}.")
+        step.say(f"{who} is first so far away when {law}.")
+        step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, "Numerically,"))
         step.close()
         return name
 
@@ -69,11 +69,13 @@ class FieldMoment:
             )
         if len(kept) != 1 or drive is None or drive.frequency is not None:
             raise UnsolvedError("it does not move to and fro on a line by a steady force")
-        step, root = self.book.open("stop"), NumericRoot(kept[0], name.name, self.setting.time)
-        plain = drive.growth is None and drive.slope is None
-        formula = -(self.fields.launch[drive.axis] / drive.strength) if plain else root
-        who = capital(self.setting.called(self.fields.body))
-        step.say(f"{who} comes to rest when {step.law(kept[0], ZERO)}, so {step.result(name, formula, SECONDS)}.")
+        step, who = self.book.open("stop"), capital(self.setting.called(self.fields.body))
+        step.say(f"{who} comes to rest when {step.law(kept[0], ZERO)}.")
+        if drive.growth is None and drive.slope is None and self.fields.damping is None:
+            formula = -(self.fields.launch[drive.axis] / drive.strength)
+            step.say(f"So {step.result(name, formula, SECONDS)}.")
+        else:
+            step.say(told_root(self.book, step, name, kept[0], self.setting.time, SECONDS, "Numerically,"))
         step.close()
         return name
 
@@ -173,8 +175,8 @@ class FieldMoment:
         near = NumericRoot(residual, time.name, start).value(self.book.values).real
         step = self.book.open("extremum")
         law = step.law(residual, ZERO)
-        found = step.result(time, NumericRoot(residual, time.name, near), SECONDS)
-        step.say(f"It is extreme where the {said}: {law}. Found numerically, {found}.")
+        step.say(f"It is extreme where the {said}: {law}.")
+        step.say(told_root(self.book, step, time, residual, near, SECONDS, "Found numerically,"))
         step.close()
 
     def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:

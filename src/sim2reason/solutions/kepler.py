@@ -17,6 +17,7 @@ from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import gravitational_constant
+from sim2reason.solutions.told_root import told_root
 from sim2reason.solutions.unit_latex import latex
 from sim2reason.solutions.worked import NumericRoot
 
@@ -139,9 +140,8 @@ class KeplerOrbit:
         near = _rising(lambda x: x - self._at(p) * sin(x) + self._at(q) * (1.0 - cos(x)) - self._at(n * time))
         step = self.book.open("Kepler's equation")
         law = step.law(n * time, right)
-        root = NumericRoot(right - n * time, name.name, near)
-        step.say(f"By Kepler's equation $E$ has grown by an angle ${name.latex()}$ with {law}; found numerically,")
-        step.say(f"{step.result(name, root, RADIANS)}.")
+        step.say(f"By Kepler's equation $E$ has grown by an angle ${name.latex()}$ with {law}.")
+        step.say(told_root(self.book, step, name, right - n * time, near, RADIANS, "Found numerically,"))
         step.close()
         return name
 
@@ -189,10 +189,10 @@ class KeplerOrbit:
         near = _rising(lambda x: square.value({**self.book.values, name.name: x}).real - level)
         step = self.book.open("distance")
         law = step.law(square, Power(distance, 2))
-        root = NumericRoot(square - Power(distance, 2), name.name, near)
         who = capital(self.setting.called(self.body))
-        step.say(f"{who} is so far from its start when $E$ has grown by ${name.latex()}$ with {law}; the first root,")
-        step.say(f"found numerically, is {step.result(name, root, RADIANS)}.")
+        step.say(f"{who} is first so far from its start when $E$ has grown by ${name.latex()}$ with {law}.")
+        residual = square - Power(distance, 2)
+        step.say(told_root(self.book, step, name, residual, near, RADIANS, "Found numerically,"))
         step.close()
         return name
 
@@ -216,8 +216,8 @@ class KeplerOrbit:
         step = self.book.open("farthest")
         law = step.law(residual, ZERO)
         said = f"If $E$ has grown by ${angle.latex()}$, the way from the start is square to the velocity where"
-        step.say(f"{said} {law}; found numerically,")
-        step.say(f"{step.result(angle, NumericRoot(residual, angle.name, near), RADIANS)}.")
+        step.say(f"{said} {law}.")
+        step.say(told_root(self.book, step, angle, residual, near, RADIANS, "Found numerically,"))
         step.close()
         return self.book.told("distance", "There the distance is", name, Root(square), METRES)
 

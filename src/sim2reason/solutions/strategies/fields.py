@@ -11,15 +11,15 @@ from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.field_energy import FieldEnergy
 from sim2reason.solutions.field_moment import FieldMoment
 from sim2reason.solutions.field_motion import FieldMotion, Turning
 from sim2reason.solutions.fields import AXES, Fields
-from sim2reason.solutions.functions import Power
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.unit_latex import latex
@@ -33,9 +33,8 @@ QUANTITIES = (
     *("displacement", "velocity", "acceleration", "net force", "momentum", "kinetic energy"),
     "electric potential energy",
 )
-FUNCTIONALS = ("greatest speed", "least speed", "greatest displacement", "greatest kinetic energy")
-TWO, HALF = Number(2.0), Number(0.5)
-SAMPLES = 400
+EXTREMES = ("greatest speed", "least speed", "greatest displacement", "greatest kinetic energy")
+SUMS = ("work of an electric field", "energy lost to drag", "impulse of the net force")
 
 
 @strategy
@@ -44,7 +43,7 @@ class FieldsStrategy(Strategy):
 
     name = "motion in fields"
     cost = 1.0
-    kinds = frozenset({"start", "state", "event", "time_to_event", "extremum", "period"})
+    kinds = frozenset({"start", "state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether no lone body moves in fields without end."""
@@ -72,7 +71,9 @@ def _unasked(setting: Setting) -> str:
     if isinstance(query, PeriodQuery):
         return "small oscillations are asked about" if query.small else ""
     if isinstance(query, StretchQuery):
-        return "" if query.functional in FUNCTIONALS else f"no way to the {query.functional}"
+        if query.kind == "sum" and not isinstance(query.moment, MOMENTS):
+            return f"no way to the moment {type(query.moment).__name__}"
+        return "" if query.functional in (*EXTREMES, *SUMS) else f"no way to the {query.functional}"
     if not isinstance(query.moment, MOMENTS):
         return f"no way to the moment {type(query.moment).__name__}"
     quantity = query.target.quantity if query.target is not None else ""
@@ -94,7 +95,7 @@ class _InFields(Way):
         if isinstance(self.query, PeriodQuery):
             return self._period(self.query)
         if isinstance(self.query, StretchQuery):
-            return self.moment.extreme(self.query)
+            return self._summed(self.query) if self.query.kind == "sum" else self.moment.extreme(self.query)
         if self.target is None:
             return self.time
         if self.target.quantity == "electric potential energy":
@@ -126,16 +127,19 @@ class _InFields(Way):
         size = turns if self.book.value(turns) > 0.0 else -turns
         return measured_period(self.book, query, size, "One turn takes")
 
+    def _summed(self, query: StretchQuery) -> Symbol:
+        """A work, or the change of momentum."""
+        assert self.target is not None
+        energy = FieldEnergy(self, self.moment)
+        if query.functional == "work of an electric field":
+            return energy.work()
+        if query.functional == "energy lost to drag":
+            return energy.lost()
+        return GOALS[query.functional].write(self.target, self)
+
     def _potential(self) -> Symbol:
         """Minus the work of the electric force."""
-        drive = self.fields.drive
-        assert drive is not None
-        moved = self.rate("s", self.fields.coordinates[drive.axis]).expression()
-        work = self.fields.mass * drive.strength * moved
-        if drive.slope is not None:
-            if drive.along != drive.axis:
-                raise UnsolvedError("the field has no potential")
-            work = work + HALF * self.fields.mass * drive.slope * Power(moved, 2)
+        work = FieldEnergy(self, self.moment).potential()
         said = "The potential energy changes by minus the work of the electric force,"
         size = -work if self.book.value(work) <= 0.0 else work
         return self.book.told("energy", f"{said} whose size is", self.book.fresh("U"), size, latex("J"))
@@ -153,7 +157,9 @@ class _InFields(Way):
         known = self._names.get((kind, axis))
         if known is None:
             known = self._names[kind, axis] = self._written(kind, axis)
-        return Polynomial.of(known) if known != ZERO else Polynomial({})
+        if kind == "v" and known == self.fields.launch[axis]:  # as at the start, so that their difference vanishes
+            return self.first_speeds.get(k, NIL)
+        return Polynomial.of(known) if known != ZERO else NIL
 
     def _written(self, kind: str, axis: int) -> Expression:
         if isinstance(self.query.moment, AtStart):
@@ -170,7 +176,7 @@ class _InFields(Way):
         if isinstance(self.query.moment, Away) and kind == "s" and self.motion.moved(1 - axis, self.time) == ZERO:
             distance = Symbol(next(name for name in self.book.stated if name != self.time.name))
             return distance if self.book.value(formula) > 0.0 else -distance
-        if formula == ZERO or isinstance(formula, Symbol):
+        if formula == ZERO or isinstance(formula, Symbol) or (kind == "v" and formula == self.fields.launch[axis]):
             return formula
         said = f"Its {NOUNS[kind]} along {AXES[axis]} is"
         return self.book.told("component", said, self.book.fresh(kind, AXES[axis]), formula, UNITS[kind])
