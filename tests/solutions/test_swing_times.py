@@ -1,6 +1,6 @@
 """Times in swings, and rockets whose engine is off: tables and closed forms, written down independently."""
 
-from math import asin, degrees, gamma, log, pi, radians, sin, sqrt
+from math import acos, asin, cos, degrees, gamma, log, pi, radians, sin, sqrt
 
 import pytest
 
@@ -8,23 +8,34 @@ from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.hanger import Cord, LightRod
 from sim2reason.bodies.rocket import DeepSpace, LevelGround, Rocket
 from sim2reason.bodies.uniform_rod import UniformRod
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.pieces import AxialPiece
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
-from worked import answer
+from worked import answer, asked
 
 G, LENGTH = 9.8, 0.8
 RATE = sqrt(G / LENGTH)
 BOB = "pendulum.bob"
+SCENE = Scene(
+    entities=(
+        Named(
+            name="pendulum",
+            entity=Pendulum(bob=Ball(mass=0.5), hanger=LightRod(length=LENGTH), angle=20.0, speed=1.5),
+        ),
+    )
+)
 HALF = 1.685750354812596  # K(k² = 1/4), Abramowitz and Stegun, table 17.1
 LEMNISCATE = gamma(0.25) ** 2 / (4.0 * sqrt(pi))  # K(k² = 1/2), 17.3.9
 
@@ -108,3 +119,55 @@ def test_one_that_is_too_heavy_at_first_waits() -> None:
     speed, _ = burned(G, rate, first)
     query = Query("time_to_event", None, Stopped(ROCKET, number=1))
     assert rocket(query, LevelGround(), rate) == pytest.approx((START - DRY) / rate + speed / G, rel=1e-9)
+
+
+# ---- what adds up
+
+
+def summed(functional: str, subject: str, moment: Moment, angle: float, speed: float | None = None) -> float:
+    return pendulum(StretchQuery("sum", None, moment, functional, subject), angle, speed, rod=True)
+
+
+def test_a_bob_let_go_travels_its_whole_arc_until_it_stops() -> None:
+    assert summed("distance travelled", BOB, Stopped(BOB), 50.0) == pytest.approx(2.0 * LENGTH * radians(50.0))
+
+
+def test_after_a_period_and_an_eighth_a_bob_has_travelled_four_amplitudes_and_more() -> None:
+    """Let go at 60°, after T/8 it is at sin(φ/2) = k/√(1 + k′)."""
+    k, other = sin(radians(30.0)), sqrt(0.75)
+    angle = 2.0 * asin(k / sqrt(1.0 + other))
+    expected = LENGTH * (4.0 * radians(60.0) + radians(60.0) - angle)
+    found = summed("distance travelled", BOB, AtTime(4.5 * HALF / RATE), 60.0)
+    assert found == pytest.approx(expected, rel=1e-8)
+
+
+def test_a_rod_that_is_thrown_turns_up_and_then_back() -> None:
+    """Sent down from 20°, it turns at cos Φ = cos 20° − v²/2gℓ on the other side, then comes down again."""
+    reach = acos(cos(radians(20.0)) - 1.5**2 / (2.0 * G * LENGTH))
+    moment = AtTime(0.9)
+    state = asked(SCENE, Query("state", Target("angle turned", "pendulum.hanger"), moment))
+    assert state.answer is not None
+    net = radians(state.answer)  # all the while below the second place where it turns back
+    found = summed("total angle", "pendulum.hanger", moment, 20.0, 1.5)
+    assert found == pytest.approx(degrees(2.0 * (radians(20.0) + reach) - net), rel=1e-8)
+
+
+def test_what_goes_round_never_turns_back() -> None:
+    """To the top, from straight down, and on to the bottom: the impulse there is nothing, the arc is once round."""
+    speed = 4.0 * RATE * LENGTH
+    time = 2.0 * HALF / (2.0 * RATE)
+    assert summed("distance travelled", BOB, AtTime(time), 0.0, speed) == pytest.approx(2.0 * pi * LENGTH, rel=1e-8)
+
+
+def test_the_impulse_on_a_bob_is_the_change_of_its_momentum() -> None:
+    """From rest at 60°, until it is at 20°: m v."""
+    speed = sqrt(2.0 * G * LENGTH * (cos(radians(20.0)) - cos(radians(60.0))))
+    found = summed("impulse of the net force", BOB, Deflected("pendulum.hanger", 20.0), 60.0)
+    assert found == pytest.approx(0.5 * speed)
+
+
+def test_the_impulse_on_a_thrown_bob_is_a_chord() -> None:
+    """From 30°, sent down at 2 m/s, to the lowest point: the velocities are 30° apart."""
+    speed = sqrt(4.0 + 2.0 * G * LENGTH * (1.0 - cos(radians(30.0))))
+    expected = 0.5 * sqrt(4.0 + speed**2 - 4.0 * speed * cos(radians(30.0)))
+    assert summed("impulse of the net force", BOB, LowestPoint(BOB), 30.0, 2.0) == pytest.approx(expected)

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from sim2reason.dsl.units import SI, UnitSystem
+from sim2reason.grading.tokens import canonical
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.solution import Relation, Step, spelled
 from sim2reason.solutions.subscripts import marked
@@ -46,21 +47,21 @@ class Book:
         found = Book(self._units, asks_time=self.asks_time, called=self._called)
         found.hidden, found.sought = {*self.hidden}, self.sought
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
-        found.reserve(*self._taken)
+        found._taken = {*self._taken}
         return found
 
     def reserve(self, *names: str) -> None:
         """Keep names from being given to something else."""
-        self._taken.update(names)
+        self._taken.update(map(canonical, names))
 
     def fresh(self, base: str, mark: str = "") -> Symbol:
         """A name that nothing has yet: the base with a subscript, and a number where that is taken."""
         name = marked(base, mark)
         number = 1
-        while name in self._taken:
+        while canonical(name) in self._taken:
             name = marked(base, ",".join(part for part in (mark, str(number)) if part))
             number += 1
-        self._taken.add(name)
+        self._taken.add(canonical(name))
         return Symbol((self._called or {}).get(name, name))
 
     @property

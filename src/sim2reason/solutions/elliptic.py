@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import pairwise
 from math import pi, sqrt
 
-from sim2reason.solutions.book import Book
+from sim2reason.solutions.book import Book, Writing
 from sim2reason.solutions.expressions import ONE, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.setting import joined
@@ -29,60 +29,64 @@ class Elliptic:
     def means(self) -> list[tuple[Expression, Expression]]:
         """The arithmetic and the geometric means, from 1 and k′ = √(1 − k²) on."""
         step, other = self.book.open("means"), self.book.fresh("b", "0")
-        step.say(
-            "Such a time is an elliptic integral of the first kind, found by arithmetic and geometric means from 1"
-        )
-        step.say(f"and {step.result(other, Root(ONE - Power(self.modulus, 2)), '', law=True)} on.")
-        step.close()
+        told = [step.result(other, Root(ONE - Power(self.modulus, 2)), "", law=True)]
         found: list[tuple[Expression, Expression]] = [(ONE, other)]
         a, b = 1.0, self.book.value(other)
         while a - b > CLOSE:
             a, b = 0.5 * (a + b), sqrt(a * b)
-            found.append(self._next(*found[-1], len(found), last=a - b <= CLOSE))
+            pair, said = self._next(step, *found[-1], len(found), last=a - b <= CLOSE)
+            found.append(pair)
+            told += said
+        step.say(f"Such a time is an elliptic integral. The arithmetic and geometric means from 1 and {told[0]} on:")
+        step.say(f"{joined(told[1:])}.")
+        step.close()
         return found
 
-    def _next(self, a: Expression, b: Expression, number: int, *, last: bool) -> tuple[Expression, Expression]:
-        step = self.book.open("means")
+    def _next(
+        self, step: Writing, a: Expression, b: Expression, number: int, *, last: bool
+    ) -> tuple[tuple[Expression, Expression], list[str]]:
         arithmetic, geometric = self.book.fresh("a", str(number)), self.book.fresh("b", str(number))
         told = [step.result(arithmetic, (a + b) / TWO, "", law=True)]
         if not last:
             told.append(step.result(geometric, Root(b if a == ONE else a * b), "", law=True))
-        step.say(f"{'Then' if number > 1 else 'First'} {joined(told)}.")
-        step.close()
-        return arithmetic, arithmetic if last else geometric
+        return (arithmetic, arithmetic if last else geometric), told
 
     @cached_property
     def complete(self) -> Symbol:
         """K = F(π/2) = π/(2 a)."""
         last = self.means[-1][0]
-        said = "The means agree by then, so that for a quarter of the oscillation the integral is"
+        said = "For a quarter of the oscillation the integral is"
         return self.book.told("elliptic", said, self.book.fresh("K"), PI / (TWO * last), "")
 
     def integral(self, angle: Symbol) -> Symbol:
         """F(θ): tan(θ′ − θ) = (b/a) tan θ, step by step, then θ′/(2ⁿ a)."""
         held, value = angle, self.book.values[angle.name]
         means = self.means
-        for number, (a, b) in enumerate(means[:-1]):
+        step, told = self.book.open("landen"), list[str]()
+        for a, b in means[:-1]:
             turns = round(value / pi)
             turned = Call("arctan", (b if a == ONE else b / a) * Call("tan", held))
             formula = held + turned + Number(float(turns)) * PI if turns else held + turned
-            said = "For its angle, Landen's transformation gives" if number == 0 else "Once more,"
-            held = self.book.told("landen", said, self.book.fresh(r"\theta"), formula, RADIANS)
+            held = self.book.fresh(r"\theta")
+            told.append(step.result(held, formula, RADIANS, law=True))
             value = self.book.values[held.name]
+        step.say(f"By Landen's transformation, {joined(told)}.")
+        step.close()
         count = 2.0 ** (len(means) - 1)
         below = means[-1][0] if count == 1.0 else Number(count) * means[-1][0]
-        said = "The integral up to there is that over the mean and the power of two,"
+        said = "The integral up to there is"
         return self.book.told("elliptic", said, self.book.fresh("F"), held / below, "")
 
     def amplitude(self, integral: Expression) -> Symbol:
         """The angle θ up to which the integral is F: sin(2θ − θ′) = (c′/a′) sin θ′, from 2ⁿ a F back."""
         means = self.means
         count = 2.0 ** (len(means) - 1)
-        said = "Landen's transformation leads back to its angle, from"
-        held = self.book.told(
-            "landen", said, self.book.fresh(r"\theta"), Number(count) * means[-1][0] * integral, RADIANS
-        )
+        step, held = self.book.open("landen"), self.book.fresh(r"\theta")
+        told = [step.result(held, Number(count) * means[-1][0] * integral, RADIANS, law=True)]
         for (a, b), (mean, _) in reversed(list(pairwise(means))):
             formula = (held + Call("arcsin", (a - b) / (TWO * mean) * Call("sin", held))) / TWO
-            held = self.book.told("landen", "Then to", self.book.fresh(r"\theta"), formula, RADIANS)
+            held = self.book.fresh(r"\theta")
+            told.append(step.result(held, formula, RADIANS, law=True))
+        step.say(f"Landen's transformation leads back to its angle: {joined(told)}.")
+        step.close()
         return held

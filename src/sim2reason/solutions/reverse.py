@@ -100,7 +100,7 @@ class Inversion:
     def _close(self, name: str, found: Expression, at: str) -> None:
         """Say what a symbol is."""
         step = self.book.open(SOLVED)
-        where = f"From the value of ${at}$, " if at != self.goal else f"With the value of ${at}$ that is given, "
+        where = "So " if at != self.goal else f"With the value of ${at}$ that is given, "
         how = "found numerically, " if isinstance(found, NumericRoot) else ""
         if not self.stated:
             where = "So "

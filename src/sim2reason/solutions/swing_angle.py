@@ -19,7 +19,7 @@ from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added
-from sim2reason.solutions.functions import PI, Call
+from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.stage import SECONDS
 from sim2reason.solutions.swing_time import SwingTime
@@ -41,6 +41,7 @@ EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is
 }
 SLOW = 1e-5  # of its greatest speed: none
 STRAIGHT = 1e-6  # rad
+TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
 SMALL = "Small swings would have the angular frequency"
 Way = tuple[str, str, str, str]
@@ -50,7 +51,7 @@ def asked(setting: Setting) -> str:
     """The quantity that is asked about."""
     query = setting.query
     if isinstance(query, StretchQuery):
-        return EXTREMES[query.functional][0]
+        return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional
     return query.target.quantity if query.target is not None else ""
 
 
@@ -58,9 +59,10 @@ def unasked(setting: Setting, quantities: Collection[str]) -> str:
     """What of a query no way leads to; empty if one does."""
     query = setting.query
     if isinstance(query, StretchQuery):
-        if query.functional not in EXTREMES or asked(setting) not in quantities:
+        if asked(setting) not in quantities:
             return f"no way to the {query.functional}"
-        return ""
+        if query.kind != "sum":
+            return ""
     if not isinstance(query.moment, MOMENTS):
         return "only integration gives the time"
     return "" if query.target is None or asked(setting) in quantities else f"no way to the quantity {asked(setting)}"
@@ -91,7 +93,8 @@ class SwingAngle(ABC):
     def extreme(self) -> str:
         """Where a quantity is extreme, if that is asked: fastest or slowest; else empty."""
         query = self.setting.query
-        return EXTREMES[query.functional][1] if isinstance(query, StretchQuery) else ""
+        found = EXTREMES.get(query.functional) if isinstance(query, StretchQuery) else None
+        return found[1] if found is not None else ""
 
     @property
     def still(self) -> bool:
@@ -180,6 +183,12 @@ class SwingAngle(ABC):
     def _turned(self) -> Expression:
         """Write where it turns back."""
 
+    @cached_property
+    def reach(self) -> Expression:
+        """How far from the vertical it turns back, of its size."""
+        found = self.first if self.spin == ZERO else self._turned()
+        return -found if found.latex().startswith("-") else found
+
     def _slack(self) -> Expression:
         """Write where a string goes slack."""
         raise UnsolvedError("it hangs on no string")
@@ -215,6 +224,14 @@ class SwingAngle(ABC):
         """The angle from the start, of its size."""
         found = added(self.angle, -self.first)
         return found if self.book.value(found) >= 0.0 else -found
+
+    def change(self, begun: Expression, speed: Expression) -> Expression:
+        """Of the velocity, from one speed along the arc to another: the third side of a triangle."""
+        if ZERO in (begun, speed):
+            return speed if begun == ZERO else begun
+        along = TWO * begun * speed * Call("cos", self.between)
+        along = along if self.way * self.turning > 0.0 else -along
+        return Root(Power(begun, 2) + Power(speed, 2) - along)
 
     # ---- what is asked
 

@@ -38,7 +38,7 @@ class SwingTime:
             part = self.rate / (TWO * self.natural)
             formula = Root(Power(part, 2) + Power(half, 2)) if half != ZERO else part
         name, step = self.book.fresh("k"), self.book.open("modulus")
-        step.say("The energy is kept; by half angles, the square of the angular speed is")
+        step.say("By energy, the square of the angular speed is")
         step.say(
             f"$4 {self.natural.latex()}^{{2}} (k^{{2}} - \\sin^{{2}}(\\varphi/2))$ with".replace(
                 "k^", f"{name.latex()}^"
@@ -71,7 +71,7 @@ class SwingTime:
             if abs(over - 1.0) < NEAR**2:
                 return self._quarters(1)
             formula = Call("arcsin", Call("sin", angle / TWO) / self.modulus)
-        said = "The angle of the integral is there" if not self.rounds else "Half the angle is"
+        said = "The angle of the integral is" if not self.rounds else "Half the angle is"
         theta = self.book.told("angle", said, self.book.fresh(r"\theta"), formula, RADIANS)
         return Polynomial.of(self.elliptic.integral(theta))
 
@@ -116,7 +116,7 @@ class SwingTime:
         return self._after(self._quarters(count))
 
     def _after(self, integral: Polynomial) -> Symbol:
-        said = "The time is the integral from the start to there over the angular frequency:"
+        said = "The time is the integral over the angular frequency,"
         formula = (integral - self.begins).expression() / self.pace
         return self.book.told("time", said, self.book.fresh("t"), formula, SECONDS)
 
@@ -135,7 +135,7 @@ class SwingTime:
         grown = self.pace * time
         name = self.book.fresh("F", "t")
         whole = self.begins.expression() + grown if self.begins else grown
-        said = "The elliptic integral grows in proportion to the time, to"
+        said = "The integral grows with time, to"
         theta = self.elliptic.amplitude(self.book.told("elliptic", said, name, whole, ""))
         if self.rounds:
             formula: Expression = TWO * theta if self.way * self.side > 0.0 else -(TWO * theta)

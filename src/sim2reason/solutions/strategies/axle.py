@@ -17,6 +17,7 @@ from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swept import swept
 from sim2reason.solutions.swing_angle import SMALL, SwingAngle, Way, unasked
 from sim2reason.solutions.unit_latex import DEGREES, latex
 
@@ -30,7 +31,7 @@ class Axle(Strategy):
 
     name = "energy and torque about an axle"
     cost = 1.1
-    kinds = Strategy.kinds | {"extremum", "period"}
+    kinds = Strategy.kinds | {"extremum", "period", "sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether nothing turns by itself."""
@@ -249,6 +250,21 @@ class _Turning(SwingAngle):
     def _growth(self) -> Expression:
         return self.growth
 
+    def _swept(self) -> Expression:
+        def seen(time: float) -> tuple[float, float]:
+            angle, _, rate = self._seen(time)
+            return angle, rate
+
+        return swept(self, seen)
+
+    def _travelled(self) -> Expression:
+        return self.size * self._swept()
+
+    def _impulse(self) -> Expression:
+        begun = self.size * self.launch if self.launch != ZERO else ZERO
+        speed = self.size * self.rate if self.rate != ZERO else ZERO
+        return self.piece.mass * self.change(begun, speed)
+
     WAYS: ClassVar[Mapping[str, Way]] = {
         "velocity": ("_velocity", "v", latex("m/s"), "The speed is the angular speed times the distance:"),
         "acceleration": (
@@ -270,6 +286,14 @@ class _Turning(SwingAngle):
         "angular acceleration": ("_growth", r"\alpha", latex("rad/s^2"), ""),
         "deflection": ("_deflection", r"\phi", DEGREES, ""),
         "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
+        "total angle": ("_swept", r"\Phi", DEGREES, "From each place where it turns back to the next, that adds up to"),
+        "impulse of the net force": (
+            "_impulse",
+            "J",
+            latex("N s"),
+            "Mass times the change of the velocity,",
+        ),
+        "distance travelled": ("_travelled", "d", latex("m"), "The arc is the radius times the sum of all angles:"),
         "displacement": ("_chord", "s", latex("m"), "The chord between the two places is"),
         "height": ("_rise", "h", latex("m"), "It is higher than at first by"),
     }

@@ -12,6 +12,7 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
 from sim2reason.solutions.stage import METRES, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swept import swept
 from sim2reason.solutions.swing_angle import Way, unasked
 from sim2reason.solutions.swing_state import SwingState
 from sim2reason.solutions.unit_latex import DEGREES
@@ -25,7 +26,7 @@ class Swing(Strategy):
 
     name = "energy and circular motion"
     cost = 1.0
-    kinds = Strategy.kinds | {"extremum"}
+    kinds = Strategy.kinds | {"extremum", "sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether no small body swings."""
@@ -97,6 +98,15 @@ class _Angular(SwingState):
         half = ratio(self.between, Number(2.0))
         return multiplied(multiplied(Number(2.0), self.length), Call("sin", half))
 
+    def _swept(self) -> Expression:
+        return swept(self, self._seen)
+
+    def _travelled(self) -> Expression:
+        return multiplied(self.length, self._swept())
+
+    def _impulse(self) -> Expression:
+        return multiplied(self.mass, self.change(self.launch, self.speed))
+
     WAYS: ClassVar[Mapping[str, Way]] = {
         "velocity": ("_velocity", "v", SPEED, ""),
         "kinetic energy": ("_kinetic", "K", JOULES, "Its kinetic energy is"),
@@ -135,6 +145,14 @@ class _Angular(SwingState):
         ),
         "deflection": ("_deflection", r"\phi", DEGREES, ""),
         "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
+        "total angle": ("_swept", r"\Phi", DEGREES, "From each place where it turns back to the next, that adds up to"),
+        "impulse of the net force": (
+            "_impulse",
+            "J",
+            r"\ \text{N s}",
+            "Mass times the change of the velocity,",
+        ),
+        "distance travelled": ("_travelled", "d", METRES, "The arc is the radius times the sum of all angles:"),
         "height": ("_height", "h", METRES, "It is higher than at first by"),
         "displacement": ("_chord", "s", METRES, "The chord between the two places is"),
     }
