@@ -85,10 +85,7 @@ class RelativeMotion:
     def reduced(self) -> Symbol:
         """µ, told."""
         shared, both, own = self.masses
-        said = (
-            "Along a direction in which nothing outside pulls, the momentum of all is kept. What moves relative to that"
-        )
-        text = f"{said} has the reduced mass"
+        text = "As the momentum of all is kept along one direction, what moves relative to that has the reduced mass"
         return self.book.told("inertia", text, self.book.fresh(r"\mu"), over(own * shared - both * both, shared), KG)
 
     def mass(self, i: int, j: int) -> Polynomial:

@@ -1,8 +1,14 @@
 """Roots that are found numerically, told by their equations where those hang on what is unknown."""
 
+from collections.abc import Sequence
+
 from sim2reason.solutions.book import Book, Writing
 from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.setting import joined
 from sim2reason.solutions.worked import ImplicitRoot, NumericRoot
+
+NamedRoot = tuple[Symbol, Expression, float]
+"""What a root is called, the formula that vanishes there, and a number near it."""
 
 
 def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, near: float, unit: str, said: str) -> str:
@@ -10,6 +16,16 @@ def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, nea
 
     Where the formula hangs on what is unknown, only that the name is such a root.
     """
-    hidden = not book.hidden.isdisjoint(residual.symbols())
-    told = step.result(name, (ImplicitRoot if hidden else NumericRoot)(residual, name.name, near), unit)
-    return f"Let ${name.name}$ be that root." if hidden else f"{said} {told}."
+    return told_roots(book, step, [(name, residual, near)], unit, said)
+
+
+def told_roots(book: Book, step: Writing, roots: Sequence[NamedRoot], unit: str, said: str) -> str:
+    """The same of several at once, one after the other."""
+    told, names, hidden = list[str](), list[str](), False
+    for name, residual, near in roots:
+        hidden = hidden or not book.hidden.isdisjoint(residual.symbols())
+        told.append(step.result(name, (ImplicitRoot if hidden else NumericRoot)(residual, name.name, near), unit))
+        names.append(f"${name.name}$")
+    if not hidden:
+        return f"{said} {joined(told)}."
+    return f"Let {joined(names)} be {'that root' if len(names) == 1 else 'these roots'}."

@@ -200,9 +200,7 @@ class DynamicsWriter:
             if not equation.inertia and not self._mass(group):
                 left, right = _balance(equation.forces)
                 who = capital(self.d.setting.called(self._body(group[0].number)))
-                step.say(
-                    f"{equation.label} {who} is light, so the forces on it balance: {step.law(left, right)}.".strip()
-                )
+                step.say(f"{equation.label} {who}, which is light: {step.law(left, right)}.".strip())
                 continue
             inertia = self._inertia(group, equation)
             law = step.law(equation.forces.expression(), inertia)

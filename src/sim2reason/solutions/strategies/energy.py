@@ -209,9 +209,8 @@ class EnergyWay(SingleWay):
         law = step.law(self._kinetic(name), first + work)
         inner = 2.0 * work / self._mass
         root = Root(Power(self._first, 2) + inner if self._first != ZERO else inner)
-        changes = f"${self.name.name}$ changes at the rate ${name.name}$"
-        step.say(f"When {changes}, all that moves has the kinetic energy on the left;")
-        step.say(f"it grows by the work of all forces: {law},")
+        rate = f"the rate ${name.name}$ of ${self.name.name}$"
+        step.say(f"At {rate}, the kinetic energy on the left grows by the work of all forces: {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
         step.close()
         return name

@@ -24,11 +24,11 @@ from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, speed
 from sim2reason.solutions.normal_modes import NormalModes
 from sim2reason.solutions.polynomials import NIL, Polynomial
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import ACCELERATION
-from sim2reason.solutions.told_root import told_root
+from sim2reason.solutions.told_root import told_root, told_roots
 from sim2reason.solutions.travelled import EARLY, Travelled
 from sim2reason.solutions.unit_latex import latex
 
@@ -213,16 +213,21 @@ class _Modal(LinearWay):
         if len(own) != 1 or own[0] not in self.motion.free:
             raise UnsolvedError("its path is no line of its own")
         i, last = own[0], self._time
-        places: list[Expression] = [ZERO]
-        for near in self._turns(i):
-            step, time = self.book.open("turning"), self.book.fresh("t")
-            value = speed(self._modes, self.motion.free.index(i), time)
-            step.say(f"It turns back when {step.law(value, ZERO)}.")
-            step.say(told_root(self.book, step, time, value, near, SECONDS, "Numerically,"))
-            step.close()
-            places.append(self._at(i, time))
-        places.append(self._at(i, last))
-        return [Travelled(self, places)]
+        times = self._turned(i)
+        return [Travelled(self, [ZERO, *(self._at(i, time) for time in (*times, last))])]
+
+    def _turned(self, i: int) -> list[Symbol]:
+        """Write when a free coordinate turns back before the moment."""
+        nears = self._turns(i)
+        if not nears:
+            return []
+        step, names = self.book.open("turning"), [self.book.fresh("t") for _ in nears]
+        rates = [speed(self._modes, self.motion.free.index(i), name) for name in names]
+        step.say(f"It turns back when {joined([step.law(rate, ZERO) for rate in rates])}.")
+        roots = list(zip(names, rates, nears, strict=True))
+        step.say(told_roots(self.book, step, roots, SECONDS, "Numerically,"))
+        step.close()
+        return names
 
     def _at(self, i: int, time: Symbol) -> Symbol:
         formula = place(self._modes, self.motion.free.index(i), time)
