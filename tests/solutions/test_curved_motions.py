@@ -26,6 +26,7 @@ from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.entities.spring_block import Launch, SpringBlock
+from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
@@ -208,6 +209,18 @@ def test_a_block_oscillates_along_its_spring() -> None:
     assert sprung(Query("time_to_event", None, Away(block, 0.15))) == pytest.approx(acos(1.0 - 1.5) / rate)
     query = StretchQuery("extremum", None, WholeMotion(), "greatest kinetic energy", block)
     assert sprung(query) == pytest.approx(STIFF * 0.1**2 / 2.0)
+
+
+def test_a_dashpot_pulls_at_the_start_by_how_fast_its_spring_grows() -> None:
+    """Thrown with 0.5 m/s along +x from where the spring has the direction (0.6, 0.8): F = k s + b 0.5·0.6."""
+    spring = NailedSpring(stiffness=STIFF, length=FREE, x=0.1, y=0.1)
+    entity = SpringBlock(
+        block=Block(mass=MASS), springs=(spring,), damping=3.0, x=0.4, y=0.5, launch=Launch(x=0.5, y=0.0)
+    )
+    pull = STIFF * (0.5 - FREE) + 3.0 * 0.5 * 0.6
+    up = Sense("away from us", (0.0, 1.0, 0.0), axis="y")
+    query = Query("start", Target("acceleration", "springs.block", up), AtStart())
+    assert answer("springs", entity, query) == pytest.approx(-0.8 * pull / MASS)
 
 
 # ---- a body on springs in a plane

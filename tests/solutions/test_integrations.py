@@ -10,6 +10,8 @@ from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.polygonal_prism import LongPrism
 from sim2reason.bodies.rocket import AirlessPlanet, Rocket
 from sim2reason.bodies.star import HeavyPlanet, Star
+from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.plan import Request
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.rocket_entity import RocketEntity
@@ -18,9 +20,11 @@ from sim2reason.entities.tumbling_prism import TumblingPrism
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.recipes import Difficulty
 from sim2reason.solutions import STRATEGIES, Setting, by
 from sim2reason.solutions.check import faults
 from sim2reason.solutions.reading import read
+from sim2reason.solutions.reverse import forward
 from worked import asked
 
 PLANETS = (
@@ -86,3 +90,14 @@ def test_a_prism_turns_about_its_edge_as_a_pendulum_upside_down(tumbling: Settin
     rise = 0.1 * (cos(radians(30.0) - turned) - cos(radians(30.0)))
     expected = sqrt(36.0 - 2.0 * 9.8 * rise / (0.01 * 17.0 / 12.0))
     assert tumbling.answer == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize(("recipe", "difficulty", "index"), [("springs", "hard", 11), ("mixed", "easy", 9)])
+def test_what_symbols_make_too_long_or_have_no_twin_is_told_in_numbers(
+    recipe: str, difficulty: Difficulty, index: int
+) -> None:
+    found = ItemSearch(Request(recipe, difficulty, "reverse", 703, index)).found()
+    assert found is not None
+    setting = forward(found.setting)
+    text = text_of(setting)
+    assert "in them that hang on" in text

@@ -45,12 +45,12 @@ class EquationsOfMotion:
     A number that is no simple function of what the text says `stands` as itself.
     """
 
-    def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
-        """UnsolvedError if the twin moves by other equations."""
-        self._lexicon, self.book, self.names = lexicon, book, names
+    def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names, *, plain: bool = False) -> None:
+        """UnsolvedError if the twin moves by other equations; if they are to be `plain`, all is in numbers."""
+        self._lexicon, self.book, self.names, self._plain = lexicon, book, names, plain
         self.mechanism = lexicon.mechanism
         self._here, one = _assembled(lexicon.mechanism, phase)
-        self._there, two = _assembled(lexicon.twin, phase)
+        self._there, two = (self._here, one) if plain else _assembled(lexicon.twin, phase)
         self._tapes = one, two
         self._known: dict[int, Polynomial] = {}
         self._below: dict[Expression, Polynomial] = {}  # what one is divided by
@@ -121,10 +121,12 @@ class EquationsOfMotion:
     def number(self, both: Both) -> Polynomial:
         """In the symbols of the text, or as it is."""
         try:
-            return self._lexicon.read(both)
+            if not self._plain:
+                return self._lexicon.read(both)
         except UnreadError:
-            self.stands = True
-            return Polynomial.of(both.here)
+            pass
+        self.stands = True
+        return Polynomial.of(both.here)
 
     def _node(self, here: int, there: int) -> Polynomial:
         if here not in self._known:

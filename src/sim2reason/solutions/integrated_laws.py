@@ -24,9 +24,11 @@ LETTERS = {"foot": "N", "hold": "f", "stuck": "F"}  # for the forces of rows; al
 class IntegratedLaws:
     """They are those of one segment, with the values that everything has at one moment in it."""
 
-    def __init__(self, setting: Setting, book: Book, segment: Segment, state: State, names: Names) -> None:
-        """Nothing is written yet; UnsolvedError later, where equations have no form."""
-        self.setting, self.book, self.mechanism = setting, book, setting.mechanism
+    def __init__(
+        self, setting: Setting, book: Book, segment: Segment, state: State, names: Names, *, plain: bool = False
+    ) -> None:
+        """Nothing is written yet; UnsolvedError later, where equations have no form. If `plain`, all in numbers."""
+        self.setting, self.book, self.mechanism, self._plain = setting, book, setting.mechanism, plain
         self.segment, self.state, self.names = segment, state, names
         self.pulls: list[Symbol] = []  # forces that the equations have to find
         self._told_names = 0  # of those that the equations give to what is long
@@ -40,13 +42,13 @@ class IntegratedLaws:
             for meeting in self.mechanism.meetings
         )
         phase = phase_at(self._amid)._replace(stuck=stuck)
-        if lexicon.constant is not None:
+        if lexicon.constant is not None and not self._plain:
             gravitational_constant(self.book, lexicon.constant)
-        draft = EquationsOfMotion(lexicon, self.book.copy(), phase, self.names)
+        draft = EquationsOfMotion(lexicon, self.book.copy(), phase, self.names, plain=self._plain)
         parts = [part for k in range(size) for part in (draft.inertia(k), draft.load(k))]
         if all(len(part.expression().latex()) <= EASY for part in parts):
             return draft.written_in(self.book)
-        found = EquationsOfMotion(lexicon, self.book, phase, self.names)
+        found = EquationsOfMotion(lexicon, self.book, phase, self.names, plain=self._plain)
         found.shorten()
         return found
 

@@ -13,10 +13,10 @@ from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND, gravitational_constant
-from sim2reason.solutions.stage import METRES
+from sim2reason.solutions.stage import METRES, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.way import Way
 
@@ -84,6 +84,8 @@ class _AtStart(Way):
         """Accelerations alone."""
         if kind != "a":
             raise UnsolvedError("only accelerations follow from the forces at the start")
+        if k in self._axes and k not in self._wanted():
+            return NIL  # square to the component that is asked for, which has no part of it
         if k not in self._accelerations:
             raise UnsolvedError("what carries it is accelerated, too")
         return Polynomial.of(self._accelerations[k])
@@ -134,19 +136,19 @@ class _AtStart(Way):
         step, said = self.book.open("newton"), list[str]()
         asked = self._wanted()
         for k in asked:
-            total: Expression = ZERO
+            whole: Expression = ZERO
             for strength, apart, length, per_mass in pulls:
                 if apart[k]:
                     along = multiplied(strength, ratio(apart[k].expression(), length))
-                    total = added(total, along if per_mass else ratio(along, mass))
+                    whole = added(whole, along if per_mass else ratio(along, mass))
             weight = self._weight(k)
-            total = added(total, weight.expression())
+            whole = added(whole, weight.expression())
             label = self.mechanism.coordinates[k].label
             several = len(self._axes) > 1
             mark = self.setting.mark(self._body)
             parts = [part for part in (mark, label if several else "") if part]
             found[k] = self.book.fresh("a", ",".join(parts))
-            said.append(step.result(found[k], total, PER_SQUARE_SECOND, law=True))
+            said.append(step.result(found[k], whole, PER_SQUARE_SECOND, law=True))
         step.say(f"The sum of the forces over the mass: {joined(said)}.")
         step.close()
         return found
@@ -174,8 +176,8 @@ class _AtStart(Way):
             twin = lexicon.twin.lines[number]
             assert isinstance(law, Elastic)
             assert isinstance(twin.law, Elastic)
-            if (law.damping and any(c.speed for c in m.coordinates)) or law.side or len(line.through) != 2:
-                raise UnsolvedError("a spring that is damped, or acts only one way")
+            if law.side or len(line.through) != 2:
+                raise UnsolvedError("a spring that acts only one way")
             first = m.site[line.through[0]].body == self._body
             near, far = (line.through[0], line.through[1]) if first else (line.through[1], line.through[0])
             ends = [(f.site(near).place, f.site(far).place) for f in (start(m), start(lexicon.twin))]
@@ -187,10 +189,28 @@ class _AtStart(Way):
             natural = lexicon.read(Both(law.length, twin.law.length)).expression()
             step, name = self.book.open("spring"), self.book.fresh("F", mark)
             formula = multiplied(stiffness, added(length, -natural))
+            if growth := self._growing(line, apart, length):
+                damping = lexicon.read(Both(law.damping, twin.law.damping)).expression()
+                formula = added(formula, multiplied(damping, growth))
             step.say(f"It pulls with {step.result(name, formula, NEWTONS, law=True)}.")
             step.close()
             found.append((name, apart, length, False))
         return found
+
+    def _growing(self, line: Line, apart: dict[int, Polynomial], length: Expression) -> Expression | None:
+        """How fast a damped spring grows at the start: the velocity of the body, away from the other end."""
+        assert isinstance(line.law, Elastic)
+        others = [c for c in self.mechanism.coordinates if self.mechanism.number[c.name] not in self._axes]
+        speeds = {k: self.first_speeds[k] for k in self._axes if k in self.first_speeds}
+        if not line.law.damping or not (speeds or any(c.speed for c in others)):
+            return None
+        if any(c.speed for c in others):
+            raise UnsolvedError("a damped spring between two that move")
+        away = total(apart[k] * speed for k, speed in speeds.items()).scaled(-1.0)
+        step, name = self.book.open("growth"), self.book.fresh("u")
+        step.say(f"It grows at the rate {step.result(name, ratio(away.expression(), length), SPEED, law=True)}.")
+        step.close()
+        return name
 
     def _attractions(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
         """Each body that attracts: by how much it accelerates, towards it, its distance."""

@@ -9,7 +9,7 @@ from sim2reason.dsl.state import State
 from sim2reason.dsl.vectors import inner
 from sim2reason.questions import KINDS
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, Writing
+from sim2reason.solutions.book import Book, UnsolvedError, Writing
 from sim2reason.solutions.equations_of_motion import Names
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.integrated_laws import IntegratedLaws
@@ -42,20 +42,24 @@ class Integration(Strategy):
         return "" if setting.answer is not None else "there is no answer"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Names, equations, the beginning, the result."""
+        """Names, equations, the beginning, the result; where symbols make the equations too long, in numbers."""
+        try:
+            _Integrated(setting, book.copy()).write()
+        except UnsolvedError:
+            return _Integrated(setting, book, plain=True).write()
         return _Integrated(setting, book).write()
 
 
 class _Integrated:
     """The text about one integration."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: Setting, book: Book, *, plain: bool = False) -> None:
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         moment = setting.query.moment
         side = moment.side(setting.time) if moment is not None else setting.time
         self.state: State = setting.study.trace.sample(np.array([side]))
         segment = [s for s in setting.motion.segments if s.start <= side][-1]
-        self.laws = IntegratedLaws(setting, book, segment, self.state, self.names)
+        self.laws = IntegratedLaws(setting, book, segment, self.state, self.names, plain=plain)
 
     @cached_property
     def names(self) -> Names:
