@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.grading.tokens import canonical
+from sim2reason.solutions.digits import DIGITS
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.solution import Relation, Step, spelled
 from sim2reason.solutions.subscripts import marked
@@ -202,12 +203,12 @@ class Writing:
         self._relations.append(relation)
         return relation.latex(self._book.value(formula))
 
-    def integrated(self, name: Symbol, value: float) -> str:
+    def integrated(self, name: Symbol, value: float, digits: int = DIGITS) -> str:
         """A known name with the value that a numerical integration gives it."""
         relation = Relation(name, Number(value), "integrated", self._book.units[name.name])
         self._relations.append(relation)
         self._gives.append(name.name)
-        return f"${name.latex()} = {spelled(value, relation.unit)}$"
+        return f"${name.latex()} = {spelled(value, relation.unit, digits)}$"
 
     def stated(self, formula: Expression, unit: str) -> str:
         """What follows from what was told, in numbers: what something given comes to, or a name."""

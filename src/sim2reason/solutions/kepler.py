@@ -106,7 +106,7 @@ class KeplerOrbit:
     @cached_property
     def along(self) -> Symbol:
         """Of the product e cos E₀, the value."""
-        said = r"Of the eccentric anomaly $E$ at the start, $e \cos E$ is"
+        said = r"At the start $e \cos E$ of the eccentric anomaly is"
         return self.book.told("anomaly", said, self.named("p"), ONE - self.radius / self.axis)
 
     @cached_property
@@ -116,7 +116,7 @@ class KeplerOrbit:
             return ZERO  # it begins at an apsis
         formula = self.dot / Root(self.parameter * self.axis)
         return self.book.told(
-            "anomaly", r"Of the eccentric anomaly $E$ at the start, $e \sin E$ is", self.named("q"), formula
+            "anomaly", r"At the start $e \sin E$ of the eccentric anomaly is", self.named("q"), formula
         )
 
     @cached_property

@@ -130,7 +130,7 @@ class AtAnomaly(OrbitPlace):
             formula = ONE - orbit.axis / self.radius * rest
         whole, part = "displacement" if number in "12" else "velocity", "place" if number in "13" else "velocity"
         unit = {"2": latex("s"), "3": latex("1/s")}.get(number, "")
-        return orbit.book.told("weights", f"In the {whole}, the first {part} has the weight", name, formula, unit)
+        return orbit.book.told("weights", f"In the {whole} the first {part} counts", name, formula, unit)
 
     def _moved(self, axis: int) -> Expression:
         return self._combined("12", axis)

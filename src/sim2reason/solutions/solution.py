@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Literal
 
-from sim2reason.solutions.digits import rounded
+from sim2reason.solutions.digits import DIGITS, rounded
 from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.unit_latex import DEGREES
 
@@ -104,8 +104,6 @@ class Solution:
         return [relation for step in self.steps for relation in step.relations]
 
 
-def spelled(value: float, unit: str) -> str:
+def spelled(value: float, unit: str, digits: int = DIGITS) -> str:
     """A number with its unit, in LaTeX; an angle in degrees is known in radians."""
-    if unit == DEGREES:
-        return f"{rounded(degrees(value))}{unit}"
-    return f"{rounded(value)}{unit}"
+    return f"{rounded(degrees(value) if unit == DEGREES else value, digits)}{unit}"

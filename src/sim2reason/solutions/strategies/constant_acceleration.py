@@ -49,9 +49,9 @@ class ConstantAcceleration(Strategy):
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Newton's laws, then the kinematics; of what adds up, only the accelerations that a first draft used."""
+        """Newton's laws, then the kinematics; of what adds up or turns, only the accelerations that a draft used."""
         way = _Staged(setting, book)
-        if way.goal is not None and way.goal.throughout:
+        if way.goal is not None and (way.goal.throughout or way.goal.turns):
             draft = _Staged(setting, book.copy())
             draft.write()
             way.spared = draft.unused

@@ -20,6 +20,7 @@ from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.unit_latex import DEGREES, latex
 
 NONE = {"place": 1e-12, "rate": 1e-12, "acceleration": 1e-9}  # in SI units: what rounding has left of zero
+STATE = 8  # digits of a state: what is close to something else differs little from it
 SLIDES = {"place": r"\ \text{m}", "rate": r"\ \text{m/s}", "acceleration": r"\ \text{m/s}^2"}
 HINGES = {"place": r"\ \text{rad}", "rate": r"\ \text{rad/s}", "acceleration": r"\ \text{rad/s}^2"}
 WHENCE = ("state", "event", "start", "time_to_event", "sum", "extremum", "count", "period")
@@ -155,7 +156,7 @@ class _Integrated:
         step.close()
 
     def _told(self, step: Writing, name: Symbol) -> str:
-        return step.integrated(name, self.book.values[name.name])
+        return step.integrated(name, self.book.values[name.name], STATE)
 
     def _answer(self) -> str:
         """What is asked for, as the integration gives it."""
