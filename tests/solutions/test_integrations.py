@@ -101,3 +101,10 @@ def test_what_symbols_make_too_long_or_have_no_twin_is_told_in_numbers(
     setting = forward(found.setting)
     text = text_of(setting)
     assert "in them that hang on" in text
+
+
+def test_a_moment_at_which_a_string_becomes_taut_has_the_equations_of_one_of_its_sides() -> None:
+    """Two motions of one scene may have the event a last digit apart."""
+    found = ItemSearch(Request("pendulum", "hard", "reverse", 501, 17)).found()
+    assert found is not None
+    assert text_of(forward(found.setting))

@@ -58,7 +58,7 @@ class _Integrated:
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         moment = setting.query.moment
         side = moment.side(setting.time) if moment is not None else setting.time
-        self.state: State = setting.study.trace.sample(np.array([side]))
+        self.state: State = setting.motion.state(np.array([side]))  # with its segments, to the last digit of a time
         segment = [s for s in setting.motion.segments if s.start <= side][-1]
         self.laws = IntegratedLaws(setting, book, segment, self.state, self.names, plain=plain)
 
