@@ -6,7 +6,7 @@ import pytest
 
 from plain_scenes import atwood
 from sim2reason.solutions import Relation, Solution, solve
-from sim2reason.solutions.check import faults
+from sim2reason.solutions.check import faults, undetermined
 from sim2reason.solutions.expressions import Number, Symbol, added, multiplied
 from sim2reason.solutions.reading import read
 from worked import asked
@@ -92,3 +92,17 @@ def test_the_reader_adds_labelled_equations_up(old: str, new: str) -> None:
     )
     assert not read(text).broken
     assert read(text.replace(old, new, 1)).broken
+
+
+def test_what_rounding_leaves_of_zero_does_not_make_a_law_idle() -> None:
+    """In a limiting case both accelerations are zero, one of them but for 1e-16: its law is needed all the same."""
+    a, b, m = Symbol("a"), Symbol("b"), Symbol("m")
+    laws = (
+        Relation(m, added(Number(2.0), a), "law"),
+        Relation(a, multiplied(Number(-2.0), b), "law"),
+        Relation(b, Number(0.0), "law"),
+    )
+    step = replace(sound().steps[-1], relations=laws, gives=("m",))
+    solution = Solution("limit", (step,), {"m": 2.0, "a": -1e-16, "b": 5e-17}, "m", 2.0)
+    assert not undetermined(solution)
+    assert undetermined(replace(solution, steps=(replace(step, relations=laws[:2]),)))

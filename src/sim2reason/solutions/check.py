@@ -142,7 +142,7 @@ def _row(relation: Relation, values: dict[str, float], place: dict[str, int], *,
     left, right = gradient(relation.left, values, place), gradient(relation.right, values, place)
     row = np.array(left) - np.array(right)
     if scaled:  # by relative changes: what is large and what is small weigh alike
-        row = row * np.array([abs(values[name]) or 1.0 for name in place])
+        row = row * np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in place])
     scale = np.abs(row).max(initial=0.0)
     return row / scale if scaled and scale else row
 
