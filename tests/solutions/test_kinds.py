@@ -8,6 +8,8 @@ from math import atan, cos, degrees, radians, sin
 import pytest
 
 from plain_scenes import G, atwood, ramp
+from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.scene import Scene
@@ -162,3 +164,15 @@ def _without_a_law(solution: Solution) -> Solution:
         for step in solution.steps
     )
     return replace(solution, steps=tuple(steps))
+
+
+def test_a_number_that_hardly_changes_what_is_given_is_weighed_by_how_much_it_does() -> None:
+    """The engine has the time to 1e-10, and the number of which that is a faint function less well than the laws."""
+    found = ItemSearch(Request("rotation", "hard", "reverse", 31, 5)).found()
+    assert found is not None
+    assert found.setting.answer is not None
+    solution = solve(found.setting)
+    assert solution.derived
+    assert 0.0 < solution.keen < 0.2
+    assert not faults(solution, found.setting.answer)
+    assert faults(replace(solution, keen=1.0), found.setting.answer)

@@ -39,6 +39,7 @@ class Book:
         self.constants: dict[str, Expression] = {}  # those among them that are of nature
         self.hidden: set[str] = set()  # names whose values hang on what is unknown
         self.formulas: dict[str, Expression] = {}  # of those, in order
+        self.keen = 1.0  # relative: by how much what is given changes with what is unknown
         self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
         self._taken: set[str] = set()
         self._source: dict[str, int] = {}

@@ -29,12 +29,12 @@ def words(text: str) -> int:
 def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]:
     """All that is wrong with a solution, in words; `answer` is the engine's, in the unit of the question.
 
-    `within` is how well the engine knows it, relative, see `SEEN`.
+    `within` is how well the engine knows it, relative, see `SEEN`, or what is given of it, where it is unknown.
     """
     if solution.answer is None:
         return [f"no answer: {solution.reason}"]
     found: list[str] = []
-    if abs(solution.answer - answer) > within * abs(answer):
+    if abs(solution.answer - answer) > within / min(1.0, solution.keen or 1.0) * abs(answer):
         found.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
     found += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
     found += undetermined(solution)

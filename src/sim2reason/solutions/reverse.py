@@ -86,7 +86,10 @@ class Inversion:
         book = self.book
         names = [name for name in book.formulas if name in book.hidden]
         chain = Chain(tuple((name, book.formulas[name]) for name in (*names, at)))
-        root = NumericRoot(added(chain, -Symbol(at)), self.unknown, book.values[self.unknown])
+        near = book.values[self.unknown]
+        root = NumericRoot(added(chain, -Symbol(at)), self.unknown, near)
+        book.keen = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
+        book.refresh(self.unknown, book.value(root))
         step = book.open(SOLVED)
         said = f"Put into each other, these equations have ${self.unknown}$ as their only unknown; solved numerically,"
         step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")

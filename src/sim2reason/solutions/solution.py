@@ -70,6 +70,7 @@ class Solution:
     constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # that no scene may change
     formula: str = ""  # the answer to a problem in symbols
     scale: float = 1.0  # what one of `unit` is in the unit of the answer, degrees but for those
+    keen: float = 1.0  # relative: by how much what is given changes with the answer, where that is unknown
     asked: tuple[str, float] | None = None  # the unit that the text asks for, and what one of the answer's is in it
 
     @property

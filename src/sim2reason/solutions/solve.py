@@ -88,7 +88,9 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     unit = book.units.get(goal, "")
     stated = tuple(name for name in book.stated if name not in book.constants)
     values = book.observed | book.values
-    found = Solution(strategy.name, steps, values, goal, unit=unit, stated=stated, constants=book.constants)
+    found = Solution(
+        strategy.name, steps, values, goal, unit=unit, stated=stated, constants=book.constants, keen=book.keen
+    )
     unknown = setting.lexicon.givens.get(setting.unknown)
     if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:
         found = replace(found, scale=1.0 / unknown.scale, asked=(unknown.unit, 1.0))

@@ -50,12 +50,13 @@ class NumericRoot(Expression):
         root = self.near
         for _ in range(NEWTON):
             there = self.residual.value({**plain, self.name: root}, digits).real
-            root -= there / self._slope(plain, root)
+            root -= there / self.slope(plain, root)
         if not any(isinstance(value, complex) for value in at.values()):
             return root
-        return root - self.residual.value({**at, self.name: complex(root)}) / self._slope(plain, root)
+        return root - self.residual.value({**at, self.name: complex(root)}) / self.slope(plain, root)
 
-    def _slope(self, at: Mapping[str, float], root: float) -> float:
+    def slope(self, at: Mapping[str, float], root: float) -> float:
+        """How fast the formula changes with the symbol."""
         return complex(self.residual.value({**at, self.name: root + STEP * 1j})).imag / STEP
 
     def latex(self) -> str:
