@@ -6,7 +6,6 @@ from itertools import combinations
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.prose.symbol_names import with_names
@@ -53,12 +52,12 @@ class Symbolic(QuestionMode):
         if study.mechanism is not study.scene.mechanism:
             return None
         names = [kind] if kind else [found.name for found in by_share(rng)]
-        fitting = _fitting(study.mechanism)
+        fitting = _fitting(study)
         kinds = [name for name in names if name in self.kinds and any(name in strategy.kinds for strategy in fitting)]
         refused = study.once("refused", set[Query])
         for name in kinds:
             question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < BARREN else None
-            if question is not None and _derived(question.query, study, words, fitting) is not None:
+            if question is not None and _derived(question.query, study, words) is not None:
                 refused.clear()
                 return replace(question, mode=self.name)
             refused |= {question.query} if question is not None else set()
@@ -118,23 +117,23 @@ class Symbolic(QuestionMode):
         return super().solution(reading, study, words)
 
 
-def _fitting(mechanism: Mechanism) -> tuple[Strategy, ...]:
+def _fitting(study: Study) -> tuple[Strategy, ...]:
     """The strategies that derive formulas and may apply to questions about a mechanism."""
     derives = (strategy for strategy in STRATEGIES.values() if not strategy.integrates)
-    return tuple(strategy for strategy in derives if not strategy.unfit(mechanism))
+    return study.once("fitting", lambda: tuple(held for held in derives if not held.unfit(study.mechanism)))
 
 
-def _derived(query: Query, study: Study, words: Words, fitting: Sequence[Strategy] = ()) -> Expression | None:
+def _derived(query: Query, study: Study, words: Words) -> Expression | None:
     """The formulas of a worked solution put into each other; None if there is none in symbols."""
-    return study.once(("formula", query), lambda: _worked_out(query, study, words, fitting))
+    return study.once(("formula", query), lambda: _worked_out(query, study, words))
 
 
-def _worked_out(query: Query, study: Study, words: Words, fitting: Sequence[Strategy]) -> Expression | None:
+def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
     spoken = _spoken(words, query)
     if spoken is None:
         return None
     setting = Setting(study.scene, words, words.symbols, study, query)
-    tried = [held for held in fitting or _fitting(study.mechanism) if query.kind in held.kinds]
+    tried = [held for held in _fitting(study) if query.kind in held.kinds]
     if all(strategy.refusal(setting) for strategy in tried):
         return None
     solution = solve(setting, derived=True)

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.most_compressed import MostCompressed
@@ -21,6 +22,7 @@ from sim2reason.solutions.fractions import over
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.greatest import greatest_target, time_of_greatest
+from sim2reason.solutions.linear_motion import nonlinear
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.single_way import SingleWay
@@ -41,10 +43,12 @@ class WorkAndEnergy(Strategy):
     cost = 1.05
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether something may collide, or its equations are not linear."""
+        return "something may collide" if mechanism.meetings else nonlinear(mechanism)
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if setting.mechanism.meetings:
-            return "something may collide"
         if greatest_target(setting) is None and (unknown := no_goal(setting, MOMENTS)):
             return unknown
         target = greatest_target(setting)

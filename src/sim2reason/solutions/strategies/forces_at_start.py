@@ -29,30 +29,39 @@ class ForcesAtStart(Strategy):
     cost = 1.2
     kinds = frozenset({"start"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether no body is free enough."""
+        free = any(body.coordinates and not _bound(mechanism, body.name) for body in mechanism.bodies)
+        return "" if free else "every body is led, or pushed by something"
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        target, m = setting.query.target, setting.mechanism
+        target = setting.query.target
         if not isinstance(setting.query.moment, AtStart) or target is None:
             return "it is not about the start"
         if target.quantity not in ("acceleration", "net force"):
             return "neither an acceleration nor a net force is asked for"
-        if target.subject not in m.body or m.body[target.subject].parent is not None:
-            return "it rides on something"
-        if any(body.parent == target.subject for body in m.bodies):
-            return "something rides on it"
-        if any(c.kind != "slide" for c in m.body[target.subject].coordinates):
-            return "it turns"
-        faces = [face for face in m.faces if face.subject == target.subject and face.friction]
-        other = [line for line in _held(m, target.subject) if not isinstance(line.law, Elastic)]
-        forces = [force for force in m.forces if force.body == target.subject]
-        burns = [burn for burn in m.burns if burn.body == target.subject]
-        return "other forces than those of springs and weight act" if faces or other or forces or burns else ""
+        return _bound(setting.mechanism, target.subject)
 
     def write(self, setting: Setting, book: Book) -> str:
         """Each force, then their sum over the mass."""
         way = _AtStart(setting, book)
         assert way.target is not None
         return GOALS[way.target.quantity].write(way.target, way).name
+
+
+def _bound(m: Mechanism, name: str) -> str:
+    """What but springs, weight and attractions acts on a body; empty if nothing does."""
+    if name not in m.body or m.body[name].parent is not None:
+        return "it rides on something"
+    if any(body.parent == name for body in m.bodies):
+        return "something rides on it"
+    if any(c.kind != "slide" for c in m.body[name].coordinates):
+        return "it turns"
+    faces = any(face.subject == name and face.friction for face in m.faces)
+    other = any(not isinstance(line.law, Elastic) for line in _held(m, name))
+    pushed = any(one.body == name for one in (*m.forces, *m.burns))
+    return "other forces than those of springs and weight act" if faces or other or pushed else ""
 
 
 def _held(m: Mechanism, body: str) -> list[Line]:

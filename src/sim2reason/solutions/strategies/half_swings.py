@@ -6,6 +6,7 @@ See Lapidus, Motion of a harmonic oscillator with sliding friction, American Jou
 from collections.abc import Sequence
 from functools import cached_property
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
@@ -27,10 +28,14 @@ class HalfSwings(Strategy):
     cost = 1.3
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "sum"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether there is no friction, else as without it."""
+        if not any(face.friction > 0.0 for face in mechanism.faces):
+            return "there is no friction"
+        return STRATEGIES["oscillation"].unfit(mechanism)
+
     def refusal(self, setting: Setting) -> str:
         """As without friction."""
-        if not any(face.friction > 0.0 for face in setting.mechanism.faces):
-            return "there is no friction"
         return STRATEGIES["oscillation"].refusal(setting)
 
     def write(self, setting: Setting, book: Book) -> str:

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved
@@ -15,6 +16,7 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.cramer import cramer
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.linear_motion import nonlinear
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, joined
@@ -34,10 +36,12 @@ class Lagrange(Strategy):
     cost = 3.0
     kinds = frozenset({"start", "state", "event", "time_to_event"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether something may collide, or its equations are not linear."""
+        return "something may collide" if mechanism.meetings else nonlinear(mechanism)
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if setting.mechanism.meetings:
-            return "something may collide"
         return no_goal(setting, MOMENTS)
 
     def write(self, setting: Setting, book: Book) -> str:

@@ -5,6 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.moments.at_time import AtTime
@@ -43,6 +44,10 @@ class SeveralModes(Strategy):
     name = "normal modes"
     cost = 1.5
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """As of a single mode."""
+        return STRATEGIES["oscillation"].unfit(mechanism)
 
     def refusal(self, setting: Setting) -> str:
         """As of a single mode."""

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Elastic
+from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -22,6 +22,7 @@ from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.goals import GOALS, Stretch
 from sim2reason.solutions.greatest import greatest_target
 from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic
+from sim2reason.solutions.linear_motion import nonlinear
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.pair_way import PairWay
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -43,12 +44,14 @@ class Oscillation(Strategy):
     cost = 1.1
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether there is no spring, something may collide, or its equations are not linear."""
+        if not any(isinstance(line.law, Elastic) for line in mechanism.lines):
+            return "there is no spring"
+        return "something may collide" if mechanism.meetings else nonlinear(mechanism)
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
-        if not any(isinstance(line.law, Elastic) for line in setting.mechanism.lines):
-            return "there is no spring"
-        if setting.mechanism.meetings:
-            return "something may collide"
         query = setting.query
         if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:
             return f"no way to the {query.functional}"

@@ -6,11 +6,13 @@ See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, c
 from collections.abc import Mapping
 from functools import cached_property
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.cramer import cramer, determinant
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.linear_motion import nonlinear
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, joined
@@ -25,6 +27,10 @@ class Statics(Strategy):
     name = "statics"
     cost = 0.9
     kinds = frozenset({"equilibrium", "start"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether its equations are not linear."""
+        return nonlinear(mechanism)
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
