@@ -1,13 +1,19 @@
-"""What strategies say of mechanisms, against what the exact engine does with them."""
+"""What strategies say of mechanisms, against what the exact engine does with them, and against what they find."""
 
+import numpy as np
 import pytest
 
 from sim2reason.datasets.random_scenes import sample
-from sim2reason.recipes import RECIPES
+from sim2reason.prose.writer import describe
+from sim2reason.questions import MODES, Study
+from sim2reason.questions.prompt import words_of
+from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.simulation.engines.exact.engine import motion
+from sim2reason.solutions import STRATEGIES, Setting, by
 from sim2reason.solutions.strategies import accelerates
 
 SHARE = 0.01  # of the horizon
+LINEAR = ("energy", "momentum", "oscillation", "half swings", "Lagrange's equations", "statics")
 
 
 @pytest.mark.parametrize("recipe", list(RECIPES))
@@ -16,3 +22,49 @@ def test_accelerations_change_where_the_engine_integrates(recipe: str) -> None:
     scene = sample(recipe, "medium", seed=3)
     segments = motion(scene.mechanism, SHARE * scene.horizon).segments
     assert bool(accelerates(scene.mechanism)) == any(segment.flow is not None for segment in segments)
+
+
+@pytest.mark.parametrize("recipe", list(RECIPES))
+def test_a_strategy_that_is_unfit_for_a_mechanism_would_find_nothing(
+    recipe: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No question about it is lost by not being put to it; where things may collide, it is a matter of caution."""
+    scene = sample(recipe, "hard", seed=4)
+    study, description = Study.of(scene, np.linspace(0.0, scene.horizon, 41)), describe(scene, 1)
+    words, rng = words_of(description), np.random.default_rng(1)
+    linear = [STRATEGIES[name] for name in LINEAR if not scene.mechanism.meetings]
+    unfit = [strategy for strategy in linear if strategy.unfit(scene.mechanism)]
+    for kind in sorted(frozenset[str]().union(*(strategy.kinds for strategy in unfit))):
+        question = MODES["numeric"].ask(study, words, kind, rng)
+        if question is None:
+            continue
+        setting = Setting(scene, words, words.symbols, study, question.query)
+        for strategy in unfit:
+            if kind in strategy.kinds and not strategy.refusal(setting):
+                with monkeypatch.context() as patched:
+                    patched.setattr(type(strategy), "unfit", lambda *_: "")
+                    assert by(strategy, setting).answer is None, (strategy.name, question.text)
+
+
+def test_no_formula_is_looked_for_where_none_fits_into_a_box() -> None:
+    """Pucks that meet aside, a block between springs at angles, a rocket above a planet: the strategies say so."""
+    for recipe in ("springs", "orbital"):
+        mechanism = sample(recipe, "hard", seed=1).mechanism
+        assert not any(
+            s.formulas(mechanism) & {"start", "state"} for s in STRATEGIES.values() if not s.unfit(mechanism)
+        )
+    tables = (sample("collision", "easy", seed=1, index=n).mechanism for n in range(8))
+    aside = [any(meeting.normal is None for meeting in mechanism.meetings) for mechanism in tables]
+    assert any(aside)
+    tables = (sample("collision", "easy", seed=1, index=n).mechanism for n in range(8))
+    assert [not STRATEGIES["impulse"].formulas(mechanism) for mechanism in tables] == aside
+    assert STRATEGIES["rocket"].formulas(sample("rocket", "hard", seed=1).mechanism) == {"start"}
+    assert not STRATEGIES["integration"].formulas(sample("rocket", "hard", seed=1).mechanism)
+
+
+@pytest.mark.parametrize("difficulty", DIFFICULTIES)
+def test_periods_of_two_modes_alone_are_formulas(difficulty: str) -> None:
+    """The roots of a quadratic equation."""
+    mechanism = sample("chain", difficulty, seed=2).mechanism
+    free = len(mechanism.coordinates) - len(mechanism.constraints) - sum(bool(f.friction) for f in mechanism.faces)
+    assert STRATEGIES["normal modes"].formulas(mechanism) == (frozenset({"period"}) if free <= 2 else frozenset())

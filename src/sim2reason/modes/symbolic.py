@@ -52,8 +52,8 @@ class Symbolic(QuestionMode):
         if study.mechanism is not study.scene.mechanism:
             return None
         names = [kind] if kind else [found.name for found in by_share(rng)]
-        fitting = _fitting(study)
-        kinds = [name for name in names if name in self.kinds and any(name in strategy.kinds for strategy in fitting)]
+        formulas = frozenset[str]().union(*(held.formulas(study.mechanism) for held in _fitting(study)))
+        kinds = [name for name in names if name in self.kinds and name in formulas]
         refused = study.once("refused", set[Query])
         for name in kinds:
             question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < BARREN else None
@@ -118,9 +118,9 @@ class Symbolic(QuestionMode):
 
 
 def _fitting(study: Study) -> tuple[Strategy, ...]:
-    """The strategies that derive formulas and may apply to questions about a mechanism."""
-    derives = (strategy for strategy in STRATEGIES.values() if not strategy.integrates)
-    return study.once("fitting", lambda: tuple(held for held in derives if not held.unfit(study.mechanism)))
+    """The strategies that may apply to questions about a mechanism."""
+    mechanism, offered = study.mechanism, STRATEGIES.values()
+    return study.once("fitting", lambda: tuple(held for held in offered if not held.unfit(mechanism)))
 
 
 def _derived(query: Query, study: Study, words: Words) -> Expression | None:
@@ -133,7 +133,7 @@ def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
     if spoken is None:
         return None
     setting = Setting(study.scene, words, words.symbols, study, query)
-    tried = [held for held in _fitting(study) if query.kind in held.kinds]
+    tried = [held for held in _fitting(study) if query.kind in held.formulas(study.mechanism)]
     if all(strategy.refusal(setting) for strategy in tried):
         return None
     solution = solve(setting, derived=True)

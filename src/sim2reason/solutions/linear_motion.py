@@ -38,6 +38,12 @@ def nonlinear(mechanism: Mechanism) -> str:
     return next((f"{line.name} turns" for line in springs if bending(line, frames)), "")
 
 
+def fewest_free(mechanism: Mechanism) -> int:
+    """How many coordinates are free at least: where all strings are taut, and nothing slips."""
+    rough = [face for face in mechanism.faces if face.friction]
+    return len(mechanism.coordinates) - len(mechanism.constraints) - len(rough)
+
+
 def _on_a_ring(mechanism: Mechanism) -> bool:
     """Whether all that moves are beads on one level circle, which only springs along it pull."""
     level = all(c.kind == "hinge" and abs(c.axis[2]) > 1.0 - STILL for c in mechanism.coordinates)

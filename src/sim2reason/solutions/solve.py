@@ -29,7 +29,7 @@ SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it sa
 def solve(setting: Setting, *, derived: bool = False) -> Solution:
     """The worked solution by the cheapest strategy that finds one; else one that says why there is none.
 
-    With `derived`, by none that only integrates.
+    With `derived`, by one that leads to formulas.
     """
     reasons: list[str] = []
     setting = forward(setting)
@@ -39,7 +39,8 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
         return Solution("", reason=str(error))
     if not any(setting.query.kind in strategy.kinds for strategy in STRATEGIES.values()):
         return Solution("", reason=f"no strategy applies: none has a way to the kind {setting.query.kind}")
-    offered = (held for held in STRATEGIES.values() if not (derived and held.integrates))
+    kind, mechanism = setting.query.kind, setting.mechanism
+    offered = (held for held in STRATEGIES.values() if not derived or kind in held.formulas(mechanism))
     for strategy in sorted(offered, key=lambda held: held.cost):
         found = by(strategy, setting)
         if found.answer is not None:

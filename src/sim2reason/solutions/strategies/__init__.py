@@ -33,6 +33,14 @@ class Strategy(ABC):
         del mechanism
         return ""
 
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """The kinds of question about a mechanism that it answers by formulas which may fit into a box; by default all.
+
+        Elsewhere it finds numbers on the way, or what it writes only grows.
+        """
+        del mechanism
+        return frozenset[str]() if self.integrates else self.kinds
+
     @abstractmethod
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply to a question about a mechanism for which it is not unfit; empty if it does."""

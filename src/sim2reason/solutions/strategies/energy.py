@@ -4,6 +4,7 @@ See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, c
 """
 
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
@@ -22,7 +23,7 @@ from sim2reason.solutions.fractions import over
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.greatest import greatest_target, time_of_greatest
-from sim2reason.solutions.linear_motion import nonlinear
+from sim2reason.solutions.linear_motion import fewest_free, nonlinear
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.single_way import SingleWay
@@ -42,10 +43,17 @@ class WorkAndEnergy(Strategy):
     name = "energy"
     cost = 1.05
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum"})
+    free: ClassVar[int] = 1  # coordinates
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether something may collide, or its equations are not linear."""
-        return "something may collide" if mechanism.meetings else nonlinear(mechanism)
+        """Whether something may collide, too much or too little moves by itself, or its equations are not linear."""
+        if mechanism.meetings:
+            return "something may collide"
+        if fewest_free(mechanism) > self.free:
+            return "several things move by themselves"
+        if len(mechanism.coordinates) < self.free:
+            return "only one thing moves by itself"
+        return nonlinear(mechanism)
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""

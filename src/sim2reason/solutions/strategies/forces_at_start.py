@@ -12,6 +12,7 @@ from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added, mu
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.linear_motion import nonlinear
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
@@ -33,6 +34,10 @@ class ForcesAtStart(Strategy):
         """Whether no body is free enough."""
         free = any(body.coordinates and not _bound(mechanism, body.name) for body in mechanism.bodies)
         return "" if free else "every body is led, or pushed by something"
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """None where springs or attractions turn: each takes a root and two components."""
+        return frozenset[str]() if nonlinear(mechanism) else self.kinds
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""

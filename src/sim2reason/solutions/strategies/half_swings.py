@@ -12,11 +12,11 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.harmonic import METRES, SECONDS, Harmonic
-from sim2reason.solutions.linear_motion import LinearMotion
+from sim2reason.solutions.linear_motion import LinearMotion, fewest_free
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
-from sim2reason.solutions.strategies.oscillation import Oscillating
+from sim2reason.solutions.strategies.oscillation import Oscillating, not_driven_back
 from sim2reason.solutions.travelled import Travelled
 
 
@@ -29,10 +29,10 @@ class HalfSwings(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether there is no friction, else as without it."""
+        """Whether there is no friction, or there are several modes, else as without it."""
         if not any(face.friction > 0.0 for face in mechanism.faces):
             return "there is no friction"
-        return STRATEGIES["oscillation"].unfit(mechanism)
+        return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > 1 else "")
 
     def refusal(self, setting: Setting) -> str:
         """As without friction."""

@@ -48,6 +48,11 @@ class Impulse(Strategy):
         """Whether accelerations change."""
         return accelerates(mechanism)
 
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """None where discs meet in a plane: where they touch takes two components of all that there is, and a root."""
+        oblique = any(meeting.normal is None for meeting in mechanism.meetings)
+        return frozenset[str]() if oblique else self.kinds
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         if unknown := no_goal(setting, MOMENTS):

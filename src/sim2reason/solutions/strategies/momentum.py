@@ -14,6 +14,7 @@ class MomentumKept(WorkAndEnergy):
     name = "momentum"
     cost = 0.95
     kinds = frozenset({"event", "extremum"})
+    free = 2
 
     def write(self, setting: Setting, book: Book) -> str:
         """The reduced mass, the work, what momentum says, then what is asked."""

@@ -20,6 +20,7 @@ from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import Root
 from sim2reason.solutions.goals import Stretch
 from sim2reason.solutions.greatest import time_of_greatest
+from sim2reason.solutions.linear_motion import fewest_free
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, speed
@@ -28,7 +29,7 @@ from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
-from sim2reason.solutions.strategies.oscillation import ACCELERATION
+from sim2reason.solutions.strategies.oscillation import ACCELERATION, PAIR, not_driven_back
 from sim2reason.solutions.told_root import told_root, told_roots
 from sim2reason.solutions.travelled import EARLY, Travelled
 from sim2reason.solutions.unit_latex import latex
@@ -47,7 +48,11 @@ class SeveralModes(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """As of a single mode."""
-        return STRATEGIES["oscillation"].unfit(mechanism)
+        return not_driven_back(mechanism)
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """Periods of two modes alone: how far each mode is excited takes more than the roots of one quadratic."""
+        return frozenset({"period"} if fewest_free(mechanism) <= PAIR else ())
 
     def refusal(self, setting: Setting) -> str:
         """As of a single mode."""

@@ -22,7 +22,7 @@ from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.goals import GOALS, Stretch
 from sim2reason.solutions.greatest import greatest_target
 from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic
-from sim2reason.solutions.linear_motion import nonlinear
+from sim2reason.solutions.linear_motion import fewest_free, nonlinear
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.pair_way import PairWay
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -34,6 +34,7 @@ from sim2reason.solutions.unit_latex import latex
 
 SUMS = ("distance travelled", "impulse of the net force", "energy dissipated by friction")
 ACCELERATION = latex("m/s^2")
+PAIR = 2  # free coordinates, of which one mode is left where a momentum is kept
 
 
 @strategy
@@ -45,10 +46,8 @@ class Oscillation(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether there is no spring, something may collide, or its equations are not linear."""
-        if not any(isinstance(line.law, Elastic) for line in mechanism.lines):
-            return "there is no spring"
-        return "something may collide" if mechanism.meetings else nonlinear(mechanism)
+        """Whether nothing oscillates, or several things do even where a momentum is kept."""
+        return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > PAIR else "")
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
@@ -62,6 +61,13 @@ class Oscillation(Strategy):
         """The place of balance and the angular frequency, then the moment."""
         way = Oscillating(setting, book)
         return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
+
+
+def not_driven_back(mechanism: Mechanism) -> str:
+    """Whether there is no spring, something may collide, or its equations are not linear."""
+    if not any(isinstance(line.law, Elastic) for line in mechanism.lines):
+        return "there is no spring"
+    return "something may collide" if mechanism.meetings else nonlinear(mechanism)
 
 
 class Oscillating(SingleWay):

@@ -41,6 +41,10 @@ class RocketFlight(Strategy):
         alone = len(mechanism.burns) == len(moving) == len(mechanism.coordinates) == 1
         return "" if alone else "there is no lone rocket"
 
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """None above a planet that really pulls, but at the start."""
+        return frozenset({"start"}) if mechanism.attractions else self.kinds
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         m = setting.mechanism
