@@ -37,6 +37,11 @@ def formulas() -> st.SearchStrategy[Expression]:
 
 
 @given(formulas())
+def test_a_minus_sign_in_front_is_known_before_it_is_written(held: Expression) -> None:
+    assert held.negative == held.latex().startswith("-")
+
+
+@given(formulas())
 def test_the_grader_reads_what_is_written(held: Expression) -> None:
     table = {"m_A", "a", "theta"}
     node, *_ = parse(tokenize(held.latex(), table), unit_follows=False)

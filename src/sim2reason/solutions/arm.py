@@ -191,4 +191,4 @@ class Arm:
 
 
 def _squared(held: Expression) -> Expression:
-    return Power(-held if held.latex().startswith("-") else held, 2)
+    return Power(-held if held.negative else held, 2)

@@ -1,5 +1,8 @@
 """How numbers are rounded, and written in LaTeX."""
 
+from fractions import Fraction
+from functools import lru_cache
+
 DIGITS = 5  # significant ones that a worked solution carries
 
 
@@ -17,3 +20,15 @@ def rounded(value: float, digits: int = DIGITS) -> str:
     if -4 < exponent < 6:
         return f"{value:.{max(0, digits - 1 - exponent)}f}"
     return rf"{mantissa} \times 10^{{{exponent}}}"
+
+
+@lru_cache(maxsize=4096)
+def spelled(x: float) -> str:
+    """A pure number as formulas have it: a fraction where it is a simple one."""
+    fraction = Fraction(x).limit_denominator(60)
+    if abs(float(fraction) - x) > 1e-12 * max(1.0, abs(x)):
+        return rounded(x)
+    if fraction.denominator == 1:
+        return str(fraction.numerator)
+    sign = "-" if fraction < 0 else ""
+    return rf"{sign}\tfrac{{{abs(fraction.numerator)}}}{{{fraction.denominator}}}"

@@ -3,11 +3,9 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import reduce
-from itertools import pairwise
 
-from sim2reason.solutions.digits import rounded
+from sim2reason.solutions.digits import spelled
 
 FUNCTIONS = ("\\sin", "\\cos", "\\tan", "\\arc", "\\ln", "\\exp")
 Scalar = float | complex
@@ -43,6 +41,17 @@ class Expression(ABC):
     def rank(self) -> int:
         """How tightly it holds together when written: 0 a sum, 1 a product, 2 what needs no parentheses."""
         return 2
+
+    @property
+    def negative(self) -> bool:
+        """Whether it is written with a minus sign in front."""
+        match self:
+            case Sum(terms):  # a positive one would stand first
+                return all(term.negative for term in terms)
+            case Product((Number(x), *_)) | Quotient(Product((Number(x), *_)), _):
+                return x < 0.0
+            case _:
+                return not isinstance(self, Product | Quotient) and self.latex().startswith("-")
 
     def __add__(self, other: "Expression | float") -> "Expression":
         """Their sum."""
@@ -93,13 +102,7 @@ class Number(Expression):
 
     def latex(self) -> str:
         """As in: 2, 2/5 or 0.30000."""
-        fraction = Fraction(self.x).limit_denominator(60)
-        if abs(float(fraction) - self.x) > 1e-12 * max(1.0, abs(self.x)):
-            return rounded(self.x)
-        if fraction.denominator == 1:
-            return str(fraction.numerator)
-        sign = "-" if fraction < 0 else ""
-        return rf"{sign}\tfrac{{{abs(fraction.numerator)}}}{{{fraction.denominator}}}"
+        return spelled(self.x)
 
     def symbols(self) -> Iterator[str]:
         """None."""
@@ -193,10 +196,11 @@ class Product(Expression):
         first, *rest = self.factors
         if first == Number(-1.0):
             return "-" + Product(tuple(rest)).latex() if len(rest) > 1 else f"-{parenthesized(rest[0], 1)}"
-        text = first.latex() if isinstance(first, Number) else parenthesized(first, 1)
-        for before, factor in pairwise(self.factors):
-            part = parenthesized(factor, 1)
-            apart = text[-1].isdigit() or before.latex().startswith(FUNCTIONS)  # sin θ m would be the sine of θ m
+        plain = [factor.latex() for factor in self.factors]
+        parts = [p if factor.rank else rf"\left({p}\right)" for factor, p in zip(self.factors, plain, strict=True)]
+        text = plain[0] if isinstance(first, Number) else parts[0]
+        for before, part in zip(plain, parts[1:], strict=False):
+            apart = text[-1].isdigit() or before.startswith(FUNCTIONS)  # sin θ m would be the sine of θ m
             joint = r" \cdot " if part[0].isdigit() or part.startswith("-") else r"\," if apart else " "
             text += joint + part
         return text
@@ -209,7 +213,7 @@ class Product(Expression):
     @property
     def rank(self) -> int:
         """That of a product; one with a minus sign is like a sum."""
-        return 0 if isinstance(self.factors[0], Number) and self.factors[0].x < 0.0 else 1
+        return 0 if self.negative else 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,10 +239,8 @@ class Quotient(Expression):
 
     def latex(self) -> str:
         """As a fraction; a minus sign of the numerator stands before it."""
-        above = self.above.latex()
-        if self.above.rank or not isinstance(self.above, Product):
-            return rf"\frac{{{above}}}{{{self.below.latex()}}}"
-        return rf"-\frac{{{above[1:]}}}{{{self.below.latex()}}}"
+        above, sign = self.above.latex(), "-" if self.negative else ""
+        return rf"{sign}\frac{{{above[len(sign) :]}}}{{{self.below.latex()}}}"
 
     def symbols(self) -> Iterator[str]:
         """Those of both."""
@@ -248,7 +250,7 @@ class Quotient(Expression):
     @property
     def rank(self) -> int:
         """As of a product."""
-        return 0 if self.latex().startswith("-") else 1
+        return 0 if self.negative else 1
 
 
 ZERO, ONE = Number(0.0), Number(1.0)
@@ -256,7 +258,7 @@ ZERO, ONE = Number(0.0), Number(1.0)
 
 def ratio(above: Expression, below: Expression) -> Expression:
     """A fraction whose denominator does not begin with a minus sign."""
-    if below.latex().startswith("-"):
+    if below.negative:
         above, below = -above, -below
     return above if below == ONE else Quotient(above, below)
 

@@ -207,7 +207,7 @@ class SwingAngle(ABC):
             return ONE
         if isinstance(self.angle, Number):
             return Number(-1.0)
-        plain = -self.angle if self.angle.latex().startswith("-") else self.angle
+        plain = -self.angle if self.angle.negative else self.angle
         return Call("cos", plain)
 
     @property
@@ -215,7 +215,7 @@ class SwingAngle(ABC):
         """The sine of the angle, of its size."""
         if isinstance(self.angle, Number):
             return ZERO
-        negative = self.angle.latex().startswith("-")
+        negative = self.angle.negative
         sine = Call("sin", -self.angle if negative else self.angle)
         return sine if self.book.value(sine) >= 0.0 else -sine
 
@@ -260,7 +260,7 @@ class SwingAngle(ABC):
     def _deflection(self) -> Expression:
         if isinstance(self.angle, Number):
             raise UnsolvedError("the angle is that of the lowest or highest point")
-        return -self.angle if self.angle.latex().startswith("-") else self.angle
+        return -self.angle if self.angle.negative else self.angle
 
     def _between(self) -> Expression:
         return self.between

@@ -105,7 +105,7 @@ def squared(held: Expression) -> Expression:
     inside = getattr(held, "inside", None)
     if isinstance(inside, Expression):
         return inside
-    return Power(-held if held.latex().startswith("-") else held, 2)
+    return Power(-held if held.negative else held, 2)
 
 
 def _size(held: Expression, known: Known) -> Expression:
