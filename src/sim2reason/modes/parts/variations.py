@@ -6,6 +6,7 @@ from math import isfinite
 
 import numpy as np
 
+from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.questions import KINDS, Query, Study
@@ -14,6 +15,7 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES
 
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
+SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, since each turn has its price
 STEEPEST = 89.0  # degrees
 EQUAL = 1e-9  # relative
 
@@ -89,25 +91,36 @@ class Variations:
     def _at(self, values: Sequence[float]) -> Variation | None:
         said = dict(zip(self.symbols, values, strict=True))
         query = self._asking([value for held, value in said.items() if not held.path])
+        counted = {held.symbol: held.counted(value) for held, value in said.items()}
         try:
             scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
-            study = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, self._end(query)])))
+            found = (self._followed(scene, query, end) for end in self._ends(query))
+            answered = next((pair for pair in found if pair is not None), None)
         except (SceneError, SimulationError, UnsupportedError, ValueError):
             return None
+        return Variation(counted, answered[0], query, answered[1]) if answered is not None else None
+
+    def _followed(self, scene: Scene, query: Query, end: float) -> tuple[Study, float] | None:
+        """A motion until some time, s, with the answer in it; None if it has none until then."""
+        study = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])))
         answer = KINDS[query.kind].answer(query, study)
         time = KINDS[query.kind].time(query, study)
         if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:
             return None
-        return Variation({held.symbol: held.counted(value) for held, value in said.items()}, study, query, answer)
+        return study, answer
 
     def _asking(self, numbers: Sequence[float]) -> Query:
         moment = self.query.moment
         return replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
 
-    def _end(self, query: Query) -> float:
+    def _ends(self, query: Query) -> tuple[float, ...]:
         """How long to follow a motion, s: to a stated time, else some times as long as it took in the known one."""
         here, least = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
         moment = query.moment
         times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []
         waits = moment is not None and bool(moment.event or moment.channels)
-        return max(BEYOND * times[0] if times and not waits else LATER * here, least)
+        if times and not waits:
+            return (max(BEYOND * times[0], least),)
+        comes = waits or KINDS[query.kind].name == "period"
+        sooner = SOONER if comes and self.study.mechanism.attractions and LATER * here > least else ()
+        return tuple(max(factor * here, least) for factor in (*sooner, LATER))
