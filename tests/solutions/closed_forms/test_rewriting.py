@@ -5,7 +5,8 @@ from math import acos, asin, atan, cos, isclose, pi, sin, tan
 
 import pytest
 
-from sim2reason.solutions.closed_forms import ClosedFormError, closed_form
+from sim2reason.solutions.closed_forms import ClosedFormError, closed_form, put_together
+from sim2reason.solutions.closed_forms.closed_form import hopeless
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.functions import PI, Call, Function, Power, Root
@@ -93,6 +94,22 @@ def test_a_formula_that_nobody_would_write_is_none() -> None:
     long = Sum(tuple(Quotient(Power(a, n), b + Power(c, n)) for n in range(1, 12)))
     with pytest.raises(ClosedFormError, match="characters"):
         closed_form(solution(("x", long)))
+
+
+def test_what_has_many_roots_is_given_up_before_it_is_made_shorter() -> None:
+    """Three roots, each of its own, do not cancel; two may, unless what they stand in is very long."""
+    three = Sum(tuple(Quotient(Root(Power(a, n) + b), b + Power(c, n) + Power(t, n)) for n in range(2, 5)))
+    assert not hopeless(three)
+    assert hopeless(three * (three + c))
+    assert not hopeless(Sum(tuple(Power(a, n) for n in range(200))))
+    with pytest.raises(ClosedFormError, match="too many roots"):
+        put_together(solution(("x", three * (three + c))))
+
+
+def test_a_formula_that_grows_from_step_to_step_is_given_up() -> None:
+    steps = [(f"x_{n}", Symbol(f"x_{n - 1}") * (Symbol(f"x_{n - 1}") + b)) for n in range(1, 9)]
+    with pytest.raises(ClosedFormError, match="grows too long"):
+        closed_form(solution(("x_0", a + c), *steps))
 
 
 INVERSES: list[Function] = ["arcsin", "arccos", "arctan"]

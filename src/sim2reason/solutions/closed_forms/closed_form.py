@@ -1,8 +1,9 @@
 """From the steps of a worked solution to one formula: every name that a step gives is put in where it is used."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 
 from sim2reason.solutions.closed_forms.rewriting import shortest
 from sim2reason.solutions.expressions import Expression, Number, Symbol
@@ -14,6 +15,7 @@ SIMPLE = 60  # the largest denominator of a number that is no accident
 EXACT = 1e-12
 MOST = 150  # symbols in a formula before it is made shorter
 LONGEST = 200  # characters of LaTeX: nobody would write more into a box
+ROOTED = {2: 400, 3: 250}  # characters: longer ones of so many different roots, or more, were never brought to that
 
 
 class ClosedFormError(Exception):
@@ -61,7 +63,24 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
     renamed = dict(zip(solution.stated, own, strict=False))
     every = (relation for step in solution.steps for relation in step.relations if relation.role == "given")
     given = {relation.left.latex() for relation in every} - solution.constants.keys()
-    return Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
+    found = Substitution(definitions, {name: renamed.get(name, name) for name in given}).named(solution.goal)
+    if hopeless(found):
+        raise ClosedFormError("it has too many roots")
+    return found
+
+
+def hopeless(whole: Expression) -> bool:
+    """Whether a formula is too long, for one of so many roots, to be looked at any more: roots don't cancel."""
+    roots = len(set(_roots(whole)))
+    most = next((characters for count, characters in sorted(ROOTED.items(), reverse=True) if roots >= count), inf)
+    return len(whole.latex()) > most
+
+
+def _roots(held: Expression) -> Iterator[str]:
+    if isinstance(held, Root):
+        yield held.latex()
+    for part in held.parts:
+        yield from _roots(part)
 
 
 def shortened(whole: Expression) -> ClosedForm:
@@ -106,7 +125,9 @@ class Substitution:
         if name not in self._known:
             if name not in self._definitions:
                 raise ClosedFormError(f"{name} comes from no formula")
-            self._known[name] = self.of(self._definitions[name])
+            self._known[name] = found = self.of(self._definitions[name])
+            if sum(1 for _ in found.symbols()) > MOST:
+                raise ClosedFormError("its formula grows too long")
         return self._known[name]
 
     def of(self, held: Expression) -> Expression:
@@ -124,8 +145,6 @@ class Substitution:
                 found = plain(held.built_of([self.of(part) for part in held.parts]))
             case _:
                 raise ClosedFormError("a number in it was found numerically")
-        if sum(1 for _ in found.symbols()) > MOST:
-            raise ClosedFormError("its formula grows too long")
         return found
 
 
