@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved
@@ -40,8 +40,14 @@ class Lagrange(Strategy):
         """Whether something may collide, or its equations are not linear."""
         return "something may collide" if mechanism.meetings else nonlinear(mechanism)
 
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """At the start alone where springs pull."""
+        return frozenset({"start"}) if _springy(mechanism) else self.kinds
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
+        if _springy(setting.mechanism) and not isinstance(setting.query.moment, AtStart):
+            return "accelerations change as it moves"
         return no_goal(setting, MOMENTS)
 
     def write(self, setting: Setting, book: Book) -> str:
@@ -50,6 +56,10 @@ class Lagrange(Strategy):
         if way.target is None or way.goal is None:
             return way.time.name
         return way.goal.write(way.target, way).name
+
+
+def _springy(mechanism: Mechanism) -> bool:
+    return any(isinstance(line.law, Elastic) for line in mechanism.lines)
 
 
 class _Together(LinearWay):

@@ -42,8 +42,8 @@ class RocketFlight(Strategy):
         return "" if alone else "there is no lone rocket"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """None above a planet that really pulls, but at the start."""
-        return frozenset({"start"}) if mechanism.attractions else self.kinds
+        """None above a planet that really pulls, but at the start, of which nothing is asked while fuel burns."""
+        return frozenset[str]() if mechanism.attractions else self.kinds
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
