@@ -10,7 +10,11 @@ import pytest
 from plain_scenes import atwood, half_atwood, ramp, swing
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.track import Track
-from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.datasets import item_search
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Request
+from sim2reason.datasets.question_search import NOTHING, CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
@@ -201,3 +205,19 @@ def test_a_formula_in_too_few_symbols_is_no_answer() -> None:
     candidate = Candidate(search.study, asked, "", difficulty="easy")
     assert FewSymbols().reason(candidate) == ""
     assert FewSymbols().reason(replace(candidate, difficulty="hard")) == "2 symbols of 3"
+
+
+def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two heavy planets, a rocket above a planet, springs at angles; a throw and a slope are another matter."""
+
+    def never(*_: object) -> None:
+        raise AssertionError
+
+    for recipe in ("projectile", "incline", "pulley"):
+        assert SYMBOLIC.offers(sample(recipe, "hard", seed=1).mechanism)
+    monkeypatch.setattr(item_search, "QuestionSearch", never)
+    for recipe in ("orbital", "rocket", "springs"):
+        made = make(Request(recipe, "hard", "symbolic", 1, 0))
+        assert made.item is None
+        assert set(made.rejected) == {NOTHING}
+    assert all(MODES[name].offers(sample("orbital", "hard", seed=1).mechanism) for name in ("numeric", "reverse"))

@@ -74,6 +74,9 @@ class ItemSearch:
             rng = self._generator(attempt)
             try:
                 scene = self._recipe(self._difficulty, rng)
+                if not self._mode.offers(scene.mechanism):
+                    self.rejected[NOTHING] += 1
+                    continue
                 search = QuestionSearch(scene, int(rng.random() * 2**31), self._difficulty)
             except (SceneError, SimulationError, UnsupportedError) as error:
                 self.rejected[_counted(error)] += 1

@@ -6,6 +6,7 @@ from itertools import combinations
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.prose.symbol_names import with_names
@@ -44,6 +45,10 @@ class Symbolic(QuestionMode):
         derived = (strategy.kinds for strategy in STRATEGIES.values() if not strategy.integrates)
         return frozenset(name for name in frozenset[str]().union(*derived) if KINDS[name].of_symbols)
 
+    def offers(self, mechanism: Mechanism) -> bool:
+        """Whether some strategy of worked solutions may lead to a formula."""
+        return not self.kinds.isdisjoint(_formulas(mechanism))
+
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """Whatever some strategy of worked solutions leads to by formulas, still in numbers.
 
@@ -52,8 +57,8 @@ class Symbolic(QuestionMode):
         if study.mechanism is not study.scene.mechanism:
             return None
         names = [kind] if kind else [found.name for found in by_share(rng)]
-        formulas = frozenset[str]().union(*(held.formulas(study.mechanism) for held in _fitting(study)))
-        kinds = [name for name in names if name in self.kinds and name in formulas]
+        formulas = study.once("formulas", lambda: self.kinds & _formulas(study.mechanism))
+        kinds = [name for name in names if name in formulas]
         refused = study.once("refused", set[Query])
         for name in kinds:
             question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < BARREN else None
@@ -115,6 +120,12 @@ class Symbolic(QuestionMode):
         if not all(held.holds(study, until) for held in reading.assumed):
             return None
         return super().solution(reading, study, words)
+
+
+def _formulas(mechanism: Mechanism) -> frozenset[str]:
+    """The kinds of question about a mechanism to which strategies of worked solutions may lead by formulas."""
+    fitting = (strategy for strategy in STRATEGIES.values() if not strategy.unfit(mechanism))
+    return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in fitting))
 
 
 def _fitting(study: Study) -> tuple[Strategy, ...]:

@@ -9,6 +9,7 @@ from typing import ClassVar, TypeVar
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.prose.voices import hiding
 from sim2reason.prose.writer import Description
 from sim2reason.questions.given import StatedResult
@@ -92,6 +93,11 @@ class QuestionMode(ABC):
     def kinds(self) -> frozenset[str]:
         """The kinds of question, by name, that it can ask; by default all."""
         return frozenset(KINDS)
+
+    def offers(self, mechanism: Mechanism) -> bool:
+        """Whether it may ask anything about a mechanism whose motion is not known yet; by default so."""
+        del mechanism
+        return True
 
     @abstractmethod
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
