@@ -141,6 +141,11 @@ def test_variations_keep_the_query_in_step_with_its_numbers() -> None:
         assert each.until == time
         assert each.answer == pytest.approx(9.8 * time * (sin(angle) - friction * cos(angle)), rel=1e-9)
 
+    own = Variations(study, query, symbols).own()
+    assert own is not None
+    assert own.study is study
+    assert own.answer == pytest.approx(9.8 * 0.4 * (sin(radians(40.0)) - 0.2 * cos(radians(40.0))), rel=1e-9)
+
 
 def certified(scene: Scene, kind: str) -> CertifiedQuestion:
     found = (

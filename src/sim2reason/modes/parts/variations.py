@@ -6,7 +6,6 @@ from math import isfinite
 
 import numpy as np
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.questions import KINDS, Query, Study
@@ -73,7 +72,8 @@ class Variations:
 
     def own(self) -> Variation | None:
         """With the numbers that it has."""
-        return self._at([held.value for held in self.symbols])
+        found = _answered(self.query, self.study)
+        return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
 
     def drawn(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
         """With every number times a factor whose logarithm is at most `width`; those that have an answer."""
@@ -91,23 +91,17 @@ class Variations:
     def _at(self, values: Sequence[float]) -> Variation | None:
         said = dict(zip(self.symbols, values, strict=True))
         query = self._asking([value for held, value in said.items() if not held.path])
-        counted = {held.symbol: held.counted(value) for held, value in said.items()}
         try:
             scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
-            found = (self._followed(scene, query, end) for end in self._ends(query))
-            answered = next((pair for pair in found if pair is not None), None)
+            followed = (ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])) for end in self._ends(query))
+            answered = (_answered(query, Study(scene, trace)) for trace in followed)
+            found = next((held for held in answered if held is not None), None)
         except (SceneError, SimulationError, UnsupportedError, ValueError):
             return None
-        return Variation(counted, answered[0], query, answered[1]) if answered is not None else None
+        return None if found is None else Variation(self._counted(values), *found)
 
-    def _followed(self, scene: Scene, query: Query, end: float) -> tuple[Study, float] | None:
-        """A motion until some time, s, with the answer in it; None if it has none until then."""
-        study = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])))
-        answer = KINDS[query.kind].answer(query, study)
-        time = KINDS[query.kind].time(query, study)
-        if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:
-            return None
-        return study, answer
+    def _counted(self, values: Sequence[float]) -> dict[str, float]:
+        return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
 
     def _asking(self, numbers: Sequence[float]) -> Query:
         moment = self.query.moment
@@ -124,3 +118,12 @@ class Variations:
         comes = waits or KINDS[query.kind].name == "period"
         sooner = SOONER if comes and self.study.mechanism.attractions and LATER * here > least else ()
         return tuple(max(factor * here, least) for factor in (*sooner, LATER))
+
+
+def _answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:
+    """A motion with the answer in it; None if it has none as far as it is followed."""
+    answer = KINDS[query.kind].answer(query, study)
+    time = KINDS[query.kind].time(query, study)
+    if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:
+        return None
+    return study, query, answer
