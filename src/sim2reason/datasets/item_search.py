@@ -16,7 +16,7 @@ from sim2reason.recipes import RECIPES, Difficulty, known
 SCENES = 60  # drawn for one item, at most
 TOGETHER = 3  # of them are asked for the first kind before another one has its turn
 TRIES = 2  # questions of one kind about one scene
-BARREN = 15  # scenes that offer nothing at all, after which none is expected to
+BARREN = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
 SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, BARREN
 
