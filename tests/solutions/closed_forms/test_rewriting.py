@@ -8,8 +8,9 @@ import pytest
 from sim2reason.solutions.closed_forms import ClosedFormError, closed_form, put_together
 from sim2reason.solutions.closed_forms.closed_form import hopeless
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
+from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.expressions import Expression, Number, Product, Quotient, Sum, Symbol
-from sim2reason.solutions.functions import PI, Call, Function, Power, Root
+from sim2reason.solutions.functions import PI, Absolute, Call, Function, Power, Root
 from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.worked import NumericRoot, Worked
 
@@ -63,6 +64,22 @@ def solution(*definitions: tuple[str, Expression]) -> Solution:
         relation = Relation(Symbol(name), right, "result")
         steps.append(Step(len(steps), "work", "", (relation,), (name,), ()))
     return Solution("some", tuple(steps), AT, definitions[-1][0], 1.0, stated=("s",))
+
+
+@pytest.mark.parametrize(
+    ("held", "latex"),
+    [
+        (Power(-a - b, 2) + c, r"\left(p + q\right)^{2} + s"),
+        (Power(-a - b, 3), r"\left(-p - q\right)^{3}"),
+        (Root(Power(-a, 2) + b), r"\sqrt{p^{2} + q}"),
+        (Absolute(-a - b), r"\left|p + q\right|"),
+        (Quotient(Number(2.0), Root(Quotient(a, b))), r"2\,\sqrt{\frac{q}{p}}"),
+        (Quotient(a, Root(b)), r"\frac{p}{\sqrt{q}}"),
+    ],
+)
+def test_signs_and_fractions_stand_where_one_would_write_them(held: Expression, latex: str) -> None:
+    assert tidied(held).latex() == latex
+    assert isclose(tidied(held).value(AT).real, held.value(AT).real, rel_tol=1e-12)
 
 
 def test_names_are_put_in_until_only_what_is_given_stays() -> None:

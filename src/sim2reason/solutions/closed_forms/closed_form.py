@@ -6,6 +6,7 @@ from fractions import Fraction
 from math import inf
 
 from sim2reason.solutions.closed_forms.rewriting import shortest
+from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.functions import Absolute, Pi, Root, plain
 from sim2reason.solutions.solution import Solution
@@ -85,7 +86,7 @@ def _roots(held: Expression) -> Iterator[str]:
 
 def shortened(whole: Expression) -> ClosedForm:
     """A formula as one would write it; ClosedFormError if even that is too long."""
-    found = shortest(whole, LONGEST)
+    found = tidied(shortest(whole, LONGEST))
     latex = found.latex()
     if len(latex) > LONGEST:
         raise ClosedFormError(f"it takes {len(latex)} characters")
