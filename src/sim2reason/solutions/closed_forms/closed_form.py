@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
 
-from sim2reason.solutions.closed_forms.rewriting import shortest
+from sim2reason.solutions.closed_forms.gathering import gathered
+from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.functions import Absolute, Pi, Root, plain
@@ -86,7 +87,7 @@ def _roots(held: Expression) -> Iterator[str]:
 
 def shortened(whole: Expression) -> ClosedForm:
     """A formula as one would write it; ClosedFormError if even that is too long."""
-    found = tidied(shortest(whole, LONGEST))
+    found = min((tidied(gathered(tidied(held))) for held in (shortest(whole, LONGEST), whole)), key=length)
     latex = found.latex()
     if len(latex) > LONGEST:
         raise ClosedFormError(f"it takes {len(latex)} characters")

@@ -1,6 +1,8 @@
 """The last touch to a formula: no minus sign that a square takes away, no fraction under a root under a fraction."""
 
-from sim2reason.solutions.expressions import Expression, Quotient, multiplied, ratio
+from functools import reduce
+
+from sim2reason.solutions.expressions import ONE, Expression, Number, Product, Quotient, Sum, multiplied, ratio
 from sim2reason.solutions.functions import Absolute, Power, Root
 
 
@@ -10,11 +12,38 @@ def tidied(held: Expression) -> Expression:
         return held
     found = held.built_of([tidied(part) for part in held.parts])
     match found:
-        case Power(base, exponent) if exponent % 2 == 0 and base.negative:
-            return Power(-base, exponent)
+        case Power(base, exponent) if exponent % 2 == 0:
+            return _squared(base, exponent)
         case Absolute(inside) if inside.negative:
             return Absolute(-inside)
-        case Quotient(above, Root(Quotient(over, under))):
-            return multiplied(above, Root(ratio(under, over)))
+        case Quotient(above, below):
+            return _upright(above, below) if above == _signed(above) else -_upright(-above, below)
+        case Product(factors):
+            return reduce(multiplied, map(_signed, factors))
         case _:
             return found
+
+
+def _signed(held: Expression) -> Expression:
+    """A sum of nothing but negative terms with its sign in front."""
+    return multiplied(Number(-1.0), -held) if isinstance(held, Sum) and held.negative else held
+
+
+def _upright(above: Expression, below: Expression) -> Expression:
+    """A fraction whose denominator is none, nor the root of one."""
+    match below:
+        case Quotient(over, under):
+            return ratio(multiplied(above, under), over)
+        case Root(Quotient(over, under)):
+            return multiplied(above, Root(ratio(under, over)))
+        case _:
+            return ratio(above, below)
+
+
+def _squared(base: Expression, exponent: int) -> Expression:
+    """An even power: of each factor where one is a root, which it takes away."""
+    if isinstance(base, Root):
+        return base.inside if exponent == 2 else Power(base.inside, exponent // 2)
+    if isinstance(base, Product) and any(isinstance(factor, Root) for factor in base.factors):
+        return reduce(multiplied, (_squared(factor, exponent) for factor in base.factors), ONE)
+    return Power(-base if base.negative else base, exponent)

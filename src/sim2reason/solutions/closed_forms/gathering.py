@@ -1,0 +1,148 @@
+"""Sums as one would write them by hand: what terms share stands before them, as in g (m_A - m_B), at any depth."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import reduce
+
+from sim2reason.solutions.closed_forms.rewriting import length
+from sim2reason.solutions.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    added,
+    multiplied,
+    ratio,
+)
+from sim2reason.solutions.functions import Power
+
+MANY = 30  # terms: of more, none is looked at
+
+
+@dataclass(frozen=True)
+class Term:
+    """A number times factors, over others; powers are factors several times."""
+
+    number: float
+    factors: tuple[Expression, ...]
+    below: tuple[Expression, ...] = ()
+
+    @property
+    def written(self) -> Expression:
+        """As a formula."""
+        above = reduce(multiplied, _raised(self.factors), Number(self.number))
+        return ratio(above, reduce(multiplied, _raised(self.below), ONE)) if self.below else above
+
+    def without(self, other: "Term") -> "Term":
+        """Divided by what is in it."""
+        return Term(self.number / other.number, _less(self.factors, other.factors), _less(self.below, other.below))
+
+
+def gathered(held: Expression) -> Expression:
+    """A formula with the same value, each of whose sums has what terms share before them, where that is shorter."""
+    if not held.parts:
+        return held
+    found = held.built_of([gathered(part) for part in held.parts])
+    if not isinstance(found, Sum) or len(found.terms) > MANY:
+        return found
+    terms = [_term(term) for term in found.terms]
+    return min((found, _plain(_merged(terms)), _product(terms)), key=length)
+
+
+def _term(held: Expression) -> Term:
+    match held:
+        case Number(x):
+            return Term(x, ())
+        case Product(factors):
+            parts = [_term(factor) for factor in factors]
+            number = reduce(lambda one, part: one * part.number, parts, 1.0)
+            return Term(number, sum((p.factors for p in parts), ()), sum((p.below for p in parts), ()))
+        case Quotient(above, below):
+            over, under = _term(above), _term(below)
+            return Term(over.number / under.number, over.factors + under.below, over.below + under.factors)
+        case Power(base, exponent):
+            return Term(1.0, (base,) * exponent)
+        case _:
+            return Term(1.0, (held,))
+
+
+def _product(terms: Sequence[Term]) -> Expression:
+    """What all terms share, times a sum in which the rest is gathered."""
+    terms = _merged(terms)
+    if len(terms) < 2:
+        return _plain(terms)
+    shared = _shared(terms)
+    rest = [term.without(shared) for term in terms]
+    grouped = _grouped(rest)
+    again = _shared(grouped) if len(grouped) > 1 else Term(1.0, ())
+    inner = _plain([term.without(again) for term in grouped])
+    whole = Term(shared.number * again.number, (*shared.factors, *again.factors), (*shared.below, *again.below))
+    return Term(whole.number, (*whole.factors, inner), whole.below).written if inner != ONE else whole.written
+
+
+def _grouped(terms: Sequence[Term]) -> list[Term]:
+    """The terms that share the factor with most to gain, as one; and so on, while any two share one."""
+    gains = {
+        factor: (sum(factor in term.factors for term in terms) - 1) * len(factor.latex())
+        for term in terms
+        for factor in term.factors
+    }
+    best = max(gains, key=lambda factor: gains[factor], default=None)
+    if best is None or not gains[best]:
+        return [*terms]
+    group, others = ([t for t in terms if (best in t.factors) is inside] for inside in (True, False))
+    return _grouped([_term(_product(group)), *others])
+
+
+def _shared(terms: Sequence[Term]) -> Term:
+    """The factors of all terms, and their number where it is the same, with the sign of the first."""
+    first, *others = terms
+    factors = reduce(lambda kept, term: _both(kept, term.factors), others, first.factors)
+    below = reduce(lambda kept, term: _both(kept, term.below), others, first.below)
+    same = len({abs(term.number) for term in terms}) == 1
+    negative = all(term.number < 0.0 for term in terms)
+    return Term((abs(first.number) if same else 1.0) * (-1.0 if negative else 1.0), factors, below)
+
+
+def _merged(terms: Sequence[Term]) -> list[Term]:
+    """Like terms added up."""
+    found: list[Term] = []
+    for term in terms:
+        like = next((n for n, other in enumerate(found) if _like(term, other)), None)
+        if like is None:
+            found.append(term)
+        else:
+            found[like] = Term(found[like].number + term.number, term.factors, term.below)
+    return [term for term in found if term.number]
+
+
+def _plain(terms: Sequence[Term]) -> Expression:
+    return reduce(added, (term.written for term in terms), ZERO)
+
+
+def _like(one: Term, other: Term) -> bool:
+    sides = (one.factors, other.factors), (one.below, other.below)
+    return all(len(a) == len(b) and not _less(a, b) for a, b in sides)
+
+
+def _both(one: Sequence[Expression], other: Sequence[Expression]) -> tuple[Expression, ...]:
+    """What is in both, as often as in that in which it is less often."""
+    return tuple(factor for n, factor in enumerate(one) if [*one[:n]].count(factor) < [*other].count(factor))
+
+
+def _less(one: Sequence[Expression], other: Sequence[Expression]) -> tuple[Expression, ...]:
+    left = [*one]
+    for factor in other:
+        if factor in left:
+            left.remove(factor)
+    return tuple(left)
+
+
+def _raised(factors: Sequence[Expression]) -> Iterator[Expression]:
+    """Each once, with its power."""
+    for factor in dict.fromkeys(factors):
+        times = factors.count(factor)
+        yield Power(factor, times) if times > 1 else factor

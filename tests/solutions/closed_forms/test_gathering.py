@@ -1,0 +1,79 @@
+"""What terms share stands before them, where that is shorter; values stay."""
+
+from math import isclose
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sim2reason.solutions.closed_forms.gathering import gathered
+from sim2reason.solutions.closed_forms.rewriting import length
+from sim2reason.solutions.closed_forms.tidying import tidied
+from sim2reason.solutions.expressions import (
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    added,
+    multiplied,
+    ratio,
+)
+from sim2reason.solutions.functions import Call, Power, Root
+
+A, B, C, D, G, MU = (Symbol(name) for name in ("m_A", "m_B", "m_C", "m_D", "g", r"\mu"))
+SIN, COS = (Call(name, Symbol(r"\theta")) for name in ("sin", "cos"))
+AT = {"m_A": 1.3, "m_B": 0.7, "m_C": 2.1, "m_D": 0.4, "g": 9.8, r"\mu": 0.3, r"\theta": 0.5}
+SLOPE = A * G * SIN + B * G * SIN - MU * A * G * COS - MU * B * G * COS
+
+
+@pytest.mark.parametrize(
+    ("held", "latex"),
+    [
+        (SLOPE, r"g \left(m_A + m_B\right) \left(\sin\theta - \mu \cos\theta\right)"),
+        (A * G - B * G, "m_A g - m_B g"),  # which is no longer
+        (Number(1 / 3) * Power(A, 2) + Number(1 / 3) * Power(A, 2), r"\tfrac{2}{3} m_A^{2}"),
+        (A + B - A, "m_B"),
+        (
+            Quotient(MU * G * COS, A) + Quotient(MU * G * COS, A) * SIN,
+            r"\frac{\mu g \cos\theta\,\left(1 + \sin\theta\right)}{m_A}",
+        ),
+        (Root(SLOPE), r"\sqrt{g \left(m_A + m_B\right) \left(\sin\theta - \mu \cos\theta\right)}"),
+    ],
+)
+def test_what_terms_share_stands_before_them(held: Expression, latex: str) -> None:
+    assert gathered(held).latex() == latex
+
+
+def formulas() -> st.SearchStrategy[Expression]:
+    pairs = st.tuples
+    return st.recursive(
+        st.sampled_from([A, B, G, MU, SIN, COS, Number(2.0), Number(-0.5)]),
+        lambda inner: st.one_of(
+            pairs(inner, inner).map(lambda p: added(*p)),
+            pairs(inner, inner).map(lambda p: multiplied(*p)),
+            pairs(inner, inner).map(lambda p: added(multiplied(p[0], G), multiplied(-p[1], G))),
+            inner.map(lambda e: Power(e, 2)),
+            inner.map(lambda e: Root(added(Power(e, 2), Number(1.0)))),
+            pairs(inner, inner).map(lambda p: ratio(p[0], added(Power(p[1], 2), Number(1.0)))),
+        ),
+        max_leaves=8,
+    )
+
+
+@given(formulas())
+def test_gathered_and_tidied_formulas_keep_their_value(held: Expression) -> None:
+    value = held.value(AT).real
+    near = {"rel_tol": 1e-9, "abs_tol": 1e-9 * (1.0 + sum(abs(part.value(AT)) for part in held.parts))}
+    assert isclose(gathered(held).value(AT).real, value, **near)
+    assert isclose(tidied(held).value(AT).real, value, **near)
+    assert length(gathered(held)) <= length(held)
+
+
+def test_signs_leave_sums_of_negative_terms() -> None:
+    held = Product((Quotient(-A - B, C), Sum((-A, -B)), D))
+    assert tidied(held).latex() == r"\frac{m_A + m_B}{m_C} \left(m_A + m_B\right) m_D"
+    assert tidied(Quotient(-A - B, C)).latex() == r"-\frac{m_A + m_B}{m_C}"
+    assert tidied(Quotient(A, Quotient(B, C))).latex() == r"\frac{m_A m_C}{m_B}"
+    assert tidied(Power(A * Root(B + C), 2)).latex() == r"m_A^{2} \left(m_B + m_C\right)"
