@@ -226,3 +226,18 @@ def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: py
         assert made.item is None
         assert set(made.rejected) == {NOTHING}
     assert all(MODES[name].offers(sample("orbital", "hard", seed=1).mechanism) for name in ("numeric", "reverse"))
+
+
+@pytest.mark.parametrize(("recipe", "difficulty", "index"), [("rolling", "easy", 0), ("rotation", "medium", 1)])
+def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: str, index: int) -> None:
+    """Where the answer is an angle, or an angle stands in the formula as a number."""
+    item = make(Request(recipe, difficulty, "symbolic", 2311, index)).item
+    assert item is not None
+    assert "in radians" in item.prompt
+    held = item.answer.formula
+    assert held is not None
+    pairs = zip(held.points[0].items(), held.units, strict=True)
+    found = parse_prompt(item.prompt, given={symbol: said_in(value, unit) for (symbol, value), unit in pairs}).answer
+    assert found is not None
+    counted = radians(found) if item.answer.unit == "deg" else found
+    assert counted == pytest.approx(held.bindings[0].answer, rel=1e-6)

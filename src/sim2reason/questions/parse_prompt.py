@@ -11,14 +11,15 @@ from sim2reason.errors import TextError
 from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
 from sim2reason.prose.symbol_names import without_names
 from sim2reason.questions import KINDS, MODES, Query, Reading, Study, Words
-from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, SYMBOLIC, WHOLE
+from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMBOLIC, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.questions.spoken import spoken_of
 from sim2reason.questions.spoken_units import in_si
 from sim2reason.simulation.scenes import simulate
 
 _UNIT = r"(\S{1,12})"
-_SYMBOLS = r"\$[^$]+\$(?:(?:, | and )\$[^$]+\$)*"
+_SYMBOL = rf"\$[^$]+\$(?: \({IN_RADIANS}\))?"
+_SYMBOLS = rf"{_SYMBOL}(?:(?:, | and ){_SYMBOL})*(?:, {IN_RADIANS})?"
 _FORMS = [
     *(re.compile(r"\s+" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS),
     *(re.compile(rf"\s+{re.escape(form)}()$") for form in (*WHOLE, *PLAIN_FORMATS)),  # in no unit
