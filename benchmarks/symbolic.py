@@ -158,7 +158,8 @@ def mutated(formula: FormulaRecord, rng: np.random.Generator) -> str:  # noqa: P
     latex, symbols = formula.latex, list(formula.symbols)
     one, other = (symbols[int(rng.integers(len(symbols)))] for _ in range(2))
     places = [m.span() for m in re.finditer(r"(?<![\d_{.])\d+(?![\d.])", latex)]
-    heard = [m.span() for m in re.finditer(rf"{re.escape(one)}(?![A-Za-z_\d])", latex)]
+    alone = "" if one.startswith("\\") else r"(?<![A-Za-z\\_,])(?<!_\{)"  # no subscript of another
+    heard = [m.span() for m in re.finditer(rf"{alone}{re.escape(one)}(?![A-Za-z_\d])", latex)]
     signs, ends = [at for at, letter in enumerate(latex) if letter in "+-"], terms(latex)
     shift = 1.0 + float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.02, 0.3))
     match int(rng.integers(8)):
