@@ -144,7 +144,7 @@ def terms(latex: str) -> list[tuple[int, int]]:
     found: list[tuple[int, int]] = []
     for at in signs:
         depth, end = 0, at + 1
-        while end < len(latex) and depth >= 0 and not (depth == 0 and latex[end] in "+-"):
+        while end < len(latex) and depth >= 0 and (depth or not re.match(r"[+-]|\\right", latex[end:])):
             depth += {"{": 1, "(": 1, "}": -1, ")": -1}.get(latex[end], 0)
             end += 1
         end -= depth < 0
