@@ -228,12 +228,11 @@ def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: py
     assert all(MODES[name].offers(sample("orbital", "hard", seed=1).mechanism) for name in ("numeric", "reverse"))
 
 
-@pytest.mark.parametrize(("recipe", "difficulty", "index"), [("rolling", "easy", 0), ("rotation", "medium", 1)])
-def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: str, index: int) -> None:
+@pytest.mark.parametrize(("recipe", "difficulty"), [("rolling", "easy"), ("rotation", "medium")])
+def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: str) -> None:
     """Where the answer is an angle, or an angle stands in the formula as a number."""
-    item = make(Request(recipe, difficulty, "symbolic", 2311, index)).item
-    assert item is not None
-    assert "in radians" in item.prompt
+    drawn = (make(Request(recipe, difficulty, "symbolic", 2311, index)).item for index in range(40))
+    item = next(found for found in drawn if found is not None and "in radians" in found.prompt)
     held = item.answer.formula
     assert held is not None
     pairs = zip(held.points[0].items(), held.units, strict=True)

@@ -47,6 +47,11 @@ class PlaneSprings(Strategy):
         """Whether something else than springs holds it."""
         return "" if _held_in_a_plane(mechanism) else "no lone body is held by springs in a plane"
 
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """None: two equations that nobody solves give the place, and all else follows from it."""
+        del mechanism
+        return frozenset()
+
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
         query, target = setting.query, setting.target
