@@ -108,7 +108,7 @@ class Frames:
     ) -> None:
         """`q` and `v` hold a number for each coordinate, in the mechanism's order; `still` says that all are zero."""
         self._mechanism, self._q, self._v, self._maths = mechanism, q, v, maths
-        self._made = self._at_rest if still else self._of
+        self._still = still
         self._frames: dict[str | None, BodyFrame] = {None: ROOM}
         self._centers: dict[str, Point] = {}
         self._sites: dict[str, Point] = {}
@@ -120,7 +120,8 @@ class Frames:
         found = self._frames.get(body)
         if found is None:
             assert body is not None
-            found = self._frames[body] = self._made(self._mechanism.body[body])
+            held = self._mechanism.body[body]
+            found = self._frames[body] = self._at_rest(held) if self._still else self._of(held)
         return found
 
     def center(self, body: str) -> Point:

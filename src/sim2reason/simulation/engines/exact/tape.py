@@ -83,9 +83,15 @@ class Tape:
         self.constants: list[float] = []
         self._known: dict[Node, int] = {}
         self._constant: dict[float, int] = {}
-        self.inputs = {name: self.node("input", number, -1) for number, name in enumerate(inputs)}
-        self._names = list(inputs)
+        self.names = tuple(inputs)
+        for number in range(len(inputs)):
+            self.node("input", number, -1)
         self.written = 0  # operations, in the code that was written last
+
+    @property
+    def inputs(self) -> dict[str, Symbol]:
+        """The symbols of its inputs by name; it keeps none itself, so that it goes as soon as its user does."""
+        return {name: Symbol(self, number) for number, name in enumerate(self.names)}
 
     # ---- recording
 
@@ -137,7 +143,7 @@ class Tape:
         values, nodes = self.values, self.nodes
         for number, value in enumerate(inputs):
             values[number] = value
-        for number in range(len(self._names), len(nodes)):
+        for number in range(len(self.names), len(nodes)):
             values[number] = self._value(nodes[number])
 
     def _value(self, node: Node) -> float:  # noqa: PLR0911 - one line for each operation
@@ -175,14 +181,14 @@ class Tape:
         """
         writer = _Writer(self, [out for out in outputs if isinstance(out, Symbol)] + [guard for guard, _ in guards])
         self.written = writer.operations
-        lines = [f"{', '.join(self._names[1:])}, = y"] if len(self._names) > 1 else []
+        lines = [f"{', '.join(self.names[1:])}, = y"] if len(self.names) > 1 else []
         lines += writer.lines
         for guard, bound in guards:
             name, least = writer.name(guard.id), writer.constant(bound)
             lines.append(f"if -{least} < {name} < {least}: raise ArithmeticError('a pivot is lost')")
         said = [writer.name(out.id) if isinstance(out, Symbol) else writer.constant(float(out)) for out in outputs]
         lines.append(f"return ({', '.join(said)}{',' if len(said) == 1 else ''})")
-        make = compiled(f"{self._names[0]}, y", lines, ", ".join(["maths", *writer.constants.values()]))
+        make = compiled(f"{self.names[0]}, y", lines, ", ".join(["maths", *writer.constants.values()]))
         constants = list(writer.constants)
         return lambda maths: make(maths, *constants)
 
@@ -192,7 +198,7 @@ class _Writer:
 
     def __init__(self, tape: Tape, outputs: Sequence[Symbol]) -> None:
         self._tape = tape
-        self._inputs = list(tape.inputs)
+        self._inputs = tape.names
         self.constants: dict[float, str] = {}  # and how they are written
         self._text: dict[int, tuple[str, int]] = {}  # how a node is written, and how deep its brackets are
         self.lines: list[str] = []
