@@ -118,6 +118,8 @@ def computed(node: ast.expr, at: Mapping[str, Any], functions: Mapping[str, Any]
             return at[name]
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             return -computed(inner, at, functions, number)
+        case ast.UnaryOp(op=ast.UAdd(), operand=inner):
+            return computed(inner, at, functions, number)
         case ast.BinOp(left=left, op=operation, right=right):
             sides = (computed(side, at, functions, number) for side in (left, right))
             return OPERATIONS[type(operation)](*sides)

@@ -1,5 +1,7 @@
 """What is no more than a product of stated numbers, by formulas that every textbook has."""
 
+from math import asin, degrees, radians, tan
+
 import numpy as np
 import pytest
 
@@ -12,11 +14,12 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import NoSlipping, Rolling
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.questions import KINDS, Moment, Query, Question, Study, Target
+from sim2reason.questions import KINDS, Moment, Query, Question, StatedResult, Study, Target
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.parse_prompt import parse_prompt
 
 BLOCK, HANGING, BOB = "ramp.blocks.0", "one.system.blocks.0", "swing.bob"
 
@@ -82,3 +85,26 @@ def test_what_is_read_off_a_definition_is_one_line() -> None:
 def test_a_special_angle_makes_no_product() -> None:
     """v = √(2 g l (1 − cos θ)), of which 1 − cos 60° = ½ is no reason."""
     assert reason(swing(), LowestPoint(BOB), Target("velocity", BOB)) == ""
+
+
+CHORD = (
+    "A small bead (mass $m$) hangs from a fixed point by a light inextensible string of length $\\ell$. To "
+    "begin with, the string is taut and makes an angle of $\\theta$ with the downward vertical. The motion "
+    "begins from rest. The free-fall acceleration is g = 9.8 m/s². The distance between the bead and its "
+    "starting point at the moment when it first comes to rest again is 1.98 m. Find $\\theta$. Let $m$ = "
+    "0.29 kg and $\\ell$ = 1.1 m. State the answer in degrees to three significant figures, inside "
+    "\\boxed{}."
+)
+
+
+def test_an_unknown_angle_whose_sine_is_a_product_is_one_line() -> None:
+    """It comes to rest at the same height on the other side, 2 ℓ sin θ away."""
+    asked = parse_prompt(CHORD, np.random.default_rng(1))
+    (unknown,) = asked.reading.unknown
+    angle = degrees(asin(1.98 / 2.2))
+    scene = asked.study.scene.having(unknown, angle)
+    study = Study.of(scene, np.linspace(0.0, scene.horizon, 41))
+    elasticity = radians(angle) / tan(radians(angle))  # of 2 ℓ sin θ
+    given = StatedResult("1.98", "m")
+    question = Question("reverse", asked.query, "", angle, "deg", "", unknown, given, elasticity)
+    assert "sine of the answer" in FILTERS["one line"].reason(Candidate(study, question, "a b c"))

@@ -298,3 +298,26 @@ def test_freely_falling_speed_fixes_the_height() -> None:
     given = sqrt(9.0 + 2.0 * G * 1.5)
     found = roots(dependence, range_of(scene, "throw.height"), given)
     assert found == [pytest.approx(1.5, rel=1e-6)]
+
+
+BALANCED = (
+    "On a fixed smooth plane inclined at 45° to the horizontal lie blocks A (5.7 kg) and B (3.5 kg), A lower "
+    "down, joined by a light string. From block C of mass 5.6 kg another light string runs straight up, "
+    "passes over a light hanging pulley P and runs straight down to block D of mass $m_D$. From block B a "
+    "third light string runs up the slope, passes over a light fixed pulley Q and runs straight down to the "
+    "axle of P. Everything starts from rest with all strings taut. The speed of block A 1.0 s after release "
+    "is 2.86 m/s. What is the mass $m_D$? There is no friction at pulleys, and every string is long enough. "
+    "Take g = 9.8 m/s². Write the final answer, in kg and to three significant figures, in \\boxed{}."
+)
+
+
+def test_a_root_is_seen_although_short_strings_would_end_the_motion_before() -> None:
+    """With m_D = 0.852 kg block A goes down as fast as it goes up with 7.71 kg: solved by Lagrange's equations."""
+    asked = parse_prompt(BALANCED, np.random.default_rng(1))
+    (unknown,) = asked.reading.unknown
+    query, study = asked.query, asked.study.scene.having(unknown, 7.713)
+    given = StatedResult("2.86", "m/s")
+    question = Question("reverse", query, "", 7.713, "kg", unknown=unknown, given=given)
+    found = another(question, Study(study, simulate(study)))
+    assert found is not None
+    assert found < 1.5

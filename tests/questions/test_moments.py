@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plain_scenes import G, atwood, ramp, table
+from plain_scenes import G, atwood, ramp, row, table
 from sim2reason.dsl.scene import Scene
 from sim2reason.prose.writer import describe
+from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.questions import Moment
 from sim2reason.questions.crossing import begins_beyond, crossings, first_crossing
@@ -164,3 +165,18 @@ def test_an_arm_that_rocks_to_one_side_does_not_pass_through_its_lowest_point(le
     assert isinstance(moment, LowestPoint)
     assert asked.study.time(moment) is not None
     assert moment.comes(asked.study) is passes
+
+
+def test_a_light_arm_on_a_carriage_is_nobody_whose_speed_is_asked() -> None:
+    """It turns and has no centre of mass: every point of it has another speed."""
+    asked = parse_prompt(ROCKS.replace("PULL", "57"), np.random.default_rng(1))
+    called = Bodies().phrases(asked.study.mechanism, asked.reading.mentions)
+    assert {said.split()[-1] for said in called.values()} == {"slider", "ball"}
+
+
+def test_what_friction_holds_from_the_start_never_comes_to_rest() -> None:
+    """The pull of a spring that gets 7 cm longer, at most 155 N/m · 0.07 m = 11 N, is less than 0.49 · 4.4 kg · g."""
+    scene = row((4.4, 3.9), (82.0, 155.0, 113.0), "both", speed=0.98, friction=0.49)
+    trace = simulate(scene)
+    assert Stopped("row.carts.0").time(trace) is None
+    assert Stopped("row.carts.1").time(trace) is not None

@@ -20,7 +20,7 @@ from sim2reason.questions import (
 )
 from sim2reason.questions.choices import at
 from sim2reason.questions.conditions import asking_for
-from sim2reason.questions.dependence import STEP, Dependence, roots
+from sim2reason.questions.dependence import STEP, Dependence, roomy, roots
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.only_root import COARSE, Scan
@@ -114,10 +114,13 @@ class Reverse(QuestionMode):
 
 
 def another(question: Question, study: Study) -> float | None:
-    """A value of a question's unknown, beside the answer, that the result does not exclude; None if none is seen."""
+    """A value of a question's unknown, beside the answer, that the result does not exclude; None if none is seen.
+
+    With other values bodies may go farther; how far strings let them, no text tells.
+    """
     if question.given is None or not question.unknown:
         return None
-    fine = Dependence(question.query, study, question.unknown, ENOUGH)
+    fine = Dependence(question.query, study, question.unknown, ENOUGH, roomy(study.scene))
     scan = Scan(fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE))
     return scan.another(range_of(study.scene, question.unknown))
 

@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import State
+from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.questions.targets import Target
 from sim2reason.simulation.trace import Trace
@@ -14,6 +14,7 @@ from sim2reason.simulation.trace import Trace
 CROSSINGS = "enter", "exit"
 AT_ONCE = 1e-9  # of a time
 CLEAR = 1e-3  # of the duration: how far a time stays away from events
+STILL, ROUNDING = 1e-7, 1e-9  # of the greatest speed of its own, and of anything's: what is slower stands still
 
 
 def pick(
@@ -34,6 +35,15 @@ def apart(time: float, trace: Trace) -> bool:
     """Whether a time stays away from every event that changes anything, so that before and after can't be mistaken."""
     clear = CLEAR * float(trace.state.times[-1])
     return all(abs(time - event.time) > clear for event in trace.events if event.kind != "turn")
+
+
+def still(trace: Trace, speeds: Array) -> float:
+    """What speed, of something whose `speeds` (n,) at the instants of the scan are these, is none.
+
+    What never moves has speeds, too, as rounding leaves them.
+    """
+    fastest = float(np.abs(trace.scan.v).max(initial=0.0))
+    return max(STILL * float(np.abs(speeds).max(initial=0.0)), ROUNDING * fastest)
 
 
 def at(trace: Trace, time: float) -> State:

@@ -1,6 +1,7 @@
 """The answer to a query as a function of one number of the scene, and where it has a given value."""
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
 from math import inf, isfinite
@@ -12,6 +13,7 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import BEYOND, SHORTEST, Study
+from sim2reason.questions.unknown import LENGTHS
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 
@@ -21,6 +23,7 @@ AT_ONCE = 1e-6  # of a time
 STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
 
+ROOMY = 10.0  # times: how much longer a string may be
 STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
 
 Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
@@ -30,10 +33,16 @@ Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
 class Dependence:
     """How a query's answer depends on the number at an address of the scene, all others being what they are."""
 
-    def __init__(self, query: Query, study: Study, path: str, error: float = FINEST) -> None:
-        """`study` is that of any scene in which that number has some value; `error` is what a step may err by."""
+    def __init__(
+        self, query: Query, study: Study, path: str, error: float = FINEST, scene: Scene | None = None
+    ) -> None:
+        """`study` is that of any scene in which that number has some value; `error` is what a step may err by.
+
+        `scene` may be another one that a text can not tell from it.
+        """
         moment = query.moment.first() if query.moment is not None else None
         self._query, self._study, self._path = replace(query, moment=moment), study, path
+        self._scene = scene or study.scene
         self._as_asked = moment == query.moment
         self._error = error
         self._known: dict[float, float | None] = {}
@@ -48,7 +57,7 @@ class Dependence:
 
     def coarser(self, error: float) -> "Dependence":
         """The same with steps that may err by more; what one learns of when to wait for an answer the other knows."""
-        found = Dependence(self._query, self._study, self._path, error)
+        found = Dependence(self._query, self._study, self._path, error, self._scene)
         found._times = self._times
         return found
 
@@ -65,7 +74,7 @@ class Dependence:
 
     def _answer(self, value: float) -> float | None:
         try:
-            scene = self._study.scene.having(self._path, value)
+            scene = self._scene.having(self._path, value)
         except (SceneError, ValueError):
             return None
         for stages in self._plans(value, scene):
@@ -163,6 +172,15 @@ class Dependence:
     def _excess(self, at: float, value: float) -> float | None:
         found = self(at)
         return None if found is None else found - value
+
+
+def roomy(scene: Scene) -> Scene:
+    """The scene with all lengths that its text keeps to itself many times as long: *every string is long enough*."""
+    for parameter in scene.parameters:
+        if parameter.hidden and parameter.value and parameter.measure.unit in LENGTHS:
+            with suppress(SceneError, ValueError):
+                scene = scene.having(parameter.path, ROOMY * parameter.value)
+    return scene
 
 
 def _ways(study: Study, time: float) -> tuple[float, ...]:

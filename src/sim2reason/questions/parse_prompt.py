@@ -2,12 +2,13 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sim2reason.dsl.units import parse_unit
-from sim2reason.errors import TextError
+from sim2reason.errors import SimulationError, TextError
 from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
 from sim2reason.prose.symbol_names import without_names
 from sim2reason.questions import KINDS, MODES, Query, Reading, Study, Words
@@ -16,6 +17,9 @@ from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.questions.spoken import spoken_of
 from sim2reason.questions.spoken_units import in_si
 from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.trace import Trace
+
+SHARES = 1.0, 0.5, 0.25  # of the horizon
 
 _UNIT = r"(\S{1,12})"
 _SYMBOL = rf"\$[^$]+\$(?: \({IN_RADIANS}\))?"
@@ -104,13 +108,22 @@ def _understood(
 ) -> ParsedPrompt:
     """What a draft means; TextError for one that means nothing."""
     reading = parse_scene(draft.story, rng, draft.given)
-    study = Study(reading.scene, simulate(reading.scene))
+    study = Study(reading.scene, _followed(reading))
     words = _in_symbols(_words(reading), draft, given) if given else _words(reading)
     asked = (mode.parsed(draft.question, study, words) for mode in MODES.values())
     found = next((each for each in asked if each is not None), None)
     if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
     return ParsedPrompt(reading, study, found, unit, shape)
+
+
+def _followed(reading: ParsedScene) -> Trace:
+    """The motion of a scene; where a number is unknown, with the one that was drawn, as far as that lets it go."""
+    scene = reading.scene
+    for share in SHARES if reading.unknown else ():
+        with suppress(SimulationError):
+            return simulate(scene, share * scene.horizon)
+    return simulate(scene)
 
 
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:

@@ -73,6 +73,8 @@ def solution(*definitions: tuple[str, Expression]) -> Solution:
         (Power(-a - b, 3), r"\left(-p - q\right)^{3}"),
         (Root(Power(-a, 2) + b), r"\sqrt{p^{2} + q}"),
         (Absolute(-a - b), r"\left|p + q\right|"),
+        (Call("cos", (-a) / b), r"\cos\left(\frac{p}{q}\right)"),
+        (Call("sin", -(a / b)), r"-\sin\left(\frac{p}{q}\right)"),
         (Quotient(Number(2.0), Root(Quotient(a, b))), r"2\,\sqrt{\frac{q}{p}}"),
         (Quotient(a, Root(b)), r"\frac{p}{\sqrt{q}}"),
     ],

@@ -8,6 +8,7 @@ from math import cos, isclose, log, pi, prod, radians, sin, sqrt, tan
 from sim2reason.dsl.units import parse_unit
 from sim2reason.filters import Candidate
 from sim2reason.filters.parts.numbers import SHIFT, givens, shifted, with_values
+from sim2reason.questions import Question
 
 EXACT = 1e-5  # relative: how well the product must be the answer
 NEAR = 5.0 * SHIFT  # how near to a multiple of a half a measured power must be
@@ -134,9 +135,10 @@ def _factors(candidate: Candidate, view: View) -> list[_Factor] | None:
 def _of_question(candidate: Candidate, view: View) -> list[_Factor] | None:
     """Those that the question itself states; None if the answer is lost with one."""
     question, found = candidate.question, list[_Factor]()
+    rate = _rate(question, view)
     if question.unknown and question.given is not None:
         own = question.given
-        found.append(_Factor("", own.unit, _in_si(own.value, own.unit), 1.0 / question.elasticity))
+        found.append(_Factor("", own.unit, _in_si(own.value, own.unit), rate))
     moment = question.query.moment
     if moment is None:
         return found
@@ -149,9 +151,15 @@ def _of_question(candidate: Candidate, view: View) -> list[_Factor] | None:
         power = _power(shown(question.result), shown(there), 1.0 + SHIFT)
         if power is None:
             return None
-        power = -power / question.elasticity if question.unknown else power
+        power = -power * rate if question.unknown else power
         found.append(_Factor("", unit, _in_si(number, unit), power))
     return found
+
+
+def _rate(question: Question, view: View) -> float:
+    """With which power what is seen of an unknown goes with the result that is given; 0 where it changes its sign."""
+    seen = _power(view(question.answer), view(question.answer * (1.0 + SHIFT)), 1.0 + SHIFT)
+    return (seen or 0.0) / question.elasticity
 
 
 def _power(here: float, there: float, factor: float) -> float | None:

@@ -63,8 +63,13 @@ class Bodies(Subject):
 
 
 def moves(mechanism: Mechanism, name: str) -> bool:
-    """Whether the centre of mass of a body can move, and it is not the wheel of a pulley."""
-    return bool(center_path(mechanism, name).ways) and not is_pulley_wheel(mechanism, name)
+    """Whether the centre of mass of a body can move, and it is not the wheel of a pulley.
+
+    What has no mass and turns, as a light arm on a carriage does, has no centre of mass, and no point is meant.
+    """
+    body = mechanism.body[name]
+    pointless = not body.mass and any(coordinate.kind == "hinge" for coordinate in body.coordinates)
+    return bool(center_path(mechanism, name).ways) and not pointless and not is_pulley_wheel(mechanism, name)
 
 
 def _of_path(path: CenterPath) -> list[Sense]:

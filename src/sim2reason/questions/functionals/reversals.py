@@ -8,13 +8,12 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path, rides
+from sim2reason.questions.choices import still
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.event_count import EventCount
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
-
-STILL = 1e-7  # of its greatest speed: slower, it has no direction
 
 
 @functional
@@ -39,7 +38,7 @@ class Reversals(EventCount):
         """
         way = np.array(center_path(trace.mechanism, name).ways[0])
         speeds = Velocity.evaluate(trace.scan, name) @ way
-        clear = np.flatnonzero(np.abs(speeds) > STILL * np.abs(speeds).max(initial=0.0))
+        clear = np.flatnonzero(np.abs(speeds) > still(trace, speeds))
         turned = speeds[clear][1:] * speeds[clear][:-1] < 0.0
         return trace.scan.times[clear][1:][turned].tolist()
 

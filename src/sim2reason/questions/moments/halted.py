@@ -6,10 +6,10 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.quantities.kinematics import Velocity
-from sim2reason.questions.choices import at
+from sim2reason.questions.choices import STILL, at, still
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.verbs import Verb
-from sim2reason.questions.moments.stopped import STILL, Stopped
+from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.recurrence import is_autonomous
 from sim2reason.simulation.trace import Event, Trace
 
@@ -29,8 +29,10 @@ class Halted(Stopped):
         if not Stopped.is_this(self, event, trace) or not _ends_at_rest(trace):
             return False
         times, speeds = trace.scan.times, _speeds(trace, self.name)
-        still = STILL * float(speeds.max())
-        return bool((speeds[times >= event.time] <= still).all()) and Stopped(self.name).time(trace) != event.time
+        return (
+            bool((speeds[times >= event.time] <= still(trace, speeds)).all())
+            and Stopped(self.name).time(trace) != event.time
+        )
 
 
 def _speeds(trace: Trace, name: str) -> Array:

@@ -8,13 +8,12 @@ import numpy as np
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import rides
+from sim2reason.questions.choices import STILL, still
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Event, Trace
-
-STILL = 1e-7  # of its greatest speed
 
 
 @MOMENTS.register("stopped")
@@ -51,7 +50,7 @@ class Stopped(Occurrence):
         if event.kind not in self.kinds:
             return False
         times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
-        still = STILL * float(speeds.max())
+        slowest = still(trace, speeds)
         before = speeds[times < event.time - STILL * times[-1]]  # the scan knows both sides of an event, too
-        moved = len(before) > 0 and float(before[-1]) > still
-        return moved and float(speeds[np.searchsorted(times, event.time)]) <= still
+        moved = len(before) > 0 and float(before[-1]) > slowest
+        return moved and float(speeds[np.searchsorted(times, event.time)]) <= slowest

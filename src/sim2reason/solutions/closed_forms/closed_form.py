@@ -34,7 +34,7 @@ class ClosedForm:
 
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
         """Its absolute value, and under each root that what stands there, if it is negative at one of the points."""
-        found = _of_size(_rooted_in_sizes(self.expression, points), points)
+        found = tidied(_of_size(_rooted_in_sizes(self.expression, points), points))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def value(self, at: Mapping[str, float]) -> float:

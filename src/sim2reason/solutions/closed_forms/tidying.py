@@ -1,9 +1,9 @@
-"""The last touch to a formula: no minus sign that a square takes away, no fraction under a root under a fraction."""
+"""The last touch to a formula: no minus sign that a square or a cosine takes away, no fraction under a root under a fraction."""
 
 from functools import reduce
 
 from sim2reason.solutions.expressions import ONE, Expression, Number, Product, Quotient, Sum, multiplied, ratio
-from sim2reason.solutions.functions import Absolute, Power, Root
+from sim2reason.solutions.functions import Absolute, Call, Power, Root
 
 
 def tidied(held: Expression) -> Expression:
@@ -15,13 +15,22 @@ def tidied(held: Expression) -> Expression:
         case Power(base, exponent) if exponent % 2 == 0:
             return _squared(base, exponent)
         case Absolute(inside) if inside.negative:
-            return Absolute(-inside)
+            return Absolute(_opposite(inside))
+        case Call("cos", angle) if angle.negative:
+            return Call("cos", _opposite(angle))
+        case Call("sin", angle) if angle.negative:
+            return -Call("sin", _opposite(angle))
         case Quotient(above, below):
             return _upright(above, below) if above == _signed(above) else -_upright(-above, below)
         case Product(factors):
             return reduce(multiplied, map(_signed, factors))
         case _:
             return found
+
+
+def _opposite(held: Expression) -> Expression:
+    """What is negative without its sign."""
+    return ratio(-held.above, held.below) if isinstance(held, Quotient) else -held
 
 
 def _signed(held: Expression) -> Expression:

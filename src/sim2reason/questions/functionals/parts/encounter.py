@@ -16,5 +16,5 @@ def encounter(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
     return (
         f"in their {which} collision",
         f"when they collide for the {which} time",
-        f"in the {which} of their collisions",
+        f"in the {which} collision of the two",
     )

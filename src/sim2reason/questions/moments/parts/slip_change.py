@@ -6,11 +6,10 @@ import numpy as np
 
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.subjects.contacts import Contacts
+from sim2reason.questions.choices import STILL, still
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Event, Trace
-
-STILL = 1e-7  # of its greatest speed of slip
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,9 +22,8 @@ class SlipChange(Occurrence):
     def slipped(self, event: Event, trace: Trace) -> bool:
         """Whether the body slips until shortly before an event; what only turns back does, too."""
         slips = np.abs(slip(trace.scan, self.name))
-        still = STILL * float(slips.max())
         before = slips[trace.scan.times < event.time - STILL * trace.scan.times[-1]]
-        return len(before) > 0 and float(before[-1]) > still
+        return len(before) > 0 and float(before[-1]) > still(trace, slips)
 
 
 def slip(state: State, name: str) -> Array:

@@ -83,7 +83,7 @@ class Tape:
         self.constants: list[float] = []
         self._known: dict[Node, int] = {}
         self._constant: dict[float, int] = {}
-        self.names = tuple(inputs)
+        self.names = list(inputs)
         for number in range(len(inputs)):
             self.node("input", number, -1)
         self.written = 0  # operations, in the code that was written last
