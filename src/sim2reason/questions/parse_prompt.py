@@ -19,7 +19,7 @@ from sim2reason.questions.spoken_units import in_si
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Trace
 
-SHARES = 1.0, 0.5, 0.25  # of the horizon
+SHARES = 1.0, 0.3, 0.1, 0.03  # of the horizon
 
 _UNIT = r"(\S{1,12})"
 _SYMBOL = rf"\$[^$]+\$(?: \({IN_RADIANS}\))?"

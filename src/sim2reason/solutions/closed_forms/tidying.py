@@ -1,4 +1,4 @@
-"""The last touch to a formula: no minus sign that a square or a cosine takes away, no fraction under a root under a fraction."""
+"""The last touch to a formula: no minus sign that a square takes away, no fraction under a root under a fraction."""
 
 from functools import reduce
 
@@ -14,18 +14,27 @@ def tidied(held: Expression) -> Expression:
     match found:
         case Power(base, exponent) if exponent % 2 == 0:
             return _squared(base, exponent)
-        case Absolute(inside) if inside.negative:
-            return Absolute(_opposite(inside))
-        case Call("cos", angle) if angle.negative:
-            return Call("cos", _opposite(angle))
-        case Call("sin", angle) if angle.negative:
-            return -Call("sin", _opposite(angle))
+        case Absolute(inside) | Call(_, inside) if inside.negative:
+            return _outward(found, _opposite(inside))
         case Quotient(above, below):
             return _upright(above, below) if above == _signed(above) else -_upright(-above, below)
         case Product(factors):
             return reduce(multiplied, map(_signed, factors))
         case _:
             return found
+
+
+def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
+    """What has a negative argument, by that argument's opposite, where it is even or odd."""
+    match held:
+        case Absolute():
+            return Absolute(opposite)
+        case Call("cos"):
+            return Call("cos", opposite)
+        case Call("sin"):
+            return -Call("sin", opposite)
+        case _:
+            return held
 
 
 def _opposite(held: Expression) -> Expression:
