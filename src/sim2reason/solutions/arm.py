@@ -45,11 +45,12 @@ class Piece:
 class Arm:
     """The pieces, in the symbols of the text, written as they are needed."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
-        self.setting, self.book, self.carrier = setting, book, lone_axle(setting.mechanism)
-        self.axis: Vector = setting.mechanism.coordinates[0].axis
-        self.bodies = [body.name for body in setting.mechanism.bodies if body.mass]
+    def __init__(self, setting: Setting, book: Book, carrier: str = "") -> None:
+        """By default about the only axle there is. UnreadError where a number is no simple function of the text's."""
+        self.setting, self.book, self.carrier = setting, book, carrier or lone_axle(setting.mechanism)
+        self.axis: Vector = setting.mechanism.body[self.carrier].coordinates[0].axis
+        turning = [body for body in setting.mechanism.bodies if self.carrier in (body.name, body.parent)]
+        self.bodies = [body.name for body in turning if body.mass]
         self._pieces: dict[str, Piece] = {}
 
     def _read(self, number: Callable[[Mechanism], float]) -> Expression:
@@ -61,10 +62,10 @@ class Arm:
     def way(self, m: Mechanism) -> Vector:
         """Along the arm at the start, to the side of the first piece."""
         frames = start(m)
-        first = next(body for body in m.bodies if body.mass)
-        apart = minus(frames[first.name].origin, frames[self.carrier].origin)
+        first = self.bodies[0]
+        apart = minus(frames[first].origin, frames[self.carrier].origin)
         if hypot(*apart) < SAME:
-            apart = minus(frames.center(first.name).place, frames[self.carrier].origin)
+            apart = minus(frames.center(first).place, frames[self.carrier].origin)
         x, y, z = (float(part) / hypot(*apart) for part in apart)
         return x, y, z
 
@@ -80,7 +81,7 @@ class Arm:
     @cached_property
     def launch(self) -> Expression:
         """The angular speed at the start."""
-        return self._read(lambda m: abs(m.coordinates[0].speed))
+        return self._read(lambda m: abs(m.body[self.carrier].coordinates[0].speed))
 
     @cached_property
     def gravity(self) -> Expression:
@@ -122,6 +123,8 @@ class Arm:
             frames = start(m)
             return float(product(minus(frames.center(body).place, frames[self.carrier].origin), self.way(m)))
 
+        if not any(self.setting.mechanism.body[body].inertia):
+            return self._read(center)  # a small body at the end of a rod
         plain = self._read(origin)
         here, aside = center(self.setting.mechanism), center(self.setting.mechanism) - origin(self.setting.mechanism)
         if abs(aside) <= SAME:

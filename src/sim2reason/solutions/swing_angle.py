@@ -247,8 +247,8 @@ class SwingAngle(ABC):
         formula: Expression = getattr(self, kind)()
         if sense is None and self.book.value(formula) < 0.0:
             formula = -formula
-        if isinstance(formula, Symbol):
-            return formula
+        if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
+            return formula  # an angle that the text says is counted in radians
         return self.book.told("answer", why or "So", self.book.fresh(base), formula, unit)
 
     @property

@@ -1,0 +1,177 @@
+"""A swing on a carriage: where it is, how fast it turns and moves, and how that changes.
+
+Momentum along the rail and energy give the motion, Newton's law the rest: see Morin, Introduction to Classical
+Mechanics, chapters 5 and 6, and Landau and Lifshitz, Mechanics, section 5, problem 2. A steady pull along the rail adds
+a uniform acceleration to all: in the frame that has it, momentum is kept, and inertial forces do work.
+"""
+
+from functools import cached_property
+
+from sim2reason.solutions.carriage_angle import ACCELERATION, TWO, CarriageAngle
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.functions import Power, Root, squares
+from sim2reason.solutions.stage import METRES, SPEED
+from sim2reason.solutions.unit_latex import latex
+
+HALF = Number(0.5)
+
+
+class CarriageLaws(CarriageAngle):
+    """The laws, written as they are needed."""
+
+    # ---- the motion
+
+    @cached_property
+    def rate(self) -> Expression:
+        """How fast the arm turns, of its size."""
+        if self.begins or self.still:
+            return ZERO
+        return self._moving[0]
+
+    @cached_property
+    def speed(self) -> Expression:
+        """How fast the carriage moves, against the arm's own motion along the rail."""
+        if self.begins or self.still:
+            return ZERO
+        self.unloaded()
+        return self._moving[1]
+
+    @cached_property
+    def _moving(self) -> tuple[Symbol, Symbol]:
+        """Write momentum and energy, and what follows."""
+        c, book, there = self.carriage, self.book, self.cosine
+        drift = self._drift
+        step, turns, runs = book.open("energy"), book.fresh(r"\omega"), book.fresh("V")
+        fallen, ahead = there - self.cosine_first, self.signed - self.sine_first
+        work = self.moment * self.gravity * fallen
+        work = work - self.moment * drift * ahead if drift != ZERO else work
+        worth = self.gravity * fallen - drift * ahead if drift != ZERO else self.gravity * fallen
+        square = TWO * c.whole * worth / (self.length * self.give)
+        if not self.lone:
+            square = TWO * self.moment * c.whole * worth / self.give
+        momentum, energy = self._kept(turns, runs)
+        kept, held = step.law(*momentum), step.law(energy, work)
+        seen = "Seen from a frame with this acceleration, let" if drift != ZERO else "Let"
+        step.say(f"{seen} {self.swings} turn at ${turns.name}$ and {c.noun()} move at ${runs.name}$ against it.")
+        keeps = "and with the work of inertial forces energy is kept" if drift != ZERO else "and energy is kept"
+        step.say(f"Momentum along the rail stays zero, {kept}, {keeps}: {held}. Together")
+        solved = step.result(turns, Root(square), latex("rad/s"))
+        formula = self.moment * turns * there / c.whole
+        if self.lone and self.sine == ZERO:
+            formula = self.mass * Root(TWO * self.length * worth / (c.whole * c.own))
+        step.say(f"{solved} and {step.result(runs, formula, SPEED)}.")
+        step.close()
+        return turns, runs
+
+    def _kept(self, turns: Symbol, runs: Symbol) -> tuple[tuple[Expression, Expression], Expression]:
+        """Both sides of the conservation of momentum, and the kinetic energy."""
+        c, along = self.carriage, turns * self.cosine
+        if self.lone:
+            ahead = self.length * along - runs
+            squared = squares([ahead, self.length * turns * self.sine if self.sine != ZERO else ZERO])
+            return (c.own * runs, self.mass * ahead), HALF * c.own * Power(runs, 2) + HALF * self.mass * squared
+        crossed = self.moment * along * runs
+        plain = HALF * c.whole * Power(runs, 2) + HALF * self.arm.inertia * Power(turns, 2)
+        return (c.whole * runs, self.moment * along), plain - crossed
+
+    @cached_property
+    def _drift(self) -> Expression:
+        """Write by how much a pull along the rail accelerates all."""
+        if self.load == ZERO:
+            return ZERO
+        said, name = (
+            "The pull along the rail, shared by all masses, amounts to the acceleration",
+            self.book.fresh("a", "0"),
+        )
+        return self.book.told("frame", said, name, self.load / self.carriage.whole, ACCELERATION)
+
+    @cached_property
+    def place(self) -> Expression:
+        """How far the carriage has come, forward."""
+        if self.begins:
+            return ZERO
+        self.unloaded()
+        over = self.sine_first - self.signed if self.angle != -self.first else TWO * self.sine_first
+        formula = self.moment * over / self.carriage.whole
+        said = "The common centre of mass does not move along the rail, so the carriage has come forward by"
+        return self.book.told("place", said, self.book.fresh("x"), formula, METRES)
+
+    # ---- how that changes
+
+    @cached_property
+    def bend(self) -> Expression:
+        """Of a lone small body, over its mass: what weight and circle ask of the rod while the carriage stands."""
+        plain = self.gravity * self.cosine
+        return plain + self.length * Power(self.rate, 2) if self.rate != ZERO else plain
+
+    @cached_property
+    def rod(self) -> Symbol:
+        """The force in the rod of a lone small body."""
+        name, book, c = self.book.fresh("T"), self.book, self.carriage
+        bend, mass = self.bend, self.mass
+        who = self.setting.called(self.arm.bodies[0])
+        if self.sine == ZERO:
+            said = f"The rod holds the weight of {who} and bends its path into a circle around the carriage:"
+            return book.told("rod", said, name, mass * bend, latex("N"))
+        step, rise = book.open("rod"), book.fresh("a", r"\text{c}")
+        pulled = name * self.signed if self.load == ZERO else self.load + name * self.signed
+        along = step.law(name, mass * (bend - rise * self.signed))
+        rail = step.law(c.own * rise, pulled)
+        step.say(f"Let ${name.name}$ be the force in the rod and ${rise.name}$ the acceleration of {c.noun()} forward,")
+        step.say(f"which in its own frame pulls back. Along the rod, for {who}: {along}. Along the rail, for")
+        over = c.own * bend if self.load == ZERO else c.own * bend - self.load * self.signed
+        step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.give, latex('N'))}")
+        step.say(f"and {step.result(rise, pulled / c.own, ACCELERATION)}.")
+        step.close()
+        self._risen = rise
+        return name
+
+    _risen: Expression = ZERO
+
+    @cached_property
+    def rise(self) -> Expression:
+        """The acceleration of the carriage, forward."""
+        if self.sine == ZERO and self.load == ZERO:
+            return ZERO
+        if not self.lone:
+            return self._turned_up[1]
+        if self.sine != ZERO:
+            _ = self.rod
+            return self._risen
+        said = "The rod does not pull along the rail, so the carriage is accelerated by"
+        name = self.book.fresh("a", r"\text{c}")
+        return self.book.told("newton", said, name, self.load / self.carriage.own, ACCELERATION)
+
+    @cached_property
+    def growth(self) -> Expression:
+        """The angular acceleration of the arm, towards the lowest point if it is forward of that."""
+        if not self.lone:
+            return self._turned_up[0] if self.sine != ZERO or self.load != ZERO else ZERO
+        rise = self.rise
+        back = rise * self.cosine if rise != ZERO else ZERO
+        formula = (self.gravity * self.signed + back) / self.length
+        if self.book.value(formula) == 0.0:
+            return ZERO
+        said = "Along the circle weight and the inertial force pull:"
+        return self.book.told("growth", said, self.book.fresh(r"\alpha"), formula, latex("rad/s^2"))
+
+    @cached_property
+    def _turned_up(self) -> tuple[Symbol, Symbol]:
+        """Of an arm with a moment of inertia: its torque and Newton's law along the rail."""
+        c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
+        step, turns, rise = book.open("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
+        bent = Power(self.rate, 2) * self.signed if self.rate != ZERO else ZERO
+        held = self.load + s * bent
+        weight = self.gravity * self.signed if self.sine != ZERO else ZERO
+        rail = step.law(c.whole * rise, self.load + s * (turns * self.cosine + bent))
+        torque = step.law(inertia * turns, s * (weight + rise * self.cosine))
+        step.say(
+            f"Let ${turns.name}$ be the angular acceleration of {self.swings}, back, and ${rise.name}$ the acceleration"
+        )
+        step.say(f"of {c.noun()}, forward. Along the rail, for all: {rail}. About the axle, with the inertial")
+        over = s * (c.whole * weight + self.cosine * held) if held != ZERO else s * c.whole * weight
+        step.say(f"force: {torque}. Together {step.result(turns, over / self.give, latex('rad/s^2'))}")
+        formula = (held + s * turns * self.cosine) / c.whole
+        step.say(f"and {step.result(rise, formula, ACCELERATION)}.")
+        step.close()
+        return turns, rise

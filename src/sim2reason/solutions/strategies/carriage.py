@@ -1,0 +1,263 @@
+"""Carriage: what swings on a carriage that slides freely; momentum along the rail and energy, then Newton's law."""
+
+from collections.abc import Mapping
+from typing import ClassVar
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.carriage import riding
+from sim2reason.solutions.carriage_angle import TWO
+from sim2reason.solutions.carriage_laws import HALF, CarriageLaws
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.functions import Power, Root, squares
+from sim2reason.solutions.measured_period import measured_period
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swing_angle import Way, asked
+from sim2reason.solutions.unit_latex import DEGREES, latex
+
+MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Moved, Stopped, TurnedThrough)
+STEADY = 1e-6  # relative: how well a path without turning back is as long as the way that it leads
+SAMPLES = 401
+
+
+@strategy
+class OnACarriage(Strategy):
+    """At the start, or where the angle is known or follows; the time does not."""
+
+    name = "momentum and energy on a carriage"
+    cost = 1.1
+    kinds = frozenset({"start", "event", "extremum", "period", "sum"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether nothing swings on a carriage."""
+        return "" if riding(mechanism) is not None else "nothing swings on a carriage that slides freely"
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query = setting.query
+        if isinstance(query, PeriodQuery):
+            return "" if query.small else "only integration gives the time of a large swing"
+        if asked(setting) not in _Asked.WAYS:
+            return f"no way to the quantity {asked(setting)}"
+        known = isinstance(query.moment, MOMENTS) or (isinstance(query, StretchQuery) and query.kind == "extremum")
+        slack = any(event.kind == "slack" and event.time < setting.time for event in setting.motion.events)
+        return "" if known and not slack else "a string goes slack" if slack else "only integration gives the angle"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """The angle, what is kept, and what is asked."""
+        return _Asked(setting, book).write().name
+
+
+class _Asked(CarriageLaws):
+    """What is asked of it: of the arm, of what is on it, or of what moves along with the carriage."""
+
+    def write(self) -> Symbol:
+        """By the kind of the query."""
+        query = self.setting.query
+        if isinstance(query, PeriodQuery):
+            return self._period(query)
+        if self.subject == self.arm.carrier and self.subject not in self.arm.bodies and self._of_a_point:
+            raise UnsolvedError("a light arm has no centre of mass")
+        return super().write()
+
+    @property
+    def subject(self) -> str:
+        """What it is asked of."""
+        return self.setting.query.subject
+
+    @property
+    def _of_a_point(self) -> bool:
+        return asked(self.setting) in ("velocity", "acceleration", "displacement", "distance travelled")
+
+    @property
+    def _rides(self) -> bool:
+        """Whether it is asked of what moves along with the carriage."""
+        return self.subject in self.carriage.rim
+
+    @property
+    def _weighs(self) -> Expression:
+        """The mass of what it is asked of."""
+        return self.carriage.mass(self.subject)
+
+    @property
+    def _radius(self) -> Expression:
+        return self.arm.piece(self.subject).place
+
+    # ---- small oscillations
+
+    def _period(self, query: PeriodQuery) -> Symbol:
+        """Both swing against each other about their common centre of mass."""
+        self.unloaded()
+        book, c = self.book, self.carriage
+        if self.lone:
+            said = "Relative to each other they oscillate as a body would that has the reduced mass"
+            reduced = book.told("reduced", said, book.fresh(r"\mu"), c.own * self.mass / c.whole, latex("kg"))
+            said = "Near the lowest point weight drives it back in proportion to its distance from there, so"
+            formula = Root(self.mass * self.gravity / (self.length * reduced))
+        else:
+            said = "As their momenta cancel, the carriage moves with the arm, whose moment of inertia counts as"
+            formula = self.arm.inertia - Power(self.moment, 2) / c.whole
+            reduced = book.told("reduced", said, book.fresh("I", r"\text{r}"), formula, latex("kg m^2"))
+            said = "For small angles the torque of gravity drives it back in proportion to the angle, so that"
+            formula = Root(self.moment * self.gravity / reduced)
+        rate = book.told("oscillation", said, book.fresh(r"\omega"), formula, latex("rad/s"))
+        return measured_period(book, query, rate)
+
+    # ---- how fast
+
+    def _ahead(self) -> Expression:
+        """The velocity of what is on the arm along the rail, against the carriage."""
+        return self._radius * self.rate * self.cosine - self.speed
+
+    def _squared(self) -> Expression:
+        if self._rides:
+            return Power(self.speed, 2) if self.speed != ZERO else ZERO
+        up = self._radius * self.rate * self.sine if self.sine != ZERO else ZERO
+        return squares([self._ahead(), up])
+
+    def _velocity(self) -> Expression:
+        if self._rides:
+            return self.speed
+        return self._ahead() if self.sine == ZERO else Root(self._squared())
+
+    def _momentum(self) -> Expression:
+        return self._weighs * self._velocity()
+
+    def _kinetic(self) -> Expression:
+        spinning = ZERO if self._rides else self._spinning()
+        return self._moving_energy() + spinning
+
+    def _moving_energy(self) -> Expression:
+        return HALF * self._weighs * self._squared()
+
+    def _spinning(self) -> Expression:
+        inertia = self.arm.piece(self.subject).inertia
+        return HALF * inertia * Power(self.rate, 2) if ZERO not in (inertia, self.rate) else ZERO
+
+    def _turning(self) -> Expression:
+        return self.rate
+
+    def _angular_momentum(self) -> Expression:
+        return self.arm.piece(self.subject).inertia * self.rate
+
+    # ---- where
+
+    def _chord(self) -> Expression:
+        if self._rides:
+            return self.place
+        r = self._radius
+        across, up = r * (self.sine_first - self.signed) - self.place, r * (self.cosine - self.cosine_first)
+        return across if self.angle == -self.first else Root(squares([across, up]))
+
+    def _height(self) -> Expression:
+        return self._radius * (self.cosine_first - self.cosine)
+
+    def _potential(self) -> Expression:
+        return self._weighs * self.gravity * self._height()
+
+    def _travelled(self) -> Expression:
+        """As long as it does not turn back."""
+        if not self._rides:
+            raise UnsolvedError("a curved path")
+        m = self.setting.mechanism
+        times = np.linspace(0.0, self.setting.time, SAMPLES)
+        ways = self.setting.study.trace.sample(times).q[:, m.number[m.body[self.subject].coordinates[0].name]]
+        if float(np.abs(np.diff(ways)).sum()) > (1.0 + STEADY) * abs(float(ways[-1])):
+            raise UnsolvedError("it turns back on the way")
+        return self.place
+
+    def _impulse(self) -> Expression:
+        return self._momentum()
+
+    # ---- forces
+
+    def _acceleration(self) -> Expression:
+        if self._rides:
+            return self.rise
+        if self.lone:
+            return self._force() / self._weighs
+        return Root(squares(self._parts())) if ZERO not in self._parts() else sum(self._parts(), ZERO)
+
+    def _parts(self) -> tuple[Expression, Expression]:
+        """Of the acceleration of a piece, along the rail and upward."""
+        r, bend = self._radius, Power(self.rate, 2) if self.rate != ZERO else ZERO
+        turned = self.growth * self.cosine if self.growth != ZERO else ZERO
+        turned = turned + bend * self.signed if self.sine != ZERO else turned
+        up = bend * self.cosine
+        up = up - self.growth * self.signed if ZERO not in (self.growth, self.sine) else up
+        along = self.rise - r * turned if turned != ZERO else self.rise
+        return along, r * up if up != ZERO else ZERO
+
+    def _force(self) -> Expression:
+        if self._rides:
+            return self._weighs * self.rise
+        if not self.lone:
+            return self._weighs * self._acceleration()
+        weight, rod = self._weighs * self.gravity, self.rod
+        if self.sine == ZERO:
+            return rod - weight
+        return Root(Power(rod, 2) + Power(weight, 2) - TWO * rod * weight * self.cosine)
+
+    def _pull(self) -> Expression:
+        """What a block that hangs needs; UnsolvedError for the string of a hand."""
+        pull = next((pull for pull in self.carriage.riding.pulls if pull.line == self.subject), None)
+        if pull is None or not pull.body:
+            raise UnsolvedError("a hand says what the tension is")
+        rise = self.rise
+        down = rise if self.carriage.towards(pull.line) > 0.0 else -rise
+        mass = self.carriage.mass(pull.body)
+        return mass * self.gravity if rise == ZERO else mass * (self.gravity - down)
+
+    def _rod(self) -> Expression:
+        if self.lone:
+            return self.rod
+        pulled = self.gravity * self.cosine
+        pulled = pulled - self.rise * self.signed if ZERO not in (self.sine, self.rise) else pulled
+        bent = self.moment * Power(self.rate, 2) if self.rate != ZERO else ZERO
+        return self.mass * pulled + bent
+
+    def _growing(self) -> Expression:
+        return self.growth
+
+    def _torque(self) -> Expression:
+        return self.arm.piece(self.subject).inertia * self.growth
+
+    WAYS: ClassVar[Mapping[str, Way]] = {
+        "velocity": ("_velocity", "v", latex("m/s"), "Along the rail and upward together, relative to the ground,"),
+        "momentum": ("_momentum", "p", latex("kg m/s"), "Mass times velocity is"),
+        "kinetic energy": ("_kinetic", "K", latex("J"), "The kinetic energy is"),
+        "translational kinetic energy": ("_moving_energy", "K", latex("J"), "By the speed of its centre that is"),
+        "rotational kinetic energy": (
+            "_spinning",
+            "K",
+            latex("J"),
+            "By its moment of inertia about its centre that is",
+        ),
+        "potential energy": ("_potential", "U", latex("J"), "It is higher or lower than at first, so"),
+        "angular velocity": ("_turning", r"\omega", latex("rad/s"), ""),
+        "angular momentum": ("_angular_momentum", "L", latex("kg m^2/s"), "About its centre of mass that is"),
+        "displacement": ("_chord", "s", latex("m"), "Along the rail and upward together, it is away from its place by"),
+        "height": ("_height", "h", latex("m"), "It is higher than at first by"),
+        "deflection": ("_deflection", r"\phi", DEGREES, ""),
+        "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
+        "acceleration": ("_acceleration", "a", latex("m/s^2"), "Relative to the ground that is"),
+        "net force": ("_force", "F", latex("N"), "All forces on it together amount to"),
+        "tension": ("_pull", "T", latex("N"), "It holds what hangs from it, which is as fast as the carriage:"),
+        "rod force": ("_rod", "T", latex("N"), "It holds what it carries, which moves with the carriage:"),
+        "angular acceleration": ("_growing", r"\alpha", latex("rad/s^2"), ""),
+        "torque": ("_torque", "M", latex("N m"), "About its centre of mass that is"),
+        "distance travelled": ("_travelled", "d", latex("m"), ""),
+        "impulse of the net force": ("_impulse", "J", latex("N s"), "From rest, the change of the momentum is"),
+    }
