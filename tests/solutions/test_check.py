@@ -5,6 +5,8 @@ from dataclasses import replace
 import pytest
 
 from plain_scenes import atwood
+from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.plan import Request
 from sim2reason.solutions import Relation, Solution, solve
 from sim2reason.solutions.check import faults, undetermined
 from sim2reason.solutions.expressions import Number, Symbol, added, multiplied
@@ -57,6 +59,17 @@ def test_a_law_that_is_superfluous() -> None:
     found = altered(found, "newton", lambda relations: (*relations, idle))
     found = replace(found, values={**found.values, "x": 2.0 * found.values["a"]})
     assert any("superfluous" in fault for fault in faults(found, found.answer or 0.0))
+
+
+def test_what_tells_since_when_bodies_stick_is_not_superfluous() -> None:
+    """Their common momentum gives the speed of two boards, whatever the friction between them was, once they stick."""
+    drawn = ItemSearch(Request("incline", "hard", "reverse", 31, 5)).found()
+    assert drawn is not None
+    found = solve(drawn.setting)
+    assert found.answer is not None
+    assert not undetermined(found)
+    unverified = altered(found, "verify", lambda _: ())
+    assert [fault.partition(":")[0] for fault in undetermined(unverified)] == ["superfluous"]
 
 
 def test_what_holds_but_does_not_follow() -> None:

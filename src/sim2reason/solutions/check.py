@@ -75,7 +75,7 @@ def undetermined(solution: Solution) -> list[str]:
     laws = [number for number, r in enumerate(relations) if r.role == "law"]
     found: list[str] = []
     told = [rows[number] for number in laws]
-    units = [np.eye(len(names))[place[name]] for name in goals if name in place]
+    units, since = ([np.eye(len(names))[place[n]] for n in some if n in place] for some in (goals, _turns(solution)))
     if not all(_spanned(told, unit) for unit in units):
         found.append("the laws that are told do not determine the answer")
     else:
@@ -83,7 +83,7 @@ def undetermined(solution: Solution) -> list[str]:
         others = [_row(r, there, place) for r in relations]
 
         def are_enough(kept: list[int]) -> bool:
-            spanned = all(_spanned([e[k] for k in kept], unit) for e in (rows, others) for unit in units)
+            spanned = all(_spanned([e[k] for k in kept], unit) for e in (rows, others) for unit in [*units, *since])
             return spanned and all(_spared([relations[k] for k in kept], values, place, unit) for unit in units)
 
         idle = [n for n in laws if are_enough([k for k in laws if k != n])] if units else []
@@ -91,6 +91,18 @@ def undetermined(solution: Solution) -> list[str]:
     derived = (number for number, relation in enumerate(relations) if relation.role != "law")
     strays = [relations[number].latex() for number in derived if not _spanned(told, rows[number])]
     return found + [f"does not follow from what is told: {text}" for text in strays]
+
+
+def _turns(solution: Solution) -> list[str]:
+    """The times since when something is as it was verified to be.
+
+    What tells them is not idle, even if the answer is the same whenever they are: as two boards that stick to each
+    other move by their common momentum, whatever the friction was between them, but only from when they stick.
+    """
+    if all(relation.role != "verified" for relation in solution.relations):
+        return []
+    told = (relation for step in solution.steps if step.kind == "time" for relation in step.relations)
+    return [relation.left.latex() for relation in told if relation.role == "result"]
 
 
 def _is_number(relation: Relation) -> bool:
