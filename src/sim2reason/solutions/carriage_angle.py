@@ -118,11 +118,13 @@ class CarriageAngle(SwingAngle):
         formula = Call("arctan", self.load / (self.carriage.whole * self.gravity))
         said = "Seen from a frame that the pull along the rail, shared by all, accelerates, gravity is tilted back by"
         self.book.told("tilt", said, tilt, formula, DEGREES)
-        said, name = (
+        said, whole = (
             f"About that direction {self.swings} swings to and fro, so that it turns back at",
-            self.book.fresh(r"\phi"),
+            self.first + TWO * tilt,
         )
-        return self.book.told("turning", said, name, -self.first - TWO * tilt, DEGREES)
+        beyond = self.book.value(whole) > 0.0  # on the other side of the lowest point
+        name = self.book.told("turning", said, self.book.fresh(r"\phi"), whole if beyond else -whole, DEGREES)
+        return -name if beyond else name
 
     def _where_moved(self, moment: Moved) -> Expression:
         """At which angle the carriage has come so far."""

@@ -16,7 +16,9 @@ from sim2reason.solutions.worked import NumericRoot, Worked
 
 a, b, c, t = (Symbol(name) for name in ("p", "q", "s", r"\theta"))
 AT = {"p": 1.3, "q": 0.7, "s": 2.1, r"\theta": 0.4}
+BESIDE = Root(Number(1.0) - Power(Call("sin", t) - b, 2))
 FORMULAS: list[Expression] = [
+    BESIDE * Root((BESIDE - Call("cos", t)) / (c - a * Power(BESIDE, 2))),  # before and after the cosine is met
     Quotient(a * b + a * c, a * b - a * c),
     Sum((Quotient(a, b), Quotient(b, a))),
     Root(Sum((Power(Product((a, Call("sin", t))), 2), Power(b, 2)))),

@@ -135,6 +135,8 @@ class RationalFunctions:
         """A function of something, as one more generator; so is π, a function of nothing."""
         function = held.function if isinstance(held, Call) else held.latex() if isinstance(held, Pi) else "sqrt"
         if (function, inner) not in self._met:
+            if len(self._met) == len(self._spare):  # one root, written otherwise before its sine was met and after
+                raise TooLongError
             place = len(self._atoms)
             self._met[function, inner] = self._spare[len(self._met)]
             self._atoms.append(held if isinstance(held, Pi) else held.built_of([min(self.written(inner), key=length)]))
