@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import X, Z
+from sim2reason.dsl.mechanism import X, Y, Z
 from sim2reason.dsl.state import State
 from sim2reason.dsl.units import parse_unit
 from sim2reason.quantities import QUANTITIES, Quantity
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8
@@ -152,3 +154,14 @@ def test_tension_of_a_slack_string_is_zero() -> None:
     state = simulate(builder.finish(), np.array([0.0, 0.1, 1.0])).state
     assert value(state, "tension", "s") == pytest.approx([0.0, 0.0, G])
     assert value(state, "length", "s") == pytest.approx([0.0, 0.049, 0.5])
+
+
+def test_a_light_arm_has_no_centre_of_mass() -> None:
+    """It turns, but no text speaks of its speed, even where a carriage moves its axle."""
+    builder = Builder()
+    carriage = builder.room().body("carriage", 2.0).slide(X)
+    arm = carriage.body("arm").hinge(Y)
+    arm.body("disc", 1.0, at=(0.0, 0.0, -0.5), inertia=(0.1, 0.1, 0.1, 0.0, 0.0, 0.0))
+    made, mentions = builder.finish(), {name: f"the {name}" for name in ("carriage", "arm", "disc")}
+    assert set(Bodies().phrases(made, mentions)) == {"carriage", "disc"}
+    assert set(TurningBodies().phrases(made, mentions)) == {"arm", "disc"}

@@ -68,18 +68,12 @@ class _Asked(CarriageLaws):
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)
-        if self.subject == self.arm.carrier and self.subject not in self.arm.bodies and self._of_a_point:
-            raise UnsolvedError("a light arm has no centre of mass")
         return super().write()
 
     @property
     def subject(self) -> str:
         """What it is asked of."""
         return self.setting.query.subject
-
-    @property
-    def _of_a_point(self) -> bool:
-        return asked(self.setting) in ("velocity", "acceleration", "displacement", "distance travelled")
 
     @property
     def _rides(self) -> bool:
