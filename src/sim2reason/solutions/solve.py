@@ -15,6 +15,7 @@ from sim2reason.questions.words import Words
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.lexicon import UnreadError
+from sim2reason.solutions.long_chains import in_rows
 from sim2reason.solutions.merging import merged
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
@@ -84,7 +85,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
         goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
-    steps = book.steps if strategy.integrates else merged(_needed(book.steps, goal))
+    steps = book.steps if strategy.integrates else in_rows(merged(_needed(book.steps, goal)))
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
     unit = book.units.get(goal, "")
     stated = tuple(name for name in book.stated if name not in book.constants)
