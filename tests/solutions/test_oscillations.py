@@ -206,3 +206,11 @@ def test_what_is_assumed_to_stick_is_verified() -> None:
     assert needed == pytest.approx(0.2 * G * cos(radians(40.0)), rel=1e-9)
     assert most == pytest.approx(0.5 * G * cos(radians(40.0)), rel=1e-9)
     assert "does stick" in solution.text
+
+
+def test_where_all_is_at_rest_for_good_no_half_swing_is_written() -> None:
+    """One cart has stopped and the other never moved: friction holds both, and only numbers tell where."""
+    scene = row((4.4, 3.9), (82.0, 155.0, 113.0), "both", speed=0.98, friction=0.49)
+    setting = asked(scene, Query("state", Target("displacement", "row.carts.1"), AtTime(0.5)))
+    assert not solve(setting, derived=True).strategy
+    assert solve(setting).answer == pytest.approx(setting.answer, rel=1e-9)

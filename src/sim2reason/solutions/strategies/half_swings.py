@@ -68,6 +68,8 @@ class _Swinging(Oscillating):
     @cached_property
     def harmonic(self) -> Harmonic:
         """The last swing."""
+        if len(self.linear.free) != 1:
+            raise UnsolvedError("nothing moves at last, or several modes do")
         self.introduce({self.linear.free[0]: self.book.fresh("x")})
         before: Harmonic | None = None
         for number, segment in enumerate(self._segments):
