@@ -49,6 +49,12 @@ def test_a_pause_of_the_caller_is_no_hang() -> None:
         assert not isinstance(reply, str)
 
 
+def test_to_start_may_take_longer_than_a_batch() -> None:
+    waiting = batches(2)
+    replies = [reply for _, reply in run(lambda: waiting.pop() if waiting else None, "slow_makers:steady", 1, 1.0)]
+    assert [len(reply) for reply in replies if not isinstance(reply, str)] == [4, 4]
+
+
 def test_a_script_without_a_guard_is_told_so(tmp_path: Path) -> None:
     script = tmp_path / "script.py"
     script.write_text(

@@ -6,7 +6,7 @@ from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.questions import KINDS
-from sim2reason.questions.study import BEYOND
+from sim2reason.questions.study import BEYOND, ENOUGH
 
 SAME = 1e-6  # relative
 
@@ -24,7 +24,7 @@ class HiddenNumbers(Filter):
             return ""
         kind = KINDS[query.kind]
         moment = kind.time(query, study)
-        tight = study.variant(shorter, None if moment is None else BEYOND * moment)
+        tight = study.variant(shorter, None if moment is None else BEYOND * moment, ENOUGH)
         if tight is None:
             return "with shorter strings there is no motion"
         time = kind.time(query, tight)

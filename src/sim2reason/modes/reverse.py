@@ -23,9 +23,9 @@ from sim2reason.questions.conditions import asking_for
 from sim2reason.questions.dependence import STEP, Dependence, roomy, roots
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.questions.only_root import COARSE, Scan
+from sim2reason.questions.only_root import Scan
 from sim2reason.questions.phrasing import chosen, sentence
-from sim2reason.questions.study import ENOUGH
+from sim2reason.questions.study import COARSE, ENOUGH
 from sim2reason.questions.targets import targets
 from sim2reason.questions.unknown import range_of, some
 

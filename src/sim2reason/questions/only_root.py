@@ -14,7 +14,6 @@ SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not loo
 NEARLY = 10.0  # margins: unless it is as low as this already; then halving finds the tip of a kink
 KINK = 10  # halvings
 CLOSER = 3  # halvings between numbers for which different things happen
-COARSE = 1e-6  # relative: what a step may err by where an answer is farther than `NEARLY` from what is given
 
 
 class Scan:

@@ -14,7 +14,7 @@ from sim2reason.simulation.trace import ENGINES, Trace
 
 SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
 ENOUGH = 1e-8  # relative: what a step may err by in a motion whose answers are equal to this one's, or are not
-ROUGH = 1e-6  # relative: or in one that matters only by how much its answers differ
+COARSE = 1e-6  # relative: or in one that matters only by how much its answers differ, or where they clearly do
 BEYOND = 1.1  # times the moment that is asked about, to which variants and the witness follow a motion
 
 
@@ -60,9 +60,12 @@ class Study:
             self._times[moment] = moment.time(self.trace)
         return self._times[moment]
 
-    def variant(self, scene: Scene, until: float | None = None) -> "Study | None":
-        """A changed scene with its motion until a time, s, by default as long as this one's; None if there is none."""
-        return self._followed(scene, lambda: (scene, scene.mechanism), until)
+    def variant(self, scene: Scene, until: float | None = None, error: float = COARSE) -> "Study | None":
+        """A changed scene with its motion until a time, s, by default as long as this one's; None if there is none.
+
+        `error` is what a step may err by, relative.
+        """
+        return self._followed((scene, error), lambda: (scene, scene.mechanism), until, error)
 
     def changed(self, change: Hashable, make: Callable[[], Mechanism], until: float | None = None) -> "Study | None":
         """The scene with a changed mechanism, as `make` gives it, and its motion; `change` names it among all."""
@@ -81,7 +84,7 @@ class Study:
         return cast("T", self._known[name])
 
     def _followed(
-        self, key: object, make: Callable[[], tuple[Scene, Mechanism]], until: float | None
+        self, key: object, make: Callable[[], tuple[Scene, Mechanism]], until: float | None, error: float = COARSE
     ) -> "Study | None":
         end = float(self.trace.state.times[-1])
         until = end if until is None else min(max(until, SHORTEST * end), end)
@@ -89,14 +92,14 @@ class Study:
         if reaches < until:
             until = until if reaches < 0.0 else end  # who asks again will ask once more
             try:
-                known = _made(*make(), until)
+                known = _made(*make(), until, error)
             except (SceneError, SimulationError, UnsupportedError):
                 known = None
             self._variants[key] = known, until
         return known
 
 
-def _made(scene: Scene, mechanism: Mechanism, until: float) -> Study | None:
+def _made(scene: Scene, mechanism: Mechanism, until: float, error: float) -> Study | None:
     if not mechanism.coordinates:
         return None
-    return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), ROUGH))
+    return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), error))

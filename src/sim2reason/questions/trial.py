@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.outcomes import PossibleOutcome
-from sim2reason.questions.study import ENOUGH, Study
+from sim2reason.questions.study import COARSE, ENOUGH, Study
 from sim2reason.questions.unknown import range_of, usual_range
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
@@ -19,7 +19,6 @@ SPARSE = 16  # a first scan takes every sixteenth point: without a change there,
 LONGER = 7  # times that a motion is followed twice as long
 EXACT, ROUGH = 1e-9, 1e-5  # relative: of closing in; where it only matters by how much it differs
 SAME = 5e-7  # relative: a change that is no farther from where one is known is in the same place
-COARSE = 1e-6  # relative: what a step may err by where two values are a tenth apart
 CLOSE, WIDER, WIDEST = 0.004, 5.0, 5  # relative: how near a known change another one is looked for first; times; turns
 BENT = 2.0  # times what a secant misses of a parabola about zero: how far to its sides one looks
 HALVED = 2  # guesses in which what is left should at least be halved
@@ -66,9 +65,7 @@ class Trial:
 
     def change(self) -> float | None:
         """Where the outcome changes, if it does so just once in the number's range."""
-        values = range_of(self._scene, self._path)
-        sparse = self._turns((*values[::SPARSE], values[-1]))
-        turns = self._turns(values) if len(sparse) == 1 else []
+        turns = self._turns(range_of(self._scene, self._path)) if self._roughly() is not None else []
         return self.between(*turns[0]) if len(turns) == 1 else None
 
     def usual_change(self) -> float | None:
@@ -76,17 +73,22 @@ class Trial:
 
         Whether there are others between these points, `changes_only_at` says; to look at all costs far more.
         """
-        values = range_of(self._scene, self._path)
-        sparse = self._turns((*values[::SPARSE], values[-1]))
-        if len(sparse) != 1 or not self._is_usual(*sparse[0]):
+        turn = self._roughly()
+        if turn is None or not self._is_usual(*turn):
             return None
-        low, high = self._halved([value for value in values if sparse[0][0] <= value <= sparse[0][1]])
+        low, high = self._halved([v for v in range_of(self._scene, self._path) if turn[0] <= v <= turn[1]])
         return self.between(low, high) if self._is_usual(low, high) else None
 
     def changes_only_at(self, value: float) -> bool:
         """Whether the outcome changes nowhere else in the number's range."""
         turns = self._turns(range_of(self._scene, self._path))
         return len(turns) == 1 and turns[0][0] <= value <= turns[0][1]
+
+    def _roughly(self) -> tuple[float, float] | None:
+        """Between which of a few points of the range it changes, if it does so between just two neighbours."""
+        values = range_of(self._scene, self._path)
+        turns = self._turns((*values[::SPARSE], values[-1]))
+        return turns[0] if len(turns) == 1 else None
 
     def _halved(self, values: list[float]) -> tuple[float, float]:
         """Two neighbours among values between which the outcome changes, where it does from the first to the last."""
