@@ -30,12 +30,19 @@ THOUGHT = "<think>" + "Newton's second law gives $m a = F - m g$, so we go on. "
 PLAIN: dict[str, Callable[[], object]] = {
     "number, plain": lambda: number(r"The acceleration is $\boxed{9.8}$.", 9.8, "m/s^2"),
     "number, with unit": lambda: number(r"It is $\boxed{1.2\times10^{3}\,\mathrm{m/s^2}}$.", 1200, "m/s^2"),
+    "number, named, with unit": lambda: number(r"So $\boxed{v = 3.2\ \text{m/s}}$.", 3.2, "m/s"),
     "number, after 22 000 characters": lambda: number(THOUGHT + r"It is $\boxed{9.8\ \text{m/s}^2}$.", 9.8, "m/s^2"),
+    "steps, their sides read": lambda: number(
+        r"So $\boxed{v = \sqrt{2\cdot 9.8\cdot 0.52} = 3.2\,\text{m/s}}$.", 3.2, "m/s"
+    ),
+    "remark, a direction": lambda: number(r"So $\boxed{3.2\text{ m/s (downward)}}$.", 3.2, "m/s"),
+    "siunitx": lambda: number(r"So $\boxed{\SI{3.2}{\meter\per\second}}$.", 3.2, "m/s"),
     "formula, Atwood": lambda: formula(r"$\boxed{g\frac{m_1-m_2}{m_1+m_2}}$", r"\frac{m_1-m_2}{m_1+m_2}g"),
     "formula, spring on wedge": lambda: formula(rf"$\boxed{{{REFERENCE}}}$", REFERENCE),
+    "fixed loop": lambda: sum(range(1000)),
 }
-FLOORS = {"number": 5000, "formula": 1000}  # grades a second on one core
-CEILINGS = {"number": 50, "formula": 200}  # milliseconds
+FLOORS = {"number": 15_000, "formula": 5_000}  # grades a second on one core
+CEILINGS = {"number": 50, "formula": 50}  # milliseconds
 MEMORY = 64 * 2**20
 BESIDE = """
 import json, logging, sys, time
@@ -77,7 +84,9 @@ def speeds() -> dict[str, float]:
     print("grades a second on one core")
     found = {name: rate(job) for name, job in PLAIN.items()}
     for name, speed in found.items():
-        print(f"  {name:36} {speed:10,.0f}   (at least {FLOORS[name.split(',')[0]]:,})")
+        floor = FLOORS.get(name.split(",")[0])
+        bound = f"(at least {floor:,})" if floor else "(sums of 1000 numbers, for comparison)" * (name == "fixed loop")
+        print(f"  {name:36} {speed:10,.0f}   {bound}".rstrip())
     return found
 
 
@@ -157,7 +166,7 @@ def main() -> int:
     report = {"speeds": speeds(), "bounds": bounds(), "beside": beside(options.math_verify)}
     if options.json:
         options.json.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
-    fast = all(speed >= FLOORS[name.split(",")[0]] for name, speed in report["speeds"].items())
+    fast = all(speed >= FLOORS.get(name.split(",")[0], 0.0) for name, speed in report["speeds"].items())
     bounded = all(report["bounds"][kind] <= limit for kind, limit in CEILINGS.items())
     return 0 if fast and bounded and report["bounds"]["memory"] <= MEMORY else 1
 

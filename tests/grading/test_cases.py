@@ -2,7 +2,7 @@
 
 import pytest
 
-from grader_cases import CASES, grade
+from grader_cases import CASES, REFUSALS, grade
 from sim2reason.grading import FormulaError, Outcome, Score, formula, number
 
 
@@ -18,7 +18,14 @@ def drawn(answer: str, reference: str, *args: object, **options: object) -> Scor
 def test_given_case(case: dict[str, str]) -> None:
     score = grade(case)
     assert score.reward == (score.outcome is Outcome.CORRECT)
-    assert case["expect"] == "no_crash" or bool(score.reward) == (case["expect"] == "correct"), score.why
+    paid = case["expect"] == "correct" and case["id"] not in REFUSALS
+    assert case["expect"] == "no_crash" or bool(score.reward) == paid, score.why
+    assert score.why
+
+
+def test_nearly_every_case_is_judged_as_it_should_be() -> None:
+    assert REFUSALS.keys() <= {case["id"] for case in CASES if case["expect"] == "correct"}
+    assert len(REFUSALS) < 0.02 * len(CASES)
 
 
 @pytest.mark.parametrize(
@@ -102,8 +109,8 @@ def test_hedges_are_wrong(answer: str) -> None:
         "9.8i",
         r"9.8\vec{x}",
         r"\min(9.8)",
-        r"\underline{9.8}",
-        r"\text{the value is }9.8",
+        r"\overline{9.8}",
+        r"\text{the value is not }9.8",
         "49/5/",
         "49//5",
         "9.8^",

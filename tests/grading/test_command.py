@@ -9,9 +9,9 @@ from click.testing import CliRunner
 from fake_makers import steady
 from sim2reason.cli import main
 from sim2reason.cli.grade import command
-from sim2reason.datasets import store
 from sim2reason.datasets.build import build
-from sim2reason.datasets.grade import Response, grade, responses, tallies
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.grade import Response, grade, line, responses, tallies
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import Config, Request
 from sim2reason.errors import DatasetError
@@ -37,7 +37,7 @@ def said(tmp_path: Path, data: Path) -> Path:
     answers = [r"\boxed{%r}", r"\boxed{%r \text{ kg m/s}^2}", r"\boxed{%r \text{ m}}", "%r"]
     lines = [
         json.dumps({"id": item.id, "response": answers[i % 4] % item.answer.value, "sample": 0})
-        for i, item in enumerate(store.read_items(data))
+        for i, item in enumerate(Dataset(data))
     ]
     (tmp_path / "said.jsonl").write_text("\n".join(lines) + "\n\n", encoding="utf-8")
     return tmp_path / "said.jsonl"
@@ -84,12 +84,20 @@ def test_the_command_speaks_json(data: Path, said: Path) -> None:
     assert sum(rows[0]["outcomes"].values()) == rows[0]["responses"] == 8
 
 
-@pytest.mark.parametrize(
-    "line", ["{", '{"id": "x"}', '{"id": 3, "response": "x"}', '["x"]', '{"id": "x", "response": null}']
-)
-def test_a_bad_line_is_named(line: str, tmp_path: Path) -> None:
+def test_what_a_policy_said_may_be_anything(item: Item, tmp_path: Path) -> None:
+    right = rf"\boxed{{{item.answer.value!r}}}"
+    said = [right, [{"role": "assistant", "content": right}], None, 3, [], {"a": [None]}, "\ud800" + right, "\ud800"]
     path = tmp_path / "said.jsonl"
-    path.write_text('{"id": "x", "response": ""}\n' + line + "\n", encoding="utf-8")
+    path.write_text("".join(json.dumps({"id": item.id, "response": each}) + "\n" for each in said), encoding="utf-8")
+    graded = [(response, grade(item, response.response)) for response in responses(path)]
+    assert [score.reward for _, score in graded] == [1, 1, 0, 0, 0, 0, 1, 0]
+    assert all(line(*pair).encode() for pair in graded), "a half of a surrogate pair can be written to no file"
+
+
+@pytest.mark.parametrize("bad", ["{", '{"id": "x"}', '{"id": 3, "response": "x"}', '["x"]', '{"response": "x"}'])
+def test_a_bad_line_is_named(bad: str, tmp_path: Path) -> None:
+    path = tmp_path / "said.jsonl"
+    path.write_text('{"id": "x", "response": ""}\n' + bad + "\n", encoding="utf-8")
     with pytest.raises(DatasetError, match=r"said\.jsonl:2: .*a line is"):
         list(responses(path))
 

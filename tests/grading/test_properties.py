@@ -2,6 +2,7 @@
 
 import math
 import random
+import time
 from collections.abc import Callable
 from fractions import Fraction
 
@@ -224,6 +225,73 @@ def test_every_compound_unit_passes(powers: dict[str, int], joint: str, raised: 
     assert number(rf"\boxed{{7.5\,{text}}}", 7.5, asked, tolerance=EXACT).reward, text
     assert number(rf"\boxed{{7.5\,{text}}}", 7.5, parse_unit(asked).name, tolerance=EXACT).reward
     assert number(rf"\boxed{{7.5\,{text}}}", 7.5, f"{asked}*mol").outcome == Outcome.WRONG_UNIT
+
+
+# whatever is said ---------------------------------------------------------------------------------------------------
+
+COMMANDS = (
+    "text{ mathrm{ frac{ sqrt{ SI{ qty{ num{ pu{ ang{ Rightarrow quad over bar{ ldots sim approx boxed{ downarrow"
+)
+PIECES = [
+    *"0123456789.,;:+-*/^_=()[]{}|<>~$&%°½√ \n\ud800",
+    "9.8",
+    "v = ",
+    "e",
+    "m/s",
+    "kg",
+    "up",
+    " to the right",
+    "or",
+]
+PIECES += [f"\\{name}" for name in COMMANDS.split()]
+PIECES += ["}", "}{", r"\meter\per\second", "not", "is", "(3 s.f.)", "**", "x^2"]
+
+
+@settings(steady, max_examples=1500)
+@given(st.one_of(st.text(max_size=300), st.lists(st.sampled_from(PIECES), max_size=60).map("".join)))
+def test_any_text_has_its_score_in_time(text: str) -> None:
+    for response in (text, rf"\boxed{{{text}}}"):
+        start = time.thread_time()
+        scores = [
+            number(response, 73219.456, "m/s", positive="up", lenient=True, tolerance=EXACT),
+            formula(response, r"\frac{m_1 g\sin\theta+h^3}{2m_1+5h}"),
+        ]
+        assert time.thread_time() - start < 2 * 0.05
+        assert all(score.why and not score.reward for score in scores)
+
+
+OBJECTS = st.recursive(
+    st.one_of(st.none(), st.booleans(), st.integers(), st.floats(), st.text(max_size=20), st.binary(max_size=20)),
+    lambda inner: st.one_of(
+        st.lists(inner, max_size=3),
+        st.dictionaries(st.sampled_from(["role", "content", "text", 3]), inner, max_size=3),
+        st.tuples(inner, inner),
+    ),
+    max_leaves=8,
+)
+
+
+@steady
+@given(OBJECTS)
+def test_any_object_has_its_score(response: object) -> None:
+    assert not number(response, 73219.456, lenient=True, tolerance=EXACT).reward
+    assert formula(response, "mgh").outcome in {Outcome.NO_ANSWER, Outcome.UNREADABLE}
+
+
+@pytest.mark.parametrize(
+    "response",
+    [
+        rb"\boxed{9.8}",
+        bytearray(rb"\boxed{9.8}"),
+        [{"role": "user", "content": "?"}, {"role": "assistant", "content": r"\boxed{9.8}"}],
+        {"role": "assistant", "content": r"\boxed{9.8}"},
+        [{"role": "assistant", "content": [{"type": "text", "text": r"\boxed{9.8}"}]}],
+        "\ud800" + r"\boxed{9.8}",
+    ],
+)
+def test_the_last_message_counts(response: object) -> None:
+    assert number(response, 9.8).reward
+    assert not number([response, ""], 9.8).reward
 
 
 # formulas ----------------------------------------------------------------------------------------------------------

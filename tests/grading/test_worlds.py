@@ -4,8 +4,10 @@ import ast
 import asyncio
 import json
 import multiprocessing
+import os
 import subprocess
 import sys
+import tracemalloc
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
@@ -63,7 +65,7 @@ def test_the_hash_seed_does_not_change_the_verdict(seed: str, here: list[str]) -
     done = subprocess.run(
         [sys.executable, "-c", script],
         cwd=SUPPORT,
-        env={"PYTHONHASHSEED": seed},
+        env={**os.environ, "PYTHONHASHSEED": seed},
         capture_output=True,
         text=True,
         check=True,
@@ -125,3 +127,12 @@ def test_giants_earn_nothing(name: str) -> None:
     text = hostile.giants()[name]
     assert not number(text, 73219.456, "m/s^2").reward
     assert not formula(text, r"\sqrt{2gh}").reward
+
+
+def test_what_long_runs_of_letters_mean_is_not_kept() -> None:
+    tracemalloc.start()
+    for count in range(300):
+        formula(rf"\boxed{{{f'{count:b}'.replace('0', 'm').replace('1', 'g') * 90}}}", "mg")
+    size, _ = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert size < 2 * 2**20

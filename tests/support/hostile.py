@@ -123,6 +123,9 @@ def giants() -> dict[str, str]:
         "overflow": "10^{308}*10^{308}",
         "infinite quotient": r"\frac{1}{\infty}",
     }
+    repeated = "(s:", "ab:", "is ", "s:", "speed:", "→", "←", r"\to ", "(m", r"\SI{", ", ", r"\quad "
+    inside |= {f"many {piece}": piece * (990 // len(piece)) for piece in repeated}
+    inside |= {f"many {piece} in a parenthesis": "(" + piece * (980 // len(piece)) for piece in repeated}
     boxed = {name: rf"\boxed{{{content}}}" for name, content in inside.items()}
     return boxed | {
         "no braces": r"\boxed" * 150_000,

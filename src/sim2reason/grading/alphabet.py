@@ -2,7 +2,18 @@
 
 from typing import Final
 
-__all__ = ["CLOSES", "COMMANDS", "FUNCTIONS", "GREEK", "GREEK_NAMES", "HEDGES", "SCRIPTS", "SIGNS", "VARIANTS"]
+__all__ = [
+    "CLOSES",
+    "COMMANDS",
+    "FUNCTIONS",
+    "GREEK",
+    "GREEK_NAMES",
+    "HEDGES",
+    "SCRIPTS",
+    "SIGNS",
+    "SOFT_HEDGES",
+    "VARIANTS",
+]
 
 _ELEMENTARY: Final = """
     sin cos tan cot sec csc arcsin arccos arctan arccot arcsec arccsc asin acos atan
@@ -18,28 +29,41 @@ GREEK: Final = dict(zip(_LETTERS, _LETTER_NAMES.split(), strict=True))
 GREEK_NAMES: Final = frozenset(GREEK.values()) | {"ell", "hbar"}
 VARIANTS: Final = {"varphi": "phi", "varepsilon": "epsilon", "vartheta": "theta", "varrho": "rho", "varsigma": "sigma"}
 SCRIPTS: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "01234567890123456789+-")
+VULGAR: Final = {
+    sign: str(int(above) / int(below)) for sign, above, below in zip("½⅓⅔¼¾⅕⅛", "1121311", "2334458", strict=True)
+}
 
 COMMANDS: Final = {
     name: (kind, text)
     for kind, text, names in (
-        ("fraction", "frac", "frac dfrac tfrac cfrac"),
+        ("fraction", "frac", "frac dfrac tfrac cfrac sfrac nicefrac"),
+        ("over", "over", "over"),
         ("root", "sqrt", "sqrt"),
-        ("times", "*", "times cdot ast"),
-        ("slash", "/", "div"),
+        ("times", "*", "times cdot ast star cdotp bullet"),
+        ("slash", "/", "div slash"),
         ("open", "(", "lparen"),
         ("close", ")", "rparen"),
         ("open", "[", "lbrack"),
         ("close", "]", "rbrack"),
-        ("open", "{", "mathbf mathit bm boldsymbol pmb textbf textit emph boxed mathnormal"),
-        ("open upright", "{", "text textrm textup textnormal textsf mathrm mathsf operatorname mbox"),
-        ("bar", "|", "vert mid lvert rvert"),
+        ("open", "{", "mathbf mathit bm boldsymbol pmb emph boxed mathnormal underline uline fbox ensuremath"),
+        ("open upright", "{", "text textrm textup textnormal textsf texttt textsc textmd mathrm mathsf mathtt"),
+        ("open upright", "{", "textbf textit operatorname mbox hbox"),
+        ("bar", "|", "vert mid lvert rvert Vert lVert rVert"),
         ("percent", "%", "%"),
-        ("relation", "=", "approx simeq cong equiv sim doteq"),
+        ("relation", "=", "equiv coloneqq triangleq"),
+        ("relation", "≈", "approx simeq cong doteq"),
+        ("relation", "~", "sim thicksim"),
         ("hedge", "±", "pm mp"),
         ("hedge", "<", "lt gt le ge leq geq leqslant geqslant ne neq not ll gg lesssim gtrsim in"),
-        ("hedge", ",", "\\ lor land vee wedge cup to rightarrow ldots dots cdots begin end"),
+        ("hedge", ",", "\\ lor land vee wedge cup ldots dots cdots begin end"),
+        ("arrow", "right", "to rightarrow longrightarrow"),
+        ("arrow", "left", "leftarrow longleftarrow"),
+        ("arrow", "up", "uparrow"),
+        ("arrow", "down", "downarrow"),
+        ("step", "so", "Rightarrow implies Longrightarrow therefore leadsto"),
         ("mark", "a prime", "prime"),
         ("mark", "an accent", "vec dot ddot hat bar tilde overline overrightarrow mathcal"),
+        ("mark", "an operator", "sum partial nabla int perp parallel dagger langle rangle"),
         ("constant", "pi", "pi"),
         ("constant", "inf", "infty"),
     )
@@ -48,12 +72,19 @@ COMMANDS: Final = {
 SIGNS: Final = {
     **{sign: ("open", sign) for sign in "([{"},
     **{sign: ("close", sign) for sign in ")]}"},
-    **dict.fromkeys("*×·⋅∙", ("times", "*")),
-    **dict.fromkeys("-−", ("minus", "-")),
-    **dict.fromkeys("=≈≃≅≡", ("relation", "=")),
+    **dict.fromkeys("*×·⋅∙•", ("times", "*")),
+    **dict.fromkeys("-−\u2010\u2011", ("minus", "-")),
+    **dict.fromkeys("=≡", ("relation", "=")),
+    **dict.fromkeys("≈≃≅≐", ("relation", "≈")),
+    "∼": ("relation", "~"),
     **dict.fromkeys("±∓", ("hedge", "±")),
     **dict.fromkeys("<>≤≥≠≪≫∈", ("hedge", "<")),
-    **dict.fromkeys(",;&…∨∧∪→", ("hedge", ",")),
+    **dict.fromkeys(",;&…∨∧∪", ("hedge", ",")),
+    **dict.fromkeys("⇒⟹∴", ("step", "so")),
+    **dict(zip("→←↑↓", (("arrow", way) for way in ("right", "left", "up", "down")), strict=True)),
+    **{sign: ("part", text) for sign, text in VULGAR.items()},
+    ".": ("stop", "."),
+    ":": ("colon", ":"),
     "+": ("plus", "+"),
     "–": ("dash", "–"),
     "/": ("slash", "/"),
@@ -66,5 +97,6 @@ SIGNS: Final = {
     "∞": ("constant", "inf"),
     "π": ("constant", "pi"),
 }
-HEDGES: Final = frozenset({"or", "and", "to", "between", "either", "through", "versus", "vs"})
+HEDGES: Final = frozenset({"or", "either", "versus", "vs"})
+SOFT_HEDGES: Final = frozenset({"and", "to", "between", "through"})  # a list between numbers, harmless in words
 CLOSES: Final = {"(": ")", "[": "]", "{": "}", "\\{": "\\}"}

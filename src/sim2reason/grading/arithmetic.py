@@ -85,7 +85,7 @@ def value(node: Node, bindings: Mapping[str, float]) -> float | None:
 
 def constant(x: float) -> Node:
     """A number; an infinite one is undefined wherever it is used."""
-    return lambda _: _finite(x)
+    return (lambda _: x) if math.isfinite(x) else (lambda _: _finite(x))
 
 
 def symbol(name: str) -> Node:
@@ -107,7 +107,14 @@ def total(terms: Sequence[tuple[Node, bool]]) -> Node:
     """The sum of `terms`, each with whether it is taken away; flat, so that a long sum is no deep recursion."""
     if len(terms) == 1:
         return negated(terms[0][0]) if terms[0][1] else terms[0][0]
-    return lambda bindings: _finite(sum(-node(bindings) if minus else node(bindings) for node, minus in terms))
+
+    def evaluate(bindings: Mapping[str, float]) -> float:
+        result = 0.0
+        for node, minus in terms:
+            result = result - node(bindings) if minus else result + node(bindings)
+        return _finite(result)
+
+    return evaluate
 
 
 def product(factors: Sequence[tuple[Node, bool]]) -> Node:
@@ -118,9 +125,8 @@ def product(factors: Sequence[tuple[Node, bool]]) -> Node:
     def evaluate(bindings: Mapping[str, float]) -> float:
         result = 1.0
         for node, divides in factors:
-            x = node(bindings)
-            result = _finite(result / x if divides else result * x)
-        return result
+            result = result / node(bindings) if divides else result * node(bindings)
+        return _finite(result)  # each factor is finite, so a step that was not stays so
 
     return evaluate
 

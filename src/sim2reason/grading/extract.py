@@ -4,25 +4,47 @@ Every step looks at each character at most once and at a bounded window, so that
 """
 
 import re
-from typing import Final
+from collections.abc import Mapping, Sequence
+from typing import Final, cast
 
 from sim2reason.grading.score import Outcome, Refused
 
-__all__ = ["boxed", "last_number"]
+__all__ = ["boxed", "spoken", "text_of"]
 
 MAX_RESPONSE: Final = 1_000_000
 MAX_ANSWER: Final = 1_000
 WINDOW: Final = 32_768  # of text after the thinking, in which the box must stand
 
-_BRACE: Final = re.compile(r"\\boxed[ \t\n]?\{|\\[\\{}]|[{}]")
-_NUMBER: Final = re.compile(
-    r"(?<![\w.^{\\])(?<![\^{][-+−–])[-+−–]?(?:[0-9]{1,3}(?:,[0-9]{3})+|[0-9]+)(?:\.[0-9]+)?(?:[eE][-+]?[0-9]{1,4})?(?![0-9])"
-    r"(?:[ ]?(?:\\times|\\cdot|×|·|\*|x)[ ]?10(?:\^\{?[-+−]?[0-9]{1,4}\}?|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]{1,5}))?"
-)
+NESTED: Final = 6  # a list of messages, whose content is a list of parts with a text
+
+_BRACE: Final = re.compile(r"\\boxed[ \t\n]{0,8}\{|\\[\\{}]|[{}]")
 
 
-def _spoken(response: str) -> str:
+def text_of(given: object) -> str:
+    """The text of a response: itself, or that of the last of several messages; bytes as UTF-8.
+
+    Raises `Refused`: no answer, where it holds no text.
+    """
+    response = given
+    for _ in range(NESTED):
+        if isinstance(response, str):
+            return response
+        if isinstance(response, bytes | bytearray):
+            return bytes(response[: 4 * MAX_RESPONSE + 4]).decode(errors="replace")
+        if isinstance(response, Mapping):
+            fields = cast("Mapping[object, object]", response)
+            response = fields.get("content", fields.get("text"))
+        elif isinstance(response, Sequence):
+            parts = cast("Sequence[object]", response)
+            response = parts[-1] if parts else None
+        else:
+            break
+    raise Refused(Outcome.NO_ANSWER, f"a response is text, not {type(given).__name__}")
+
+
+def spoken(given: object) -> str:
     """What was said after the thinking; refused if the thinking never ended."""
+    response = text_of(given)
     if len(response) > MAX_RESPONSE:
         raise Refused(Outcome.TOO_LONG, f"the response has more than {MAX_RESPONSE} characters")
     end = response.rfind("</think>")
@@ -32,12 +54,12 @@ def _spoken(response: str) -> str:
     return response[max(start, len(response) - WINDOW) :]
 
 
-def boxed(response: str) -> str:
+def boxed(response: object) -> str:
     """The content of the last complete box: where boxes are nested, of the outermost.
 
     Raises `Refused`: no answer without a complete box, too long beyond 1000 characters.
     """
-    text = _spoken(response)
+    text = spoken(response)
     open_braces: list[int] = []  # where the content of a box begins, or -1 for any other brace
     found: tuple[int, int] | None = None
     start = len(text[: max(text.find(r"\boxed"), 0)].rstrip("\\"))  # an even number of backslashes boxes nothing
@@ -51,19 +73,6 @@ def boxed(response: str) -> str:
     if found is None:
         raise Refused(Outcome.NO_ANSWER, r"there is no complete \boxed{…} after the thinking")
     return _bounded(text[slice(*found)])
-
-
-def last_number(response: str) -> tuple[str, str]:
-    """The last number of an answer without a box, and the text that follows it in its line.
-
-    For evaluation only: as a reward it could be farmed by ending on a likely number.
-    """
-    numbers = list(_NUMBER.finditer(_spoken(response)[-MAX_ANSWER:]))
-    if not numbers:
-        raise Refused(Outcome.NO_ANSWER, "there is neither a box nor a number")
-    last = numbers[-1]
-    tail = last.string[last.end() :].split("\n", 1)[0]
-    return last[0], tail.strip().rstrip(".*$ ")
 
 
 def _bounded(answer: str) -> str:

@@ -1,35 +1,36 @@
 """Formulas: equal to the reference in value, wherever the symbols are set.
 
-A response is evaluated at bindings that it cannot foresee: those of the item, and ones where each symbol in turn is
-moved, or, without an item, ones drawn from a hash of the reference. Any equivalent form passes, no number does.
+A response is evaluated where all symbols are moved at once, at values that it cannot foresee: at the item's bindings,
+and, if those are few, at others drawn by `points` from a hash of the reference. Any equivalent form passes, no number
+and no approximation does.
 """
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from hashlib import blake2b
-from itertools import islice
-from typing import Final
+from typing import Final, TypeVar
 
-from sim2reason.dsl.units import Unit
-from sim2reason.grading import arithmetic
+from sim2reason.dsl.units import UnitError
+from sim2reason.grading import arithmetic, remarks
 from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.number import number
 from sim2reason.grading.parser import parse
+from sim2reason.grading.points import POINTS, Bindings, Ranges, drawn, sound
+from sim2reason.grading.remarks import Direction
 from sim2reason.grading.score import Outcome, Refused, Score
-from sim2reason.grading.statement import last_side, unit_of
-from sim2reason.grading.tokens import Token, canonical
+from sim2reason.grading.sides import Statement, flattened, is_signed, statement, unwrapped
+from sim2reason.grading.spelling import balanced, spelled
+from sim2reason.grading.tokens import Token, canonical, tokenize
+from sim2reason.grading.unit_spelling import unit_in
 
 __all__ = ["FormulaError", "formula"]
 
-POINTS: Final = 8
-TRIES: Final = 256
-LOWEST, HIGHEST = 0.2, 1.5  # where symbols are drawn: positive, as physical quantities are, and angles acute
-NEGLIGIBLE: Final = 1e-9  # a reference this small beside its others has lost its digits
+AGREE: Final = 0.02  # relative: how far what is said to be about a formula may be from it
 
-Bindings = Mapping[str, float]
+_Wanted = TypeVar("_Wanted", float, float | None)
 _Frozen = tuple[tuple[str, float], ...]
+_Ranged = tuple[tuple[str, tuple[float, float]], ...]
 
 
 class FormulaError(ValueError):
@@ -37,21 +38,26 @@ class FormulaError(ValueError):
 
 
 def formula(
-    response: str,
+    response: object,
     reference: str,
     bindings: Bindings | Sequence[Bindings] | None = None,
     *,
     symbols: Collection[str] | None = None,
+    ranges: Ranges | None = None,
+    positive: str = "",
     tolerance: float = 1e-6,
 ) -> Score:
     r"""Grade a boxed formula against `reference` by value.
 
     Args:
-        response: the whole text, with its thinking.
+        response: the whole text, with its thinking; or messages, of which the last counts. Any other object is none.
         reference: LaTeX or plain text; one without symbols is graded as a number.
-        bindings: values for all symbols, one mapping or several; drawn from a hash of the reference if None.
+        bindings: values for all symbols, one mapping or several. Others are drawn around them from a hash of the
+            reference; beside eight or more, a response need not have a value there. None: drawn over `ranges`.
         symbols: the item's table, in any spelling (``\mu_k``, ``mu_k``); by default the names that the bindings
             have, or else those in the reference. ``e`` is Euler's number unless it is in the table.
+        ranges: where the symbols may lie, lowest and highest; of the others, everywhere within a few decades.
+        positive: the question's words for the direction that counts as positive; empty where a magnitude is asked.
         tolerance: relative, at each of the bindings.
 
     Raises:
@@ -60,112 +66,146 @@ def formula(
     """
     if not 0 <= tolerance < 1:
         raise FormulaError("the tolerance must be in [0, 1)")
-    if bindings is None:
-        given: tuple[_Frozen, ...] = ()
-    else:
-        each = [bindings] if isinstance(bindings, Mapping) else bindings
-        given = tuple(tuple(sorted(binding.items())) for binding in each)
-    truth = _truth(reference, given, None if symbols is None else frozenset(symbols))
+    each = [] if bindings is None else [bindings] if isinstance(bindings, Mapping) else bindings
+    given = tuple(tuple(sorted(binding.items())) for binding in each)
+    named = None if symbols is None else frozenset(symbols)
+    truth = _truth(reference, given, named, tuple(sorted((ranges or {}).items())), signed=bool(positive))
     if not truth.table:
-        return number(response, truth.values[0])
+        return number(response, truth.values[0], positive=positive)
     try:
-        return _judge(boxed(response), truth, tolerance)
+        return _judge(boxed(response), truth, tolerance, positive)
     except Refused as refused:
         return refused.score
 
 
 @dataclass(frozen=True, slots=True)
 class _Truth:
-    """A reference: its table of symbols, and its values at the points where responses are tried."""
+    """A reference: its table of symbols, and its values at the points where responses are tried.
+
+    At the first `firm` of them a response must have a value.
+    """
 
     table: frozenset[str]
     points: tuple[Bindings, ...]
     values: tuple[float, ...]
+    firm: int
 
 
 @lru_cache(maxsize=512)
-def _truth(reference: str, given: tuple[_Frozen, ...], symbols: frozenset[str] | None) -> _Truth:
+def _truth(
+    reference: str, given: tuple[_Frozen, ...], symbols: frozenset[str] | None, ranged: _Ranged, *, signed: bool
+) -> _Truth:
     try:
         bindings: list[Bindings] = [{canonical(name): value for name, value in binding} for binding in given]
+        ranges = {canonical(name): ends for name, ends in ranged}
         named = frozenset(canonical(name) for name in symbols) if symbols is not None else None
         table = frozenset(bindings[0]) if named is None and bindings else named
-        tokens = last_side(reference, table)
-        node = _value_of(reference, tokens)
+        content = spelled(reference.strip())
+        tokens = statement(flattened(tokenize(content, table))).value
+        node, directions = _value_of(content, tokens)
     except (Refused, ValueError) as error:
         raise FormulaError(f"the reference {reference!r}: {error}") from error
     used = frozenset(token.text for token in tokens if token.kind == "symbol")
+    if directions:
+        raise FormulaError(f"the reference {reference!r} has a direction")
     if not used:
-        return _kept(reference, used, [({}, value)] if (value := arithmetic.value(node, {})) is not None else [])
+        value = arithmetic.value(node, {})
+        return _kept(reference, used, [] if value is None else [({}, value)])
     table = used if table is None else table
     if any(table - binding.keys() for binding in bindings):
         raise FormulaError(f"the bindings for {reference!r} leave out a symbol")
-    points = _around(bindings, reference, node) if bindings else _drawn(table, reference)
-    valued = ((point, value) for point in points if (value := arithmetic.value(node, point)) is not None)
-    values = list(valued if bindings else islice(valued, POINTS))
-    if [point for point, _ in values[: len(bindings)]] != bindings:
+    if any(arithmetic.value(node, binding) is None for binding in bindings):
         raise FormulaError(f"the reference {reference!r} has no value at its bindings")
-    return _kept(reference, table, values)
+    held = sound(node, bindings)
+    fresh = sound(node, list(drawn(node, table, bindings, ranges, reference)))
+    if len(bindings) < POINTS:
+        return _kept(reference, table, [*held, *fresh])
+    if not signed:  # where a magnitude comes out negative, its formula does not hold
+        fresh = [(point, value) for point, value in fresh if value * held[0][1] > 0] if held else []
+    return _kept(reference, table, [*held, *fresh], firm=len(held))
 
 
-def _kept(reference: str, table: frozenset[str], values: list[tuple[Bindings, float]]) -> _Truth:
-    """The points where the reference has digits to compare: a difference that cancels has none."""
-    scale = max((abs(value) for _, value in values), default=0.0)
-    sound = [(point, value) for point, value in values if abs(value) > NEGLIGIBLE * scale or not table]
-    if not sound:
+def _kept(
+    reference: str, table: frozenset[str], values: list[tuple[Bindings, float]], firm: int | None = None
+) -> _Truth:
+    if not values:
         raise FormulaError(f"the reference {reference!r} has no value where it was tried")
-    return _Truth(table, tuple(point for point, _ in sound), tuple(value for _, value in sound))
+    points, found = zip(*values, strict=True)
+    return _Truth(table, points, found, len(values) if firm is None else firm)
 
 
-def _share(*seed: object) -> float:
-    """A number in [0, 1) that depends on nothing but `seed`."""
-    digest = blake2b("\0".join(map(str, seed)).encode(errors="replace"), digest_size=8).digest()
-    return int.from_bytes(digest) / 2**64
-
-
-def _drawn(table: frozenset[str], reference: str) -> Iterator[Bindings]:
-    """Points over the whole range; more than are needed, since a reference may not have a value at each."""
-    for attempt in range(TRIES):
-        yield {name: LOWEST + (HIGHEST - LOWEST) * _share(reference, attempt, name) for name in sorted(table)}
-
-
-def _around(bindings: Sequence[Bindings], reference: str, node: Node) -> Iterator[Bindings]:
-    """The given points, and the first with each symbol in turn moved by 1 to 5 %: the answer must move alike.
-
-    Where a move leaves the domain of the reference, the other direction is taken, or a tenth of the way.
-    """
-    yield from bindings
-    first = bindings[0]
-    for name in sorted(first):
-        step = 0.01 + 0.04 * _share(reference, name)
-        moves = (first[name] * (1 + move) if first[name] else move for move in (step, -step, step / 10, -step / 10))
-        points = ({**first, name: moved} for moved in moves)
-        yield from islice((point for point in points if arithmetic.value(node, point) is not None), 1)
-
-
-def _value_of(content: str, tokens: Sequence[Token]) -> Node:
-    """The value that `tokens` spell; only a unit in upright text may follow it, and is ignored."""
+def _value_of(content: str, tokens: Sequence[Token]) -> tuple[Node, tuple[Direction, ...]]:
+    """The value that `tokens` spell, and the directions behind it; a unit in upright text is ignored."""
     node, taken, refusal = parse(tokens, unit_follows=False)
-    if taken < len(tokens):
-        _ignored_unit(content, tokens[taken:], refusal)
-    return node
+    if taken == len(tokens):
+        return node, ()
+    rest = tokens[taken:]
+    name, said = remarks.cut(balanced(content[rest[0].begin : rest[-1].finish]))
+    remark = remarks.read(said) if said else None
+    if remark is not None and remark.again:
+        raise Refused(Outcome.UNREADABLE, f"{remark.again[0]!r} stands behind the formula")
+    if not remarks.is_blank(name):
+        _refuse_all_but_units(name, [token for token in rest if token.begin < rest[0].begin + len(name)], refusal)
+    return node, remark.directions if remark is not None else ()
 
 
-def _ignored_unit(content: str, rest: Sequence[Token], refusal: Refused | None) -> Unit:
+def _refuse_all_but_units(name: str, rest: Sequence[Token], refusal: Refused | None) -> None:
     words = [token for token in rest if token.kind == "word"]
     names = any(token.kind in {"symbol", "constant", "percent", "degree"} for token in rest)
     if names or not words or not all(word.upright for word in words):
         shown = words[0].text if words else rest[0].text
         raise refusal or Refused(Outcome.UNREADABLE, f"{shown!r} is not among the symbols of the problem")
-    return unit_of(content, rest, refusal)
+    try:
+        unit_in(name, None)
+    except UnitError as error:
+        raise refusal or Refused(Outcome.UNREADABLE, f"{name!r} after the value: {error}") from error
 
 
-def _judge(content: str, truth: _Truth, tolerance: float) -> Score:
-    node = _value_of(content, last_side(content, truth.table))
+def _judge(content: str, truth: _Truth, tolerance: float, positive: str) -> Score:
     said = content.strip()
-    for point, expected in zip(truth.points, truth.values, strict=True):
-        found = arithmetic.value(node, point)
+    content = spelled(content.rstrip(" \t\n."))
+    stated = statement(flattened(tokenize(content, truth.table)))
+    node, directions = _value_of(content, stated.value)
+    exact = _checked(content, stated, node, truth, tolerance)
+    if stated.rounded and exact is not None:
+        node = exact
+    if remarks.sign_for(directions, positive, written=is_signed(stated.value)) < 0:
+        node = arithmetic.negated(node)
+    for point, found, expected in _pairs(truth, node, truth.values):
         if found is None or not abs(found - expected) <= tolerance * abs(expected):
             where = ", ".join(f"{name} = {value:.4g}" for name, value in sorted(point.items()))
             shown = "has no finite value" if found is None else f"is {found:.6g}"
             return Score.of(Outcome.WRONG, said, f"at {where} it {shown}; expected {expected:.6g}")
     return Score.of(Outcome.CORRECT, said, f"it equals the reference at all {len(truth.points)} points tried")
+
+
+def _pairs(truth: _Truth, node: Node, wanted: Sequence[_Wanted]) -> Iterator[tuple[Bindings, float | None, _Wanted]]:
+    """Each point, with the value of `node` and the wanted one; behind the firm points, only where there are both."""
+    for count, (point, other) in enumerate(zip(truth.points, wanted, strict=True)):
+        found = arithmetic.value(node, point)
+        if count < truth.firm or (found is not None and other is not None):
+            yield point, found, other
+
+
+def _checked(content: str, stated: Statement, node: Node, truth: _Truth, tolerance: float) -> Node | None:
+    """The side before the value, if it is one; `Refused` where a side is another formula of the table."""
+    last: Node | None = None
+    for side in map(unwrapped, stated.before):
+        last = _whole(side)
+        if last is None:
+            stated.refuse_unsolved(side)
+            continue
+        for _, one, other in _pairs(truth, last, [arithmetic.value(node, point) for point in truth.points]):
+            if one is None or other is None or abs(one - other) > max(AGREE, tolerance) * max(abs(one), abs(other)):
+                shown = content[side[0].begin : side[-1].finish]
+                raise Refused(Outcome.WRONG, f"{shown!r} does not agree with the formula behind it")
+    return last
+
+
+def _whole(side: Sequence[Token]) -> Node | None:
+    """The value of a side; None where it has something that is not in the table."""
+    try:
+        node, taken, _ = parse(side, unit_follows=False)
+    except Refused:
+        return None
+    return node if taken == len(side) else None

@@ -1,33 +1,58 @@
 """Numbers: one finite value, in the asked unit or converted to it, within a relative tolerance."""
 
 import math
+import re
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
 
-from sim2reason.dsl.units import Dimension, Unit, parse_unit
-from sim2reason.grading import arithmetic
-from sim2reason.grading.extract import boxed, last_number
+from sim2reason.dsl.units import Dimension, Unit, UnitError, parse_unit
+from sim2reason.grading import arithmetic, labels, remarks
+from sim2reason.grading.extract import boxed
+from sim2reason.grading.left_units import unit_on_left
+from sim2reason.grading.lenient import last_quantity
 from sim2reason.grading.parser import parse
+from sim2reason.grading.remarks import Remark
 from sim2reason.grading.score import Outcome, Refused, Score
-from sim2reason.grading.statement import last_side, unit_of
+from sim2reason.grading.sides import Statement, flattened, is_signed, statement, unwrapped
+from sim2reason.grading.spelling import balanced, spelled
+from sim2reason.grading.tokens import Token, tokenize
+from sim2reason.grading.unit_spelling import unit_in
 
 __all__ = ["number"]
 
+AGREE = 0.05  # relative: how far apart two sides may be that say the same
+_NO_REMARK = Remark()
+_RECIPROCAL = re.compile(r"1\s*/")
+
+
+class _Quantity(NamedTuple):
+    """What an answer says: a value, its unit if one is stated, and the remark behind it."""
+
+    value: float
+    unit: Unit | None = None
+    signed: bool = False
+    remark: Remark = _NO_REMARK
+
 
 def number(
-    response: str,
+    response: object,
     reference: float,
     unit: str | None = None,
     *,
     tolerance: float = 0.05,
+    positive: str = "",
     lenient: bool = False,
 ) -> Score:
     """Grade a boxed number against `reference`, which is in `unit`.
 
     Args:
-        response: the whole text, with its thinking.
+        response: the whole text, with its thinking; or messages, of which the last counts. Any other object is none.
         reference: the true value, finite.
         unit: a unit of the table; "" for a pure number, None where the unit is not known and a stated one is
             ignored (but for per cent).
         tolerance: of |x - reference| relative to |reference|, inclusive; there is no absolute slack.
+        positive: the question's words for the direction that counts as positive; empty where a magnitude is asked.
         lenient: without a box, take the last number. For evaluation, never for a reward.
 
     Raises:
@@ -37,34 +62,128 @@ def number(
         raise ValueError("the reference must be finite and the tolerance in [0, 1)")
     asked = None if unit is None else parse_unit(unit)
     try:
-        value, stated = _answer(response, lenient=lenient)
-        return _judge(value, stated, reference, asked, tolerance)
+        said = _answer(response, asked, lenient=lenient)
+        sign = remarks.sign_for(said.remark.directions, positive, written=said.signed, below_zero=reference < 0)
+        return _judge(sign * said.value, said.unit, reference, asked, tolerance)
     except Refused as refused:
         return refused.score
 
 
-def _answer(response: str, *, lenient: bool) -> tuple[float, Unit | None]:
-    """The value in the box and the unit stated with it, if one is."""
+def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity:
+    """What stands in the box."""
     try:
-        return _quantity(boxed(response))
+        return _stated(boxed(response), asked)
     except Refused as refused:
         if not lenient or refused.outcome is not Outcome.NO_ANSWER:
             raise
-    digits, tail = last_number(response)
+    first: Refused | None = None
+    for content in last_quantity(response):
+        try:
+            return _stated(content, asked)
+        except Refused as refused:
+            first = first or refused
+    raise first or Refused(Outcome.NO_ANSWER, "there is neither a box nor a number")
+
+
+def _stated(content: str, asked: Unit | None) -> _Quantity:
+    """The quantity that an answer's last side says, with which the sides before it agree."""
+    content = spelled(content.rstrip(" \t\n."))
+    said = statement(flattened(tokenize(content, frozenset())))
     try:
-        return _quantity(f"{digits} {tail}")
-    except Refused:
-        return _quantity(digits)
+        found = _quantity(content, said.value, asked)
+    except Refused as refused:
+        if said.doubt is None or refused.outcome is not Outcome.UNREADABLE:
+            raise
+        raise Refused(Outcome.WRONG, f"{said.doubt.text!r} makes it more, or less, than one value") from refused
+    if found.unit is None:
+        found = found._replace(unit=unit_on_left(content, said.before, asked))
+    _check(content, said, found, asked)
+    return found
 
 
-def _quantity(content: str) -> tuple[float, Unit | None]:
-    tokens = last_side(content, frozenset())
+def _quantity(content: str, tokens: Sequence[Token], asked: Unit | None) -> _Quantity:
     node, taken, refusal = parse(tokens, unit_follows=True)
-    stated = unit_of(content, tokens[taken:], refusal) if taken < len(tokens) else None
+    unit, remark = None, _NO_REMARK
+    if taken < len(tokens):
+        tail = balanced(content[tokens[taken].begin : tokens[-1].finish])
+        unit, remark = _behind(tail, asked, refusal)
     value = arithmetic.value(node, {})
     if value is None:
         raise Refused(Outcome.WRONG, "the value is not a finite real number")
-    return value, stated
+    return _Quantity(value, unit, is_signed(tokens) or value < 0, remark)
+
+
+def _behind(tail: str, asked: Unit | None, refusal: Refused | None) -> tuple[Unit | None, Remark]:
+    """The unit and the remark that the text behind a value spells."""
+    if tail[0].isdigit() and not _RECIPROCAL.match(tail):
+        raise refusal or Refused(Outcome.UNREADABLE, "two numbers stand side by side")
+    try:
+        return unit_in(tail, asked), _NO_REMARK
+    except UnitError as error:
+        problem = error
+    name, said = remarks.cut(tail)
+    if not said and name.strip(" .}\\"):
+        raise refusal or Refused(Outcome.UNREADABLE, f"{tail!r} after the value: {problem}")
+    remark = remarks.read(said)
+    if not remarks.is_blank(name):
+        try:
+            return unit_in(name, asked), remark
+        except UnitError as error:
+            raise Refused(Outcome.UNREADABLE, f"{name.strip()!r} after the value: {error}") from error
+    return None, remark
+
+
+def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) -> None:
+    """Refuse where a side in numbers, or the same value in brackets, says something else."""
+    for side in map(unwrapped, said.before):
+        shown = content[side[0].begin : side[-1].finish]
+        try:
+            claim = _claim(content, side, asked)
+        except Refused as refused:
+            said.refuse_unsolved(side)
+            raise Refused(Outcome.UNREADABLE, f"{shown!r} before the value: {refused.why}") from refused
+        if claim is None:
+            said.refuse_unsolved(side)
+        elif not _agree(claim, found, asked):
+            raise Refused(Outcome.WRONG, f"{shown!r} does not agree with the value behind it")
+    for text in found.remark.again:
+        again = _quantity(text, statement(flattened(tokenize(text, frozenset()))).value, asked)
+        if not _agree(again, found, asked):
+            raise Refused(Outcome.WRONG, f"{text!r} in brackets does not agree with the value before it")
+
+
+def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
+    """What a side in numbers says; None for a name, and for an expression of symbols or quantities, which is a step.
+
+    Raises `Refused` for numbers that cannot be read.
+    """
+    if not labels.has_numbers(side) or labels.is_bare(side):
+        return None
+    try:
+        return _quantity(content, side, asked)
+    except Refused:
+        if labels.is_plain(side) or not any(token.kind == "word" for token in side):
+            raise
+        return None
+
+
+def _agree(one: _Quantity, other: _Quantity, asked: Unit | None) -> bool:
+    """Whether two say the same: bare numbers in either's unit, in that of the SI, or in the asked one."""
+    if one.unit is not None and other.unit is not None:
+        factor = one.unit.factor_to(other.unit)
+        return factor is not None and _near(one.value * factor, other.value)
+    return any(_near(mine, yours) for mine in _readings(one, asked) for yours in _readings(other, asked))
+
+
+def _readings(said: _Quantity, asked: Unit | None) -> list[float]:
+    unit = said.unit or asked
+    factor = said.unit.factor_to(asked) if said.unit is not None and asked is not None else None
+    found = [said.value, said.value * unit.factor if unit is not None else said.value]
+    return [*found, said.value * factor] if factor is not None else found
+
+
+def _near(one: float, other: float) -> bool:
+    return abs(one - other) <= AGREE * max(abs(one), abs(other))
 
 
 def _judge(value: float, stated: Unit | None, reference: float, asked: Unit | None, tolerance: float) -> Score:
@@ -89,4 +208,10 @@ def _factor(stated: Unit | None, asked: Unit | None) -> float | None:
 
 
 def _show(value: float, unit: Unit | None) -> str:
-    return unit.quantity(f"{value:.6g}") if unit else f"{value:.6g}"
+    return _template(unit).replace("#", f"{value:.6g}") if unit else f"{value:.6g}"
+
+
+@lru_cache(maxsize=256)
+def _template(unit: Unit) -> str:
+    """How a number in a unit is shown, with # for the number."""
+    return unit.quantity("#")

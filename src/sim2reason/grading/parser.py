@@ -16,7 +16,7 @@ from sim2reason.grading.tokens import Token
 __all__ = ["parse"]
 
 MAX_DEPTH: Final = 32
-_STARTS: Final = frozenset({"symbol", "constant", "function", "root", "fraction"})
+_STARTS: Final = frozenset({"symbol", "constant", "function", "root", "fraction", "part"})
 _SIGNS: Final = frozenset({"plus", "minus", "dash"})
 
 
@@ -65,6 +65,15 @@ class _Parser:
             terms.append((self.product(), negative))
         self.is_sum = len(terms) > 1
         return arithmetic.total(terms)
+
+    def quotient(self) -> Node:
+        r"""A sum, or two with ``\over`` between them: what a pair of braces holds."""
+        above = self.expression()
+        if not self.skip("over"):
+            return above
+        below = self.expression()
+        self.is_sum = False
+        return arithmetic.product([(above, False), (below, True)])
 
     def product(self) -> Node:
         """Factors joined by signs or standing side by side; at the top, what cannot follow is left for the unit."""
@@ -117,6 +126,8 @@ class _Parser:
     def is_mixed(self) -> bool:
         """Whether a whole number precedes a fraction of whole numbers, as in 1½."""
         raised = self.tokens[self.at - 2].kind == "power"
+        if self.next.kind == "part" and self.tokens[self.at - 1].kind == "number":
+            return True
         if self.next.kind != "fraction" or self.tokens[self.at - 1].kind != "number" or raised:
             return False
         after = self.tokens[self.at + 1]
@@ -152,7 +163,7 @@ class _Parser:
 
     def atom(self) -> Node:
         match self.next.kind:
-            case "number" | "symbol" | "constant":
+            case "number" | "symbol" | "constant" | "part":
                 return self.leaf()
             case "open":
                 return self.visible_group()
@@ -172,7 +183,7 @@ class _Parser:
         token = self.take()
         if token.kind == "symbol":
             return arithmetic.symbol(token.text)
-        return arithmetic.constant(float(token.text if token.kind == "number" else arithmetic.CONSTANTS[token.text]))
+        return arithmetic.constant(arithmetic.CONSTANTS[token.text] if token.kind == "constant" else float(token.text))
 
     def visible_group(self) -> Node:
         """A group that print shows as one: braces around a sum, or around a product with a power, are not seen."""
@@ -199,7 +210,7 @@ class _Parser:
         opening = self.take()
         self.deeper()
         in_bars, self.in_bars = self.in_bars, False
-        inside = self.expression()
+        inside = self.quotient() if opening.text == "{" else self.expression()
         if self.next.kind != "close" or self.take().text != CLOSES[opening.text]:
             raise self.unexpected()
         self.in_bars = in_bars
@@ -233,7 +244,9 @@ class _Parser:
         return arithmetic.constant(float(token.text[0]))
 
     def root(self) -> Node:
-        self.take()
+        sign = self.take()
+        if sign.finish - sign.begin == 1 and self.next.kind == "number":  # the sign √ takes the number behind it
+            return arithmetic.call("sqrt", self.leaf())
         index = self.group() if self.next.text == "[" else None
         radicand = self.argument()
         return arithmetic.root(radicand, index) if index else arithmetic.call("sqrt", radicand)
@@ -279,5 +292,5 @@ def parse(tokens: Sequence[Token], *, unit_follows: bool) -> tuple[Node, int, Re
     What is left may be a unit. Raises `Refused`: unreadable, wrong (a range), or too long (nested too deeply).
     """
     parser = _Parser(tokens, unit_follows=unit_follows)
-    node = parser.expression()
+    node = parser.quotient()
     return node, parser.at, parser.refusal

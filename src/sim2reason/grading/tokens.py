@@ -6,9 +6,20 @@ the item's table can tell whether ``mgh`` is one name, three, or a word that nob
 
 import re
 from collections.abc import Collection
+from functools import lru_cache
 from typing import Final, NamedTuple
 
-from sim2reason.grading.alphabet import COMMANDS, FUNCTIONS, GREEK, GREEK_NAMES, HEDGES, SCRIPTS, SIGNS, VARIANTS
+from sim2reason.grading.alphabet import (
+    COMMANDS,
+    FUNCTIONS,
+    GREEK,
+    GREEK_NAMES,
+    HEDGES,
+    SCRIPTS,
+    SIGNS,
+    SOFT_HEDGES,
+    VARIANTS,
+)
 from sim2reason.grading.score import Outcome, Refused
 
 __all__ = ["Token", "canonical", "tokenize"]
@@ -17,61 +28,73 @@ __all__ = ["Token", "canonical", "tokenize"]
 class Token(NamedTuple):
     r"""A piece of an answer.
 
-    `kind` is number, symbol, constant, function, word, open, close, bar, root, fraction, power, script, plus, minus,
-    dash, times, slash, degree, percent, relation, hedge, mark or end; `text` its normal form; `begin` and `finish`
-    where it stands; `apart` whether an explicit space such as ``\,`` precedes it; `upright` whether it stands inside
-    ``\text{…}``.
+    `kind` is number, symbol, constant, function, word, open, close, bar, root, fraction, over, part (½), power, script,
+    plus, minus, dash, times, slash, degree, percent, relation, hedge, soft (a word or comma that hedges between
+    numbers), arrow, step, stop, colon, mark or end; `text` its normal form; `begin` and `finish` where it stands;
+    `apart` 1 where an explicit space such as ``\,`` precedes it, 2 where a wide one does; `upright` whether it stands
+    inside ``\text{…}``; `label` what stands below a word.
     """
 
     kind: str
     text: str
     begin: int
     finish: int
-    apart: bool = False
+    apart: int = 0
     upright: bool = False
+    label: str = ""
 
 
 _SPACE = (
     r"(?:[\s~$]|\\[ ,;:!>]|\\(?:q?quad|thinspace|displaystyle|textstyle|left|right|[bB]igg?[lr]?|rm|bf|it)(?![A-Za-z]))"
 )
+_INK: Final = (
+    "red|blue|green|black|orange|purple|teal|brown|cyan|magenta|violet|[Gg]ray|navy|ForestGreen|RoyalBlue|maroon"
+)
+_BELOW: Final = r"(?:[^{}\\$_]|\\[A-Za-z,]++|\{[A-Za-z0-9,\s]*+\}){1,40}+"
 _CUT: Final = re.compile(
     rf"(?P<space>{_SPACE}+)"
-    r"|(?P<number>(?:[1-9][0-9]{0,2}(?P<group>[, ~\u00a0\u2009\u202f]|\{,\}|\\[, !])[0-9]{3}(?:(?P=group)[0-9]{3})*"
-    r"(?![0-9])(?:\.[0-9]+)?|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?P<exponent>[eE][-+−]?[0-9]+)?)"
-    r"|(?P<color>\\(?:color|textcolor)\s*\{[A-Za-z!0-9]{1,30}\})"
+    r"|(?P<number>(?:[1-9][0-9]{0,2}(?P<group>[, ~\u00a0\u2009\u202f]|\{,\}|,\\!|\\[, !])[0-9]{3}"
+    r"(?:(?P=group)[0-9]{3})*(?![0-9])(?:\.[0-9]+)?|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?P<exponent>[eE][-+−]?[0-9]+)?)"
+    rf"|(?P<color>\\(?:color|textcolor)\s*\{{\s*(?:{_INK})(?:!(?:[4-9][0-9]|100)(?:!black)?)?\s*\}})"
     r"|(?P<named>\\(?:text|mathrm|operatorname\*?)\s*\{\s*(?P<name>[A-Za-z]{1,8})\s*\})"
     r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}|°)|°|\\degree(?![A-Za-z]))"
     r"|(?P<hedge>\+\s*+(?:/\s*+)?[-−–])|(?P<power>\*\*|\^)|(?P<script>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    rf"|(?P<below>_\s*(?:\{{{_BELOW}\}}|\\[A-Za-z]+|[A-Za-z0-9*]))"
     r"|(?P<command>\\(?:[A-Za-z]+|[^A-Za-z]))|(?P<letters>[A-Za-z]+)"
     rf"|(?P<greek>[{''.join(GREEK)}])|(?P<sign>[{re.escape(''.join(SIGNS))}])"
 )
 _SUBSCRIPT: Final = re.compile(
-    r"\s*_\s*(?:\{((?:[A-Za-z0-9,+\-\s]|\\[A-Za-z,]++|\{[A-Za-z0-9,\s]*+\}){1,40}+)\}"
+    rf"\s*_\s*(?:\{{({_BELOW})\}}"
     r"|(\\(?:text|mathrm)\s*\{[A-Za-z0-9,\s]{1,20}\}|\\[A-Za-z]+)|([A-Za-z0-9]{1,12}))|([₀₁₂₃₄₅₆₇₈₉]{1,3}|[0-9]{1,3}(?![0-9.]))"
 )
+_SHORT: Final = 24  # letters: the runs whose names are kept; those of longer ones would fill the memory
 _NO_NAME: Final = re.compile(r"\\(?:text|mathrm|rm)(?![A-Za-z])|[\\{}\s]")
+
+
+Pieces = tuple[tuple[str, str], ...]
 
 
 class _Lexer:
     """Cuts one text; `symbols` None takes every letter for a symbol, as in a reference without a table."""
 
     def __init__(self, text: str, symbols: Collection[str] | None) -> None:
-        self.text, self.symbols = text, symbols
+        self.text, self.symbols = text, None if symbols is None else frozenset(symbols)
         self.tokens: list[Token] = []
         self.upright: list[bool] = []
-        self.apart = False
+        self.apart = 0
 
     def add(self, kind: str, text: str, begin: int, finish: int) -> None:
         upright = bool(self.upright) and self.upright[-1]
         self.tokens.append(Token(kind, text, begin, finish, self.apart, upright))
-        self.apart = False
+        self.apart = 0
 
     def run(self) -> list[Token]:
         at = 0
-        while at < len(self.text):
-            match = _CUT.match(self.text, at)
+        cut, text, end = _CUT.match, self.text, len(self.text)
+        while at < end:
+            match = cut(text, at)
             if match is None:
-                raise Refused(Outcome.UNREADABLE, f"{_show(self.text[at])} has no meaning here")
+                raise Refused(Outcome.UNREADABLE, f"{_show(text[at])} has no meaning here")
             at = self.take(str(match.lastgroup), match)
         return self.tokens
 
@@ -80,7 +103,8 @@ class _Lexer:
         text, begin, finish = match[0], match.start(), match.end()
         match kind:
             case "space":
-                self.apart = "\\" in text and text.strip("\\ \t\n$!") not in {"left", "right"}
+                said = text.strip("\\ \t\n$!") if "\\" in text else "left"
+                self.apart = 2 if "quad" in said else int(said not in {"left", "right"})
             case "number":
                 return self.number(match)
             case "letters" | "greek" | "name" | "named":
@@ -91,6 +115,8 @@ class _Lexer:
                 self.sign(text, begin, finish)
             case "color":
                 pass
+            case "below":
+                self.add("mark", "a subscript", begin, finish)
             case "hedge":
                 self.add("hedge", "±", begin, finish)
             case _:
@@ -121,6 +147,8 @@ class _Lexer:
             return finish
         if name in VARIANTS or name in GREEK_NAMES or name in FUNCTIONS:
             return self.letters(name, begin, finish)
+        if name in {"color", "textcolor"}:  # of an ink that is not in the list
+            raise Refused(Outcome.UNREADABLE, f"\\{name} may hide a part of the answer")
         if name not in COMMANDS:
             raise Refused(Outcome.UNREADABLE, f"\\{name[:20]} has no meaning here")
         kind, normal = COMMANDS[name]
@@ -143,18 +171,21 @@ class _Lexer:
         """Cut a run of letters, and the subscript that follows it, into names; else keep it as one word."""
         upright = named or (bool(self.upright) and self.upright[-1])
         base = VARIANTS.get(run, GREEK.get(run, run))
+        end = finish
         pieces, finish = self.subscripted(base, finish)
         if upright:
             pieces = pieces if base in FUNCTIONS or (base == "e" and pieces) else None
         if pieces is None:
-            self.tokens.append(Token("word", run, begin, finish, self.apart, upright))
-            self.apart = False
+            self.tokens.append(Token("word", run, begin, finish, self.apart, upright, self.text[end:finish]))
+            self.apart = 0
         for kind, text in pieces or ():
             self.add(kind, text, begin, finish)
         return finish
 
-    def subscripted(self, run: str, finish: int) -> tuple[list[tuple[str, str]] | None, int]:
-        subscript = _SUBSCRIPT.match(self.text, finish)
+    def subscripted(self, run: str, finish: int) -> tuple[Pieces | None, int]:
+        following = self.text[finish : finish + 1]
+        near = following == "_" or following.isspace() or following.isdigit()
+        subscript = _SUBSCRIPT.match(self.text, finish) if near else None
         if subscript is None:
             return self.split(run), finish
         braced, command, plain, digits = subscript.groups()
@@ -163,9 +194,7 @@ class _Lexer:
         label = _NO_NAME.sub("", braced or command)
         return self.labelled(run, label), subscript.end()
 
-    def plain_subscript(
-        self, run: str, subscript: re.Match[str], finish: int
-    ) -> tuple[list[tuple[str, str]] | None, int]:
+    def plain_subscript(self, run: str, subscript: re.Match[str], finish: int) -> tuple[Pieces | None, int]:
         """``m_1g`` is m₁ g as in LaTeX, but ``v_max`` is one name if the table has it; so is ``m1``."""
         label = (subscript[3] or subscript[4]).translate(SCRIPTS)
         start = subscript.end() - len(label)
@@ -177,42 +206,48 @@ class _Lexer:
             return self.split(run), finish
         return self.labelled(run, label[:1]), start + 1
 
-    def labelled(self, run: str, label: str) -> list[tuple[str, str]] | None:
+    def labelled(self, run: str, label: str) -> Pieces | None:
         """`run` with a subscript on the whole of it, or on its last letter."""
         if run in FUNCTIONS:
-            return [("function", f"{run}_{label}")] if run == "log" else None
+            return (("function", f"{run}_{label}"),) if run == "log" else None
         for cut in (0, len(run) - 1):
             name = f"{run[cut:]}_{label}"
             whole = cut == len(run) - 1 or run in GREEK_NAMES
             head = self.split(run[:cut])
             if head is not None and (self.known(name) or (self.symbols is None and whole)):
-                return [*head, ("symbol", name)]
+                return *head, ("symbol", name)
         return None
 
-    def split(self, run: str) -> list[tuple[str, str]] | None:
-        """Names from left to right, each the longest possible; None if a letter belongs to none."""
-        pieces: list[tuple[str, str]] = []
-        at = 0
-        while at < len(run):
-            lengths = range(min(12, len(run) - at), 0, -1)
-            piece = next((found for n in lengths if (found := self.meaning(run[at : at + n]))), None)
-            if piece is None:
-                return None
-            pieces.append(piece)
-            at += next(n for n in lengths if self.meaning(run[at : at + n]))
-        return pieces
+    def split(self, run: str) -> Pieces | None:
+        return (_split if len(run) <= _SHORT else _split.__wrapped__)(run, self.symbols)
 
-    def meaning(self, name: str) -> tuple[str, str] | None:
-        if self.known(name):
-            return "symbol", name
-        if name in FUNCTIONS:
-            return "function", name
-        if name in {"pi", "e"}:
-            return "constant", name
-        if name == "sqrt":
-            return "root", name
-        is_symbol = self.symbols is None and (len(name) == 1 or name in GREEK_NAMES)
-        return ("symbol", name) if is_symbol else None
+
+@lru_cache(maxsize=4096)
+def _split(run: str, symbols: frozenset[str] | None) -> Pieces | None:
+    """Names from left to right, each the longest possible; None if a letter belongs to none."""
+    pieces: list[tuple[str, str]] = []
+    at = 0
+    while at < len(run):
+        lengths = range(min(12, len(run) - at), 0, -1)
+        piece = next((found for n in lengths if (found := _meaning(run[at : at + n], symbols))), None)
+        if piece is None:
+            return None
+        pieces.append(piece)
+        at += len(piece[1])
+    return tuple(pieces)
+
+
+def _meaning(name: str, symbols: frozenset[str] | None) -> tuple[str, str] | None:
+    if symbols is not None and name in symbols:
+        return "symbol", name
+    if name in FUNCTIONS:
+        return "function", name
+    if name in {"pi", "e"}:
+        return "constant", name
+    if name == "sqrt":
+        return "root", name
+    is_symbol = symbols is None and (len(name) == 1 or name in GREEK_NAMES)
+    return ("symbol", name) if is_symbol else None
 
 
 def tokenize(text: str, symbols: Collection[str] | None) -> list[Token]:
@@ -221,11 +256,14 @@ def tokenize(text: str, symbols: Collection[str] | None) -> list[Token]:
     Raises `Refused` (unreadable) at the first character or command that has no meaning in an answer.
     """
     tokens = _Lexer(text, symbols).run()
-    return [token._replace(kind="hedge") if _hedges(token) else token for token in tokens]
+    return [token._replace(kind=_HEDGING[token.text.lower()]) if _hedges(token) else token for token in tokens]
 
 
 def _hedges(token: Token) -> bool:
-    return token.kind == "word" and token.text.lower() in HEDGES
+    return token.kind == "word" and token.text.lower() in _HEDGING
+
+
+_HEDGING: Final = dict.fromkeys(HEDGES, "hedge") | dict.fromkeys(SOFT_HEDGES, "soft")
 
 
 def canonical(name: str) -> str:

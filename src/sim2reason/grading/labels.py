@@ -1,0 +1,198 @@
+"""What may stand on the left of a value: names of quantities in symbols or words, and expressions of them."""
+
+from collections.abc import Sequence
+from typing import Final
+
+from sim2reason.grading.alphabet import GREEK_NAMES, VARIANTS
+from sim2reason.grading.score import Outcome, Refused
+from sim2reason.grading.tokens import Token
+from sim2reason.grading.unit_spelling import is_unit
+
+__all__ = ["check", "has_numbers", "is_bare", "is_change", "is_compound", "is_name", "is_plain", "names"]
+
+_QUANTITY_WORDS: Final = """
+    answer result solution value speed velocity acceleration deceleration retardation force tension thrust weight mass
+    momentum impulse energy work power time period duration interval frequency distance displacement height depth length
+    width position coordinate angle radius diameter torque moment inertia density pressure coefficient friction normal
+    reaction amplitude ratio efficiency magnitude charge current voltage field potential compression extension stretch
+    elongation stiffness constant rate wavelength component change increase decrease loss gain rise drop fall total heat
+    temperature volume area number fraction restitution separation deflection elevation altitude apex range gravity load
+    ans
+"""
+_QUANTITIES: Final = frozenset(_QUANTITY_WORDS.split())
+_DENYING: Final = """
+    no not never nor neither none nothing but except excluding without unlike wrong false incorrect untrue isn aren wasn
+    cannot most least exceeds exceeding maybe perhaps possibly either or nearly almost hardly instead rather anything
+    everything unequal differs different isnt doesnt non negative minus negated inverse reciprocal half twice double
+    thrice squared cubed root
+"""
+_DENIALS: Final = frozenset(_DENYING.split())
+_COMPARING: Final = """
+    less more greater smaller larger fewer higher lower above below under over beyond within up other others another
+    opposite
+"""
+_COMPARISONS: Final = frozenset(_COMPARING.split())  # deny at the end and before *than*; else tell one from another
+_CHANGES: Final = frozenset({"delta", "Delta", "δ", "Δ", "d", "Sigma", "Σ"})
+_NAMES: Final = frozenset({"word", "symbol"})
+_NUMBERS: Final = frozenset({"number", "part", "constant"})
+_SIGNS: Final = frozenset({"plus", "minus", "dash"})
+_OPERATORS: Final = frozenset({"times", "open", "fraction", "root", "over", "bar", "function"}) | _SIGNS
+_LONGEST: Final = 3  # letters side by side that are a product or an abbreviation, not a word
+
+
+def _unreadable(why: str) -> Refused:
+    return Refused(Outcome.UNREADABLE, why)
+
+
+def _textual(token: Token) -> bool:
+    """Whether it is a word of English: not a symbol, nor letters side by side, nor an abbreviation."""
+    if token.kind == "soft":
+        return token.text.isalpha()
+    word = token.text
+    if token.kind != "word" or len(word) < 2 or not word.isascii() or word in GREEK_NAMES or word in VARIANTS:
+        return False
+    if word.lower() in _DENIALS or word.lower() in _COMPARISONS:
+        return True
+    return (len(word) > _LONGEST or token.upright) and not (word.isupper() and len(word) <= _LONGEST)
+
+
+def names(side: Sequence[Token]) -> list[tuple[str, str]]:
+    """The symbols on a side, each with what stands below it.
+
+    A sign of change is a name only where it stands alone, and so is the number e.
+    """
+    found = [token for token in side if token.kind in _NAMES and not _textual(token)]
+    rest = [token for token in found if token.text not in _CHANGES] or found
+    if not rest:
+        rest = [token for token in side if token.kind == "constant"] if _is_lone_constant(side) else []
+    return [piece for token in rest for piece in _letters(token)]
+
+
+def is_change(token: Token) -> bool:
+    """Whether it is a sign of change, which names nothing by itself."""
+    return token.text in _CHANGES
+
+
+def _letters(token: Token) -> list[tuple[str, str]]:
+    """A run such as ``mgh`` is three names."""
+    run = token.text
+    if token.kind == "word" and 1 < len(run) <= _LONGEST and run.isascii() and run.islower() and run not in GREEK_NAMES:
+        return [*((letter, "") for letter in run[:-1]), (run[-1], token.label)]
+    return [(run, token.label)]
+
+
+def _is_lone_constant(side: Sequence[Token]) -> bool:
+    return [token.text for token in side if token.kind not in {"mark", "open", "close", "bar"}] == ["e"]
+
+
+def has_numbers(side: Sequence[Token]) -> bool:
+    """Whether a number stands on a side."""
+    return any(token.kind in _NUMBERS for token in side) and not _is_lone_constant(side)
+
+
+def _words(side: Sequence[Token]) -> list[Token]:
+    """The words of English on a side, but for what is raised: *max* in an exponent is a mark."""
+    found: list[Token] = []
+    depth, raised = 0, False
+    for token, before in zip(side, [None, *side], strict=False):
+        if token.kind == "open" and token.text == "{":
+            raised = raised or (before is not None and before.kind == "power")
+            depth += raised
+        elif token.kind == "close" and raised:
+            depth -= 1
+            raised = depth > 0
+        if not raised and _textual(token) and not (before is not None and before.kind == "power"):
+            found.append(token)
+    return found
+
+
+def is_bare(side: Sequence[Token]) -> bool:
+    """Whether a side is one name, with marks, bars and what it depends on: ``|v_A'|``, ``v(2)``, *speed of A*."""
+    if words := _words(side):
+        return not has_numbers(side) or _is_called(side, words)
+    outside = _outside(side) or list(side)
+    kinds = {token.kind for token in outside}
+    if kinds & {"minus", "dash", "plus", "slash", "fraction", "root", "number", "part", "script", "over", "function"}:
+        return False
+    return len(set(names(outside))) == 1 and not _is_power(side)
+
+
+def _outside(side: Sequence[Token]) -> list[Token]:
+    """The tokens that stand in no parentheses; braces do not count."""
+    depth, outside = 0, list[Token]()
+    for token in side:
+        depth += (token.kind == "open" and token.text in "([") - (token.kind == "close" and token.text in ")]")
+        if depth == 0 and token.kind not in {"open", "close"}:
+            outside.append(token)
+    return outside
+
+
+def _is_power(side: Sequence[Token]) -> bool:
+    """Whether something is raised to a number, not just marked as in ``t^*``."""
+    for position, token in enumerate(side):
+        raised = [later.kind for later in side[position + 1 : position + 4] if later.text != "{"]
+        if token.kind == "script" or (token.kind == "power" and raised[:1] in (["number"], ["minus"])):
+            return True
+    return False
+
+
+def is_name(side: Sequence[Token]) -> bool:
+    """Whether a side names a quantity, so that a colon or *is* may follow it."""
+    if not side or has_numbers(side):
+        return False
+    words = _words(side)
+    return _names_quantity(words) if words else is_bare(side)
+
+
+def _names_quantity(words: Sequence[Token]) -> bool:
+    lowered = {word.text.lower() for word in words}
+    singular = lowered | {word.removesuffix("s") for word in lowered}
+    return bool(singular & _QUANTITIES) and _denial(words) is None
+
+
+def _denial(words: Sequence[Token]) -> Token | None:
+    """The first word that keeps a side from being equal to what it names."""
+    for word, following in zip(words, [*words[1:], None], strict=False):
+        compares = word.text.lower() in _COMPARISONS and (following is None or following.text.lower() == "than")
+        if compares or word.text.lower() in _DENIALS:
+            return word
+    return None
+
+
+def _is_called(side: Sequence[Token], words: Sequence[Token]) -> bool:
+    """Whether a side with numbers is a name in words all the same: *speed of block 1*."""
+    inside = [token for token in side if token.kind not in {"open", "close"}]
+    return inside[0] is words[0] and _names_quantity(words) and all(token.kind not in _OPERATORS for token in inside)
+
+
+def check(sides: Sequence[Sequence[Token]]) -> None:
+    """Refuse sides whose words deny, or are no words for a quantity."""
+    for side in sides:
+        words = _words(side)
+        denial = _denial(words)
+        if denial is not None:
+            raise _unreadable(f"{denial.text!r} before the value changes what it says")
+        if has_numbers(side):
+            stranger = next((word for word in words if not is_unit(word.text)), None)
+            if stranger is not None and not (_is_call(side) or _is_called(side, words)):
+                raise _unreadable(f"{stranger.text!r} stands among numbers and is no unit")
+        elif words and not _names_quantity(words):
+            raise _unreadable(f"{words[0].text!r} is no word for a quantity that is known here")
+
+
+def _is_call(side: Sequence[Token]) -> bool:
+    """Whether a side is a name with what it depends on in parentheses, as in ``v(2 s)``."""
+    return bool(side) and side[0].kind in _NAMES and is_bare(side)
+
+
+def is_compound(side: Sequence[Token]) -> bool:
+    """Whether a side is an expression of one symbol, not its name: ``2T``, ``-a``, ``v^2``."""
+    kinds = {token.kind for token in side}
+    changed = bool(kinds & {"minus", "dash", "slash", "fraction", "root", "number", "part", "over", "function"})
+    return len(set(names(side))) == 1 and (changed or _is_power(side))
+
+
+def is_plain(side: Sequence[Token]) -> bool:
+    """Whether a side begins with a number and has no operator: a value with its unit, if it can be read."""
+    first = 1 if len(side) > 1 and side[0].kind in _SIGNS else 0
+    return side[first].kind == "number" and all(token.kind not in _OPERATORS for token in side[first + 1 :])

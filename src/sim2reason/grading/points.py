@@ -1,0 +1,95 @@
+"""Where formulas are tried: values of all symbols at once, over their ranges, that nobody can foresee."""
+
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from hashlib import blake2b
+from itertools import islice
+from typing import Final
+
+from sim2reason.grading import arithmetic
+from sim2reason.grading.arithmetic import Node
+
+__all__ = ["POINTS", "Bindings", "Ranges", "drawn", "sound"]
+
+POINTS: Final = 8
+TRIES: Final = 128
+USUAL: Final = 0.2, 1.5  # all alike and positive, as physical quantities are; angles acute
+WIDE: Final = 1e-3, 5.0  # over decades, where one part of a formula outweighs the others
+AROUND: Final = 3.0  # the largest factor by which a given value is moved
+RIGHT_ANGLE: Final = math.pi / 2
+STEP: Final = 1e-9
+STEEPEST: Final = 1e4  # of the relative change of a value to that of its symbols: beyond, its digits are lost
+
+_ANGLES: Final = frozenset({"theta", "alpha", "beta", "gamma", "phi", "psi", "delta"})
+
+Bindings = Mapping[str, float]
+Ranges = Mapping[str, tuple[float, float]]
+
+
+def _share(*seed: object) -> float:
+    """A number in [0, 1) that depends on nothing but `seed`."""
+    digest = blake2b("\0".join(map(str, seed)).encode(errors="replace"), digest_size=8).digest()
+    return int.from_bytes(digest) / 2**64
+
+
+def drawn(
+    node: Node, table: Collection[str], given: Sequence[Bindings], ranges: Ranges, seed: str
+) -> Iterator[Bindings]:
+    """At least eight points where the reference has a value: around those that are given, or over the ranges."""
+    names = sorted(table)
+    if given:
+        around = (_around(given[attempt % len(given)], names, seed, attempt) for attempt in range(TRIES))
+        yield from _valued(node, around)
+        return
+    for low, high in (USUAL, WIDE):
+        ends = {name: _ends(name, ranges, low, high) for name in names}
+        yield from _valued(node, (_within(ends, seed, attempt, low) for attempt in range(TRIES)))
+
+
+def _valued(node: Node, points: Iterator[Bindings]) -> Iterator[Bindings]:
+    return islice((point for point in points if sound(node, [point])), POINTS)
+
+
+def _ends(name: str, ranges: Ranges, low: float, high: float) -> tuple[float, float]:
+    if name in ranges:
+        return ranges[name]
+    return (low, min(high, USUAL[1])) if _is_angle(name) else (low, high)
+
+
+def _is_angle(name: str) -> bool:
+    return name.partition("_")[0] in _ANGLES
+
+
+def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
+    """One point; over decades where the ends are positive."""
+    point: dict[str, float] = {}
+    for name, (low, high) in ends.items():
+        share = _share(seed, attempt, name, scale)
+        spread = low > 0 and high / low > AROUND**3
+        point[name] = low * (high / low) ** share if spread else low + (high - low) * share
+    return point
+
+
+def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int) -> Bindings:
+    """All of a point moved at once, each by a factor; an acute angle up to a right one, and zero to something."""
+    point: dict[str, float] = {}
+    for name in names:
+        value, share = given[name], _share(seed, attempt, name)
+        acute = _is_angle(name) and 0 < value < RIGHT_ANGLE
+        most = 0.99 * RIGHT_ANGLE / value if acute else AROUND
+        point[name] = value / AROUND * (most * AROUND) ** share if value else share
+    return point
+
+
+def sound(node: Node, points: Sequence[Bindings]) -> list[tuple[Bindings, float]]:
+    """The points where a reference has a value with digits to compare: a difference that cancels has none."""
+    found: list[tuple[Bindings, float]] = []
+    for point in points:
+        value = arithmetic.value(node, point)
+        if value:
+            moved = arithmetic.value(
+                node, {name: x * (1 + STEP * (1 + n % 3)) for n, (name, x) in enumerate(point.items())}
+            )
+            if moved is not None and abs(moved - value) <= STEEPEST * STEP * abs(value):
+                found.append((point, value))
+    return found

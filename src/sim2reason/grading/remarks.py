@@ -1,0 +1,238 @@
+r"""What may stand behind a value and its unit: a direction, a remark, the same value in another unit.
+
+The words are a closed list without denials or alternatives, so that whatever is made of them leaves the value as it
+is. A direction is kept: it never flips a sign that is written, but gives one to a bare magnitude.
+"""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from sim2reason.grading.score import Outcome, Refused
+from sim2reason.grading.unit_spelling import is_unit
+
+__all__ = [
+    "APPROXIMATELY",
+    "STARTERS",
+    "Direction",
+    "Remark",
+    "begins",
+    "cut",
+    "direction_of",
+    "is_blank",
+    "read",
+    "sign_for",
+]
+
+_WAYS: Final[dict[str, tuple[str, int]]] = {
+    word: (axis, sign)
+    for axis, ahead, back in (
+        ("up", "up upward upwards uphill upslope", "down downward downwards downhill downslope"),
+        ("right", "right rightward rightwards", "left leftward leftwards"),
+        ("forward", "forward forwards", "backward backwards back"),
+        ("north", "north northward northwards", "south southward southwards"),
+        ("east", "east eastward eastwards", "west westward westwards"),
+        ("out", "outward outwards", "inward inwards"),
+        ("turn", "counterclockwise anticlockwise ccw", "clockwise cw"),
+        ("toward", "toward towards", "away opposite opposing against"),
+        ("tension", "tension tensile stretched", "compression compressive compressed"),
+        ("attraction", "attraction attractive", "repulsion repulsive"),
+        ("increase", "increase gain gained", "decrease loss lost"),
+        ("level", "above", "below"),
+        ("any", "positive", "negative"),
+        ("x", "+x", "-x"),
+        ("y", "+y", "-y"),
+        ("z", "+z", "-z"),
+    )
+    for words, sign in ((ahead, 1), (back, -1))
+    for word in words.split()
+}
+_AXES: Final = {f"{axis}-axis": (axis, 1) for axis in "xyz"}
+APPROXIMATELY: Final = frozenset({"approximately", "approx", "about", "roughly", "around", "circa", "ca"})
+_THINGS: Final = """
+    slope incline inclined plane ramp hill wall floor ground ceiling string rope cable rod spring surface horizontal
+    vertical vertically horizontally axis center centre motion magnitude size speed velocity acceleration force momentum
+    rounded exact exactly final answer net total angle equilibrium origin
+    bottom top rest release collision impact start instantaneous average maximum minimum static kinetic friction normal
+    pulley block cart mass ball bob wedge track face edge wire pivot hinge wheel disc disk line circle circular
+    tangential tangentially radial radially object body initial initially
+    same dimensionless unitless work energy heat done system earth
+"""
+_BETWEEN: Final = """
+    the of in on along with into onto to from by at after before its direction directed directions pointing pointed
+    acting moving going sense relative respect parallel perpendicular side both is it this that which
+    straight given value component due
+"""
+_CONTENT: Final = frozenset(_THINGS.split()) | APPROXIMATELY | _WAYS.keys() | _AXES.keys()
+_FILLERS: Final = frozenset(_BETWEEN.split())
+_WORDS: Final = _CONTENT | _FILLERS
+STARTERS: Final = _WORDS | {"counter", "anti"} - {"is", "it", "this", "that", "which", "value"}
+_ALTERNATIVES: Final = frozenset({"or", "and", "either", "not"})
+
+_BREAK: Final = re.compile(
+    r"(?P<comma>(?<!\\)[,;])|(?P<bracket>[(\[])|(?P<arrow>\\(?:up|down|left|right|longleft|longright)arrow(?![A-Za-z])"
+    r"|\\to(?![A-Za-z])|[→←↑↓])|(?P<word>(?<![\\A-Za-z])[A-Za-z]{2,})"
+)
+_WRAPPER: Final = re.compile(
+    r"\\(?:text(?:rm|up|normal|sf|bf|it|tt)?|math(?:rm|bf|sf|it)|mbox|emph|bm|boldsymbol|left|right|rm|bf|it|q?quad)"
+    r"(?![A-Za-z])|[{}$~]|\\[ ,;:!>]"
+)
+_ARROWS: Final = re.compile(r"\\(?:long)?(up|down|left|right)arrow|\\to(?![A-Za-z])|([→←↑↓])")
+_ARROW_SIGNS: Final = {"→": "right", "←": "left", "↑": "up", "↓": "down", "": "right"}
+_COUNT: Final = r"(?:[0-9]{1,2}|one|two|three|four|five|six)"
+_ACCURACY: Final = re.compile(
+    rf"(?:(?:rounded|correct|given|accurate)\s+)?(?:to\s+)?{_COUNT}[\s-]*(?:s\.?\s?f\.?|sig(?:nificant)?\.?[\s-]*"
+    r"(?:fig(?:ure)?s?|digits?)?\.?|d\.?\s?p\.?|decimal(?:\s(?:place|figure|digit)s?)?|decimals|digits?|figures?)"
+    r"|no units?"
+)
+_AXIS: Final = re.compile(
+    r"(?:(positive|negative|[-−–+])\s?|(positive|negative) (?:direction|sense) (?:of|along) (?:the )?)"
+    r"([xyz])(?:[\s-]{1,4}(?:axis|direction))?\b"
+)
+_AGAIN: Final = re.compile(r"(?:=|≈|\\approx|\\simeq|\\sim|(?:about|approximately|approx\.?|roughly)(?=[\s\d]))\s*")
+_LETTER_AXIS: Final = re.compile(r"\b([xyz])[\s-]{1,4}(?:axis|direction)\b")
+
+
+@dataclass(frozen=True, slots=True)
+class Direction:
+    """A way along an axis: +1 or −1 of what the axis is called by."""
+
+    axis: str
+    sign: int
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """What stood behind a value: the directions in it, and the same value again, as it was written."""
+
+    directions: tuple[Direction, ...] = ()
+    again: tuple[str, ...] = ()
+
+
+def begins(word: str) -> bool:
+    """Whether a word can begin a remark; none that can is a unit."""
+    return word.lower() in STARTERS
+
+
+def cut(tail: str) -> tuple[str, str]:
+    """What follows a value, cut into the unit and the remark."""
+    for found in _BREAK.finditer(tail):
+        kind = found.lastgroup
+        if kind in {"comma", "arrow"} or (kind == "word" and begins(found[0])):
+            return tail[: found.start()], tail[found.start() :]
+        if kind == "bracket" and _remarks(tail[found.end() :]):
+            return tail[: found.start()], tail[found.start() :]
+    return tail, ""
+
+
+def _remarks(inside: str) -> bool:
+    """Whether a bracket holds a remark and no unit."""
+    plain = _plain(inside).lstrip()
+    word = re.match(r"[A-Za-zµΩ]+|[-−+≈=0-9]|\\approx", plain)
+    if word is None or plain.startswith("1/"):
+        return False
+    return not word[0].isalpha() or begins(word[0]) or not is_unit(word[0])
+
+
+def is_blank(text: str) -> bool:
+    """Whether nothing is left of a text without its braces, spaces and full stops."""
+    return not _plain(text).strip(" \t\n.")
+
+
+def _plain(text: str) -> str:
+    return _WRAPPER.sub(" ", text)
+
+
+def read(text: str) -> Remark:
+    """The remark that `text` is made of.
+
+    Raises `Refused`: wrong where it offers a second value, unreadable where it has a word that is not in the list.
+    """
+    directions: list[Direction] = []
+    again: list[str] = []
+    for bracket, piece in _pieces(text):
+        plain = _plain(piece).strip(" \t\n.:")
+        if not plain:
+            continue
+        if bracket and re.match(r"[-−+0-9\\.]", bare := _AGAIN.sub("", plain, count=1)) and not _accuracy(plain):
+            again.append(bare)
+            continue
+        directions += _directions(plain)
+    return Remark(tuple(directions), tuple(again))
+
+
+def _pieces(text: str) -> list[tuple[bool, str]]:
+    """The parts between commas and brackets, each with whether it stood in brackets."""
+    pieces: list[tuple[bool, str]] = []
+    bracket, start = False, 0
+    for found in re.finditer(r"(?<!\\)[,;]|[()\[\]]", text):
+        if found[0] in ",;" and bracket:
+            continue
+        pieces.append((bracket, text[start : found.start()]))
+        bracket, start = found[0] in "([", found.end()
+    return [*pieces, (bracket, text[start:])]
+
+
+def _accuracy(plain: str) -> bool:
+    return _ACCURACY.fullmatch(plain.lower()) is not None
+
+
+def _directions(plain: str) -> list[Direction]:
+    """The directions that words speak of; all of them must be in the list, and one must mean something."""
+    if _accuracy(plain):
+        return []
+    words = _lowered(plain)
+    if any(word in _ALTERNATIVES or re.search(r"[0-9]", word) for word in words):
+        raise Refused(Outcome.WRONG, f"{plain!r} behind the value offers another")
+    unknown = next((word for word in words if word not in _WORDS), None)
+    if unknown is not None or not any(word in _CONTENT for word in words):
+        shown = unknown or plain
+        raise Refused(
+            Outcome.UNREADABLE, f"{shown!r} after the value is neither a unit nor a remark that is known here"
+        )
+    return [Direction(*_WAYS[word]) for word in words if word in _WAYS]
+
+
+def _lowered(plain: str) -> list[str]:
+    """The words of a phrase, each direction as one of `_WAYS`, an axis that is named alone as *x-axis*."""
+    lowered = _ARROWS.sub(lambda arrow: f" {arrow[1] or _ARROW_SIGNS[arrow[2] or '']} ", plain).lower()
+    lowered = re.sub(r"\b(?:counter|anti)[\s-]clockwise\b", "counterclockwise", lowered)
+    lowered = _AXIS.sub(lambda axis: f" {'-' if (axis[1] or axis[2]) in 'negative-−–' else '+'}{axis[3]} ", lowered)
+    words = (word.strip(".,:;()") for word in re.split(r"[\s/]+", _LETTER_AXIS.sub(r"\1-axis", lowered)))
+    return [word for word in words if word.strip("-")]
+
+
+def direction_of(text: str) -> Direction | None:
+    """The one direction that words speak of; None if there is none, or more than one."""
+    words = _lowered(_plain(text))
+    found = {_WAYS[word] for word in words if word in _WAYS} | {_AXES[word] for word in words if word in _AXES}
+    return Direction(*found.pop()) if len(found) == 1 else None
+
+
+def sign_for(directions: Sequence[Direction], positive: str, *, written: bool, below_zero: bool = False) -> int:
+    """The sign that directions give a value: that of a bare magnitude, where the question or *negative* asks for one.
+
+    `written` says that the value has a sign, `below_zero` that the reference does.
+    """
+    denied = any(direction.axis == "any" and direction.sign < 0 for direction in directions)
+    if written or not directions or not (positive or below_zero or denied):
+        return 1
+    return _sign_of(directions, positive)
+
+
+def _sign_of(directions: Sequence[Direction], positive: str) -> int:
+    """The sign that directions give a magnitude, by the question's words for positive; `Refused` if they give none."""
+    sense = direction_of(positive)
+    signs: set[int] = set()
+    for direction in directions:
+        if positive and direction.axis == "any":  # the positive or negative one, whichever that is
+            signs.add(direction.sign)
+        elif sense is not None and direction.axis == sense.axis:
+            signs.add(direction.sign * sense.sign)
+        else:
+            signs |= {1, -1}
+    if len(signs) != 1:
+        told = f"{positive!r} is positive" if positive else "nothing tells which way is positive"
+        raise Refused(Outcome.UNREADABLE, f"directions stand in place of a sign, and {told}")
+    return signs.pop()

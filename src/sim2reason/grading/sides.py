@@ -1,0 +1,243 @@
+"""What an answer states: statements, their sides, and which side is the value.
+
+The last right-hand side counts. Sides before it are names, steps with symbols in them, or claims in numbers, which
+must agree with it. Whatever would leave open which of two values is meant is refused here.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+from sim2reason.grading import labels, remarks
+from sim2reason.grading.alphabet import CLOSES
+from sim2reason.grading.score import Outcome, Refused
+from sim2reason.grading.tokens import Token
+
+__all__ = ["Statement", "flattened", "is_signed", "statement", "unwrapped"]
+
+_SPECIAL: Final = frozenset({"relation", "hedge", "soft", "arrow", "step", "colon", "stop"})
+_STEPS: Final = frozenset({"so", "hence", "thus", "therefore", "thereby"})
+_SAYS: Final = frozenset({"is", "equals", "was"})
+_CONDITIONS: Final = frozenset({"at", "when", "for", "after", "with", "given", "from", "since"})
+_SEPARATORS: Final = (",", ";", "\\", "&")
+
+Tokens = list[Token]
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """The last statement of an answer: the side that counts, and the sides before it that are not plain names.
+
+    `doubt` is what the value's own side has that could offer another value, unless it is part of a remark. `rounded`
+    says that the value stands behind a sign for *approximately*, `named` that a side before it is a name.
+    """
+
+    value: Tokens
+    before: tuple[Tokens, ...] = ()
+    doubt: Token | None = None
+    rounded: bool = False
+    named: bool = False
+
+    def refuse_unsolved(self, side: Tokens) -> None:
+        """Refuse an equation for its one symbol, such as 2T = 9.8, where no other side is a name."""
+        if not self.named and labels.is_compound(side):
+            raise _unreadable("it is an equation that is still to be solved")
+
+
+def statement(tokens: Tokens) -> Statement:
+    """What an answer's tokens state.
+
+    Raises `Refused`: wrong where it hedges (a list, a range, ±, "or", an inequality), unreadable where nothing or too
+    much is left to be the value.
+    """
+    tokens = unwrapped(tokens)
+    kinds = {token.kind for token in tokens}
+    if not tokens:
+        raise _unreadable("there is nothing in the box that could be a value")
+    if "hedge" in kinds:
+        _refuse_hedges(tokens)
+    if tokens[0].kind == "word":
+        tokens = _said(tokens)
+    elif kinds.isdisjoint(_SPECIAL):
+        return Statement(tokens)
+    parts = _parts(tokens)
+    sides, relations = _sides(parts[-1][1])
+    for (_, earlier), (step, _) in pairwise(parts):
+        _check_earlier(earlier, sides[0] if len(sides) > 1 else [], implied=step)
+    return _chosen(sides, relations)
+
+
+def _unreadable(why: str) -> Refused:
+    return Refused(Outcome.UNREADABLE, why)
+
+
+def _hedge(token: Token) -> Refused:
+    return Refused(Outcome.WRONG, f"{token.text!r} makes it more, or less, than one value")
+
+
+def _refuse_hedges(tokens: Tokens) -> None:
+    """Refuse what hedges wherever it stands; of signs between statements that is decided later."""
+    for token in tokens:
+        if token.kind == "hedge" and token.text != ",":
+            raise _hedge(token)
+
+
+def _said(tokens: Tokens) -> Tokens:
+    """Without a word for *approximately* at the beginning."""
+    if tokens[0].text.lower() in remarks.APPROXIMATELY:
+        skip = 2 if len(tokens) > 1 and tokens[1].kind == "stop" else 1
+        return tokens[skip:]
+    return tokens
+
+
+def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
+    """The statements, each with whether it is said to follow from those before; remarks stay with their value."""
+    parts: list[tuple[bool, Tokens]] = [(False, [])]
+    depth = 0
+    last = max((position for position, token in enumerate(tokens) if token.kind == "relation"), default=-1)
+    related = False  # whether the statement that is being read has a relation
+    for position, token in enumerate(tokens):
+        depth += (token.kind == "open") - (token.kind == "close")
+        if depth == 0 and (implied := _divides(tokens, position, related=position < last)) is not None:
+            if parts[-1][1]:
+                parts.append((implied, []))
+                related = False
+            elif position == 0 and token.kind == "hedge":
+                raise _hedge(token)
+            continue
+        if depth == 0 and token.apart > 1 and related and position <= last:
+            parts.append((False, []))
+            related = False
+        related = related or token.kind == "relation"
+        parts[-1][1].append(token)
+    if not parts[-1][1]:
+        parts.pop()
+    if not parts:
+        raise _unreadable("there is nothing in the box that could be a value")
+    return parts
+
+
+def _divides(tokens: Tokens, position: int, *, related: bool) -> bool | None:
+    """Whether a new statement begins behind this token, and as a conclusion; None if none does.
+
+    `related` says that a relation follows.
+    """
+    token = tokens[position]
+    if token.kind == "step" or (token.kind == "word" and token.text.lower() in _STEPS):
+        return True
+    if token.kind == "arrow":
+        return True if related else None
+    if token.kind != "hedge" or token.text != ",":
+        return None
+    following = next((later for later in tokens[position + 1 :] if later.kind != "open"), None)
+    if following is None or following.kind == "arrow":
+        return None
+    remark = following.kind in {"word", "soft"} and remarks.begins(following.text)
+    return None if remark and not related else False
+
+
+def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
+    """The sides of a chain and what stands between them: relations, a colon or a verb behind words."""
+    sides: list[Tokens] = [[]]
+    relations: list[Token] = []
+    depth = 0
+    tried: set[str] = set()  # a name ends at the first colon or the first verb, or at none: so this stays linear
+    for token in unwrapped(tokens):
+        depth += (token.kind == "open") - (token.kind == "close")
+        says = token.kind == "colon" or (token.kind == "word" and token.text.lower() in _SAYS)
+        says = says and depth == 0 and len(sides) == 1 and token.kind not in tried
+        tried |= {token.kind} if says else set[str]()
+        if (depth == 0 and token.kind == "relation") or (says and labels.is_name(sides[0])):
+            if not sides[-1] and relations and relations[-1].kind != "colon" and relations[-1].kind != "word":
+                raise _unreadable("there is nothing between two signs of equality")
+            sides.append([])
+            relations.append(token)
+        else:
+            sides[-1].append(token)
+    return sides, relations
+
+
+def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> None:
+    """Refuse an earlier statement that is another answer; a condition, or an equation to be solved, is none."""
+    if tokens[0].kind == "word" and tokens[0].text.lower() in _CONDITIONS:
+        given = _sides(tokens[1:])[0][0]
+        if name and labels.is_bare(given) and labels.names(given)[:1] == labels.names(name)[:1]:
+            raise _unreadable("what is asked has a value in a condition, too")
+        return
+    sides, relations = _sides(tokens)
+    if not relations or not sides[0] or not name:
+        raise Refused(Outcome.WRONG, "a list is more than one value")
+    mine, other = labels.names(name), labels.names(sides[0])
+    bare = labels.is_bare(sides[0])
+    same = bool(set(mine) & set(other))
+    if bare and implied and mine and other and mine[0][0] != other[0][0]:
+        return
+    if bare or not (implied or same):
+        raise _unreadable("it names two values, and nothing says which is meant")
+
+
+def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
+    """The last side, where those before it leave no doubt."""
+    value = unwrapped(sides[-1])
+    if not value:
+        raise _unreadable("nothing stands behind the last sign of equality")
+    if value[0].kind == "word":
+        value = _said(value)
+    named = [side for side in (unwrapped(side) for side in sides[:-1]) if side]
+    if named and relations[-1].text == "~" and labels.has_numbers(named[-1]):
+        raise Refused(Outcome.WRONG, "a range is not one value")
+    labels.check(named)
+    claims = tuple(side for side in named if labels.has_numbers(side) or len(side) > 1)
+    return Statement(
+        value, claims, _doubt(value), bool(relations) and relations[-1].text == "≈", any(map(labels.is_bare, named))
+    )
+
+
+def _doubt(tokens: Tokens) -> Token | None:
+    return next((token for token in tokens if token.kind in {"hedge", "soft", "arrow"}), None)
+
+
+def is_signed(tokens: Sequence[Token]) -> bool:
+    """Whether a value begins with a sign, be it in parentheses or above a fraction's bar."""
+    first = next((token for token in tokens if token.kind not in {"open", "fraction"}), None)
+    return first is not None and first.kind in {"plus", "minus", "dash"}
+
+
+def flattened(tokens: Tokens) -> Tokens:
+    r"""Without the braces of ``\text{…}`` and its like, which print does not show, but where they hold an argument."""
+    kept: Tokens = []
+    stack: list[tuple[str, bool]] = []  # for each open group, what closes it, and whether it is kept
+    argument = 0  # how many groups a fraction still takes
+    for token in tokens:
+        if token.kind == "open":
+            last = kept[-1].kind if kept else ""
+            argument = 2 if last == "fraction" else argument
+            held = token.finish - token.begin == 1 or last in {"power", "root", "fraction", "function"} or argument > 0
+            stack.append((CLOSES[token.text], held))
+            argument = max(argument - 1, 0) if token.text == "{" else 0
+            if not held:
+                continue
+        elif token.kind == "close":
+            at = next((n for n in range(len(stack) - 1, -1, -1) if stack[n][0] == token.text), None)
+            if at is not None and not stack.pop(at)[1]:
+                continue
+        kept.append(token)
+    return kept
+
+
+def unwrapped(tokens: Tokens) -> Tokens:
+    """Without the groups that enclose all of it: braces, parentheses, upright or bold text."""
+    if not tokens or tokens[0].kind != "open" or tokens[-1].kind != "close":
+        return tokens
+    closings: dict[int, int] = {}
+    stack: list[int] = []
+    for position, token in enumerate(tokens):
+        if token.kind == "open":
+            stack.append(position)
+        elif token.kind == "close" and stack and CLOSES[tokens[stack[-1]].text] == token.text:
+            closings[stack.pop()] = position
+    first, last = 0, len(tokens) - 1
+    while first < last and closings.get(first) == last:
+        first, last = first + 1, last - 1
+    return tokens[first : last + 1]

@@ -1,0 +1,98 @@
+r"""Layout that print shows as nothing, and the further spellings of one thing, brought to one.
+
+What is left is for the tokenizer: ``\hspace{1mm}`` becomes a space, ``30º`` and ``30^{\text{o}}`` become ``30°``,
+``0.\overline{6}`` gets its digits. Most answers have none of it and are returned as they are. Every pattern is linear.
+"""
+
+import re
+from typing import Final
+
+from sim2reason.grading import siunitx
+from sim2reason.grading.score import Outcome, Refused
+
+__all__ = ["balanced", "spelled"]
+
+_HIDING: Final = re.compile(r"\\(?:[hv]?phantom|smash|[lrc]lap|math[lrc]lap|transparent|opacity)(?![A-Za-z])")
+_USUAL: Final = r"[,;:! ]|(?:frac|times|cdot|text|mathrm|sqrt|approx|left|right|circ|theta|mu|quad)(?![A-Za-z])"
+_TRIGGER: Final = re.compile(rf"[*`$º˚…<&]|\^\s*\{{?\s*(?:o|\\[tm])|tg|\.\.|i\.e|\{{\s*[-−+=}}]|\\(?!{_USUAL})")
+_LAYOUT: Final = (
+    r"enspace|enskip|medspace|thickspace|nobreakspace|normalsize|small|large|Large|LARGE|huge|Huge|scriptstyle|limits"
+    r"|mathstrut|strut|boldmath|bfseries|normalfont|upshape|itshape|sf|tt|sc|centering|nonumber|notag|middle|allowbreak"
+)
+_ALIGNED: Final = r"(?:aligned|align\*?|gathered|gather\*?|equation\*?|split|displaymath|math)"
+_DOTS: Final = r"(?:\\[lc]?dots[cbmio]?(?![A-Za-z])|\.{3}|…)"
+_RELATION: Final = r"(?==|≈|\\(?:approx|simeq|cong|equiv)(?![A-Za-z]))"
+_REWRITTEN: Final = tuple(
+    (re.compile(pattern), replacement)
+    for pattern, replacement in (
+        (r"(?<![A-Za-z])i\.\s?e\.,?", " "),
+        (r"\\text\s*\{\s*-\s*\}", "-"),
+        (r"\\text\s*\{\s*--\s*\}", "–"),
+        (r"\\[hm]space\*?\s*\{\s*[0-9.]+\s*(?:mm|cm|pt|em|ex|mu|in)\s*\}", r"\\ "),
+        (rf"\\(?:{_LAYOUT})(?![A-Za-z])", r"\\ "),
+        (r"\\[()\[\]]|[$`]", " "),
+        (r"\\tag\*?\s*\{[0-9.*]{1,5}\}", " "),
+        (rf"\\(?:begin|end)\s*\{{\s*{_ALIGNED}\s*\}}|\\begin\s*\{{array\}}\s*\{{[lcr]\}}|\\end\s*\{{array\}}", " "),
+        (rf"(?:\\\\\s*)?&\s*{_RELATION}|\\\\\s*{_RELATION}", " "),
+        (r"\\\\\s*\Z", ""),
+        (r"<sup>\s*([-−+]?[0-9]{1,3})\s*</sup>", r"^{\1}"),
+        (r"\\textsuperscript\s*\{([^{}]{0,20})\}", r"^{\1}"),
+        (r"[º˚]|\\textdegree(?![A-Za-z])", "°"),
+        (r"(?<=[0-9})])\s*\^\s*\{?\s*(?:\\(?:text|mathrm)\s*\{\s*)?o\s*\}{0,2}(?![A-Za-z])", "°"),
+        (rf"([0-9]\.[0-9]+)\s*{_DOTS}(?!\s*[0-9.])", r"\1"),
+        (r"\\(?:text|mathrm|mbox)\s*\{\s*\}", " "),
+        (r"(?<![A-Za-z])\{\s*\}", ""),
+        (r"(?<![A-Za-z^_])\{\s*([-−+=]|\\cdot|\\times)\s*\}", r"\1 "),
+    )
+)
+_FUNCTIONS: Final = {"arctg": "arctan", "arcctg": "arccot", "tg": "tan", "ctg": "cot", "cotg": "cot", "cosec": "csc"}
+_CALLED: Final = "|".join(_FUNCTIONS)
+_FUNCTION: Final = re.compile(
+    rf"\\(?:(?:operatorname\*?|mathrm|text)\s*\{{\s*({_CALLED})\s*\}}|({_CALLED})(?![A-Za-z]))|(?<![A-Za-z\\])(arctg)"
+)
+_REPEATING: Final = re.compile(
+    r"(?P<digits>[0-9]*\.[0-9]*)\s*\\(?:overline|bar|dot)(?:\s*\{(?P<many>[0-9]{1,6})\}|\s*(?P<one>[0-9]))"
+)
+_BOLD: Final = re.compile(r"\*\*(?=\s*(?:\Z|[,;.:)=≈]|\\|[A-Za-z]))")
+DIGITS: Final = 18  # of a repeating decimal: all that a float has
+
+
+def spelled(content: str) -> str:
+    """An answer in the spelling that the tokenizer reads; `Refused` (unreadable) where print hides a part of it."""
+    if _TRIGGER.search(content) is None:
+        return content
+    if hiding := _HIDING.search(content):
+        raise Refused(Outcome.UNREADABLE, f"{hiding[0]} hides a part of the answer")
+    content = siunitx.expanded(content) if "\\" in content else content
+    content = _unmarked(content)
+    for pattern, replacement in _REWRITTEN:
+        content = pattern.sub(replacement, content)
+    content = _FUNCTION.sub(lambda found: rf"\{_FUNCTIONS[found[1] or found[2] or found[3]]} ", content)
+    return _REPEATING.sub(_repeated, content) if "." in content else content
+
+
+def balanced(text: str) -> str:
+    """A piece of an answer without the braces that close nothing in it, as print has none."""
+    if "}" not in text:
+        return text
+    depth, kept = 0, list[str]()
+    for character in text:
+        depth += (character == "{") - (character == "}")
+        kept.append(character if depth >= 0 else " ")
+        depth = max(depth, 0)
+    return "".join(kept)
+
+
+def _unmarked(content: str) -> str:
+    """Without the stars of Markdown around the whole answer or its beginning; elsewhere two stars are a power."""
+    bare = content.strip()
+    if bare.startswith("**"):
+        content = _BOLD.sub(" ", bare[2:], count=1)
+    elif bare.startswith("*") and bare.endswith("*") and len(bare) > 1:
+        content = bare[1:-1]
+    return content
+
+
+def _repeated(match: re.Match[str]) -> str:
+    cycle = match["many"] or match["one"]
+    return match["digits"] + (cycle * DIGITS)[:DIGITS]

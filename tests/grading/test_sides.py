@@ -1,0 +1,98 @@
+"""The sides of an answer: the last counts if those before it agree, and what leaves two values open says why."""
+
+import pytest
+
+from sim2reason.grading import Outcome, Score, number
+
+
+def boxed(answer: str, reference: float = 9.8, unit: str | None = "m/s^2") -> Score:
+    return number(rf"So $\boxed{{{answer}}}$.", reference, unit)
+
+
+@pytest.mark.parametrize(
+    ("answer", "outcome", "why"),
+    [
+        ("4.9 = 9.8", "wrong", "'4.9' does not agree with the value behind it"),
+        (r"2\cdot 4 = 9.8", "wrong", r"'2\\cdot 4' does not agree with the value behind it"),
+        (r"a_1 = 4.9,\ a_2 = 9.8", "unreadable", "it names two values, and nothing says which is meant"),
+        (r"a_1 = 4.9\quad a_2 = 9.8", "unreadable", "it names two values, and nothing says which is meant"),
+        ("4.9, 9.8", "wrong", "a list is more than one value"),
+        (r"4 \sim 9.8", "wrong", "a range is not one value"),
+        ("2a = 9.8", "unreadable", "it is an equation that is still to be solved"),
+        ("-a = 9.8", "unreadable", "it is an equation that is still to be solved"),
+        (r"a \text{ is not } = 9.8", "unreadable", "'not' before the value changes what it says"),
+        (r"\text{bananas} = 9.8", "unreadable", "'bananas' is no word for a quantity that is known here"),
+        (r"1\text{ at }t = 9.8", "unreadable", "'at' stands among numbers and is no unit"),
+        ("a = = 9.8", "unreadable", "there is nothing between two signs of equality"),
+        (r"9.8\phantom{4}", "unreadable", r"\phantom hides a part of the answer"),
+        (r"10\text{--}0.2", "wrong", "a range is not one value"),
+        (r"9.8\tag{or 12}", "unreadable", r"\tag has no meaning here"),
+        (r"\tag{not }9.8", "unreadable", r"\tag has no meaning here"),
+        ("9.8 1", "unreadable", "two numbers stand side by side"),
+        (
+            r"9.8\text{ bananas}",
+            "unreadable",
+            r"'\\text{ bananas}' after the value: 'bananas' is not in the table of units",
+        ),
+    ],
+)
+def test_what_is_not_paid_says_why(answer: str, outcome: str, why: str) -> None:
+    score = boxed(answer)
+    assert (score.outcome, score.why) == (outcome, why)
+
+
+@pytest.mark.parametrize(
+    "before", ["9.8", "9.75", r"19.6/2", r"\sqrt{96.04}", r"980\text{ cm/s}^2", r"9.8\text{ N/kg}"]
+)
+def test_sides_in_numbers_that_agree(before: str) -> None:
+    assert boxed(rf"{before} = 9.8\text{{ m/s}}^2").reward
+    assert boxed(rf"a = {before} = 9.8\text{{ m/s}}^2").reward
+    assert boxed(rf"a = {before} \approx 9.8").reward
+    assert not boxed(rf"a = 2\cdot {before} = 9.8\text{{ m/s}}^2").reward
+
+
+@pytest.mark.parametrize(
+    "name", ["a", "a_A", "a_{x=2}", "|a|", r"\vec{a}'", "a(2)", r"\ddot x", r"\Delta v", "a^*", "ma"]
+)
+def test_names(name: str) -> None:
+    assert boxed(f"{name} = 9.8").reward
+    assert boxed(f"{name} = 4.9").outcome == Outcome.WRONG
+
+
+@pytest.mark.parametrize("joint", [r"\Rightarrow", r"\implies", r"\text{ so }", ",", r"\therefore", "⇒"])
+def test_a_step_is_no_claim(joint: str) -> None:
+    assert boxed(rf"a^2 = 96.04 {joint} a = 9.8").reward
+    assert boxed(rf"a^2 = 9.8 {joint} a = 3.13").outcome == Outcome.WRONG
+    assert not boxed(rf"a = 4.9 {joint} a = 9.8").reward
+
+
+@pytest.mark.parametrize(
+    ("answer", "unit", "reference"),
+    [
+        (r"\theta = \arcsin 0.5 = 30^\circ", "deg", 30),
+        (r"0.5236 = 30^\circ", "rad", 0.5236),
+        (r"2/3 = 66.7\%", "", 0.667),
+    ],
+)
+def test_a_bare_side_may_be_in_radians_or_a_fraction(answer: str, unit: str, reference: float) -> None:
+    assert boxed(answer, reference, unit).reward
+
+
+@pytest.mark.parametrize(
+    "answer", [r"9.8\tag{1.2*}", r"9.8\tag*{3}", r"12\text{-}2.2", r"a = \frac{19.6\text{ N}}{2\text{ Kg}} = 9.8"]
+)
+def test_what_print_adds_or_dashes(answer: str) -> None:
+    assert boxed(answer).reward
+
+
+def test_an_en_dash_where_a_value_begins_is_a_minus() -> None:
+    assert boxed(r"\text{--}9.8", -9.8).reward
+
+
+@pytest.mark.parametrize("word", ["for", "with", "when", "at", "after", "since", "given"])
+def test_a_condition_is_of_another_quantity(word: str) -> None:
+    for joint in (r",\ ", ";", r"\Rightarrow "):
+        assert boxed(rf"\text{{{word} }}a=4.9{joint}a=9.8").outcome == Outcome.UNREADABLE
+        assert boxed(rf"\text{{{word} }}a_1=4.9{joint}a_2=9.8").reward
+        assert boxed(rf"\text{{{word} }}t=2\text{{ s}}{joint}v(t)=9.8").reward
+        assert boxed(rf"\text{{{word} }}t=2\text{{ s}}{joint}9.8").reward
