@@ -7,6 +7,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from sim2reason.datasets.dataset import Dataset
+    from sim2reason.datasets.generate import generate
     from sim2reason.datasets.grade import grade
     from sim2reason.datasets.item import Item
     from sim2reason.datasets.items import item, stream
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "Certificate": "simulation.certify",
+    "Dataset": "datasets.dataset",
     "Item": "datasets.item",
     "Mechanism": "dsl.mechanism",
     "Scene": "dsl.scene",
@@ -33,6 +36,7 @@ _HOMES = {
     "certify": "simulation.scenes",
     "describe": "prose",
     "dump": "scene_files",
+    "generate": "datasets.generate",
     "grade": "datasets.grade",
     "item": "datasets.items",
     "load": "scene_files",
@@ -44,6 +48,7 @@ _HOMES = {
 
 __all__ = [
     "Certificate",
+    "Dataset",
     "Item",
     "Mechanism",
     "Scene",
@@ -53,6 +58,7 @@ __all__ = [
     "certify",
     "describe",
     "dump",
+    "generate",
     "grade",
     "item",
     "load",

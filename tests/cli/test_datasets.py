@@ -82,10 +82,10 @@ def test_verify_finds_a_whole_dataset_whole(data: Path) -> None:
 
 
 def test_verify_finds_damage(data: Path) -> None:
-    (data / "items-00000-00029.parquet").unlink()
+    (data / "data/train-00000-of-00001.parquet").unlink()
     result = call("verify", data)
     assert result.exit_code == 1
-    assert "items-00000-00029.parquet: missing" in result.stdout
+    assert "data/train-00000-of-00001.parquet: missing" in result.stdout
     report = call("verify", data, "--json")
     assert report.exit_code == 1
     assert json.loads(report.stdout)["ok"] is False
@@ -110,7 +110,7 @@ def test_show_finds_one_by_its_id(data: Path) -> None:
     assert "name: pulley-easy-numeric-0-4" in result.stdout
     items = json.loads(call("show", data, "--id", "pulley-easy-numeric-0-4", "--json").stdout)
     assert [item["id"] for item in items] == ["pulley-easy-numeric-0-4"]
-    assert call("show", data, "--id", "nobody").exit_code == 1
+    assert call("show", data, "--id", "nobody").exit_code == 2
     assert call("show", data / "nowhere").exit_code == 2
 
 

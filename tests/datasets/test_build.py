@@ -1,14 +1,16 @@
+import re
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from sim2reason.datasets.atomic_files import locked
-from sim2reason.datasets.build import build, cores
+from sim2reason.datasets.build import build, build_part, cores
+from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.journal import FOLDER
-from sim2reason.datasets.manifest import MANIFEST, Manifest, load
-from sim2reason.datasets.plan import Config
-from sim2reason.datasets.store import read_items
+from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, refused
+from sim2reason.datasets.plan import LARGEST, Config
 from sim2reason.errors import DatasetError
 
 Make = Callable[..., Manifest]
@@ -17,8 +19,8 @@ Contents = Callable[[Path], dict[str, bytes]]
 
 def test_a_dataset_is_its_shards_a_card_and_a_manifest(make: Make, tmp_path: Path, contents: Contents) -> None:
     manifest = make()
-    ranges = ("00000-00019", "00020-00039", "00040-00059", "00060-00079", "00080-00094")
-    assert list(contents(tmp_path / "data")) == ["README.md", *(f"items-{r}.parquet" for r in ranges), MANIFEST]
+    files = [f"data/train-{n:05}-of-00005.parquet" for n in range(5)]
+    assert list(contents(tmp_path / "data")) == ["README.md", *files, MANIFEST, SHARDS]
     assert manifest == load(tmp_path / "data")
     assert manifest.rows == 94  # the maker finds no draw for one
     assert manifest.counts["recipe"] == {"incline": 47, "pulley": 47}
@@ -28,7 +30,7 @@ def test_a_dataset_is_its_shards_a_card_and_a_manifest(make: Make, tmp_path: Pat
 def test_items_come_in_the_order_of_their_positions(data: Path, config: Config) -> None:
     wanted = [config.request(k).id for k in range(95)]
     wanted.remove("incline-easy-numeric-0-3")
-    assert [item.id for item in read_items(data)] == wanted
+    assert [item.id for item in Dataset(data)] == wanted
 
 
 @pytest.mark.parametrize("workers", [2, 4])
@@ -38,7 +40,7 @@ def test_workers_do_not_change_a_byte(data: Path, make: Make, contents: Contents
 
 
 def test_a_position_without_a_draw_is_told(make: Make) -> None:
-    (problem,) = make().problems("unfilled")
+    (problem,) = make().refused["unfilled"].first
     assert (problem.recipe, problem.index) == ("incline", 3)
     assert problem.reason == "no draw passed: shortcut 12"
 
@@ -56,7 +58,7 @@ def test_refused_draws_are_counted_by_recipe_and_filter(make: Make, config: Conf
 )
 def test_a_bad_item_is_quarantined_and_no_other_is_lost(make: Make, maker: str, reason: str) -> None:
     manifest = make(workers=2, maker=f"fake_makers:{maker}")
-    (problem,) = manifest.problems("quarantined")
+    (problem,) = manifest.refused["quarantined"].first
     assert (problem.recipe, problem.index, problem.seed) == ("pulley", 7, 0)
     assert problem.reason == (reason or "raised ValueError: a defect of two lines")
     assert manifest.rows == 93
@@ -64,7 +66,7 @@ def test_a_bad_item_is_quarantined_and_no_other_is_lost(make: Make, maker: str, 
 
 def test_an_item_that_hangs_is_quarantined(make: Make) -> None:
     manifest = make(workers=2, patience=3.0, maker="fake_makers:hanging", items=20)
-    (problem,) = manifest.problems("quarantined")
+    (problem,) = manifest.refused["quarantined"].first
     assert problem.reason == "hung its worker, twice"
     assert manifest.rows == 18
 
@@ -88,13 +90,13 @@ def test_one_crash_by_chance_leaves_no_trace(make: Make, tmp_path: Path, monkeyp
     monkeypatch.syspath_prepend(tmp_path)
     manifest = make(workers=2, maker="flaky_maker:make")
     assert (tmp_path / "seen").exists()
-    assert not manifest.problems("quarantined")
+    assert not manifest.refused["quarantined"].total
     assert manifest.rows == 94
 
 
 def test_an_item_must_bear_the_id_of_its_request(make: Make) -> None:
     manifest = make(maker="fake_makers:impostor", items=3)
-    assert [p.reason for p in manifest.problems("quarantined")] == ["made an item of another id: other"] * 3
+    assert [p.reason for p in manifest.refused["quarantined"].first] == ["made an item of another id: other"] * 3
 
 
 @pytest.mark.parametrize("maker", ["nowhere:make", "fake_makers:missing", "fake_makers"])
@@ -105,10 +107,10 @@ def test_a_maker_that_can_not_be_imported_is_said_at_once(make: Make, maker: str
 
 def test_duplicates_are_left_out_and_told(make: Make, tmp_path: Path) -> None:
     manifest = make(maker="fake_makers:twins")
-    found = manifest.problems("duplicates")
+    found = list(refused(tmp_path / "data", "duplicates"))
     assert found[0].reason == "same as incline-easy-numeric-0-0"
     assert manifest.rejected["pulley"]["distinct"] == sum(p.recipe == "pulley" for p in found) == 23
-    prompts = [item.prompt for item in read_items(tmp_path / "data")]
+    prompts = [item.prompt for item in Dataset(tmp_path / "data")]
     assert len(prompts) == len(set(prompts)) == manifest.rows
 
 
@@ -117,16 +119,16 @@ def test_a_shard_of_a_dataset_with_duplicates_is_remade_to_the_same_bytes(
 ) -> None:
     make(maker="fake_makers:twins")
     whole = contents(tmp_path / "data")
-    (tmp_path / "data/items-00020-00039.parquet").unlink()
+    (tmp_path / "data/data/train-00001-of-00005.parquet").unlink()
     make(maker="fake_makers:twins")
     assert contents(tmp_path / "data") == whole
 
 
 def test_missing_and_damaged_shards_are_remade_and_no_other(data: Path, make: Make, contents: Contents) -> None:
     whole = contents(data)
-    (data / "items-00060-00079.parquet").unlink()
-    (data / "items-00000-00019.parquet").write_bytes(b"PAR1")
-    kept = data / "items-00020-00039.parquet"
+    (data / "data/train-00003-of-00005.parquet").unlink()
+    (data / "data/train-00000-of-00005.parquet").write_bytes(b"PAR1")
+    kept = data / "data/train-00001-of-00005.parquet"
     stamp = kept.stat().st_mtime_ns
     make()
     assert contents(data) == whole
@@ -149,11 +151,11 @@ def test_a_run_goes_on_from_its_journal(tmp_path: Path, config: Config, data: Pa
     done = 0
     with pytest.raises(KeyboardInterrupt):
         build(tmp_path / "half", config, workers=1, advance=interrupt)
-    assert (tmp_path / "half" / FOLDER / "items-00040-00059.json").exists()
-    (tmp_path / "half" / ".items-00060-00079.parquet.tmp").write_bytes(b"half a file")
+    assert (tmp_path / "half" / FOLDER / "00002.json").exists()
+    (tmp_path / "half" / FOLDER / "train-00003-of-00005.parquet.1.tmp").write_bytes(b"half a file")
     steps: list[int] = []
     build(tmp_path / "half", config, workers=1, advance=steps.append)
-    assert steps[0] == 60
+    assert steps[:3] == [20, 20, 20]
     assert sum(steps) == 95
     assert contents(tmp_path / "half") == contents(data)
 
@@ -188,6 +190,103 @@ def test_a_folder_of_other_things_is_left_alone(make: Make, tmp_path: Path, cont
     assert contents(tmp_path / "data") == {"thesis.tex": b"years of work"}
 
 
+@pytest.mark.parametrize("name", [FOLDER, "data", ".journal", ".notes.tmp"])
+def test_a_folder_of_somebody_elses_is_refused_whatever_it_is_called(make: Make, tmp_path: Path, name: str) -> None:
+    theirs = tmp_path / "theirs" / name
+    theirs.mkdir(parents=True)
+    (theirs / "thesis.tex").write_text("years of work")
+    with pytest.raises(DatasetError, match=f"holds {re.escape(name)} and is no dataset"):
+        make("theirs")
+    assert (theirs / "thesis.tex").read_text() == "years of work"
+
+
+def test_a_plan_that_is_none_makes_no_folder_ours(make: Make, data: Path, contents: Contents) -> None:
+    (data / MANIFEST).unlink()
+    (data / FOLDER).mkdir()
+    (data / FOLDER / "plan.json").write_text('{"config": 3}')
+    whole = contents(data)
+    with pytest.raises(DatasetError, match="and is no dataset"):
+        make()
+    assert contents(data) == whole
+
+
+def test_what_lies_beside_a_dataset_stays(make: Make, data: Path) -> None:
+    strange = [data / ".mine.tmp", data / "data/.mine.tmp", data / "notes.md", data / "data/other.parquet"]
+    for path in strange:
+        path.write_text("notes")
+    (data / "data/train-00001-of-00005.parquet").unlink()
+    make()
+    make(items=120)
+    assert all(path.read_text() == "notes" for path in strange)
+
+
+def test_a_dataset_grows_to_the_bytes_of_a_larger_one(make: Make, tmp_path: Path, contents: Contents) -> None:
+    for maker in ("steady", "twins"):
+        make("small", maker=f"fake_makers:{maker}")
+        kept = (tmp_path / "small/data/train-00001-of-00005.parquet").stat().st_mtime_ns
+        make("small", items=130, maker=f"fake_makers:{maker}")
+        make("large", items=130, maker=f"fake_makers:{maker}")
+        assert contents(tmp_path / "small") == contents(tmp_path / "large")
+        assert (tmp_path / "small/data/train-00001-of-00007.parquet").stat().st_mtime_ns == kept
+        shutil.rmtree(tmp_path / "small")
+        shutil.rmtree(tmp_path / "large")
+
+
+def test_a_dataset_that_was_to_grow_does_so_after_an_interrupt(
+    make: Make, data: Path, config: Config, contents: Contents
+) -> None:
+    def interrupt(steps: int) -> None:
+        del steps
+        raise KeyboardInterrupt
+
+    larger = config.model_copy(update={"items": 130})
+    with pytest.raises(KeyboardInterrupt):
+        build(data, larger, workers=1, advance=interrupt)
+    with pytest.raises(DatasetError, match="items 130 ≠ 95"):
+        make()
+    build(data, larger, workers=1)
+    make("whole", items=130)
+    assert contents(data) == contents(data.parent / "whole")
+
+
+def test_parts_made_by_several_processes_are_the_same_dataset(
+    make: Make, data: Path, config: Config, tmp_path: Path, contents: Contents
+) -> None:
+    del make
+    for number in (1, 2, 0):
+        build_part(tmp_path / "parts", config, (number, 3), workers=1)
+    assert not (tmp_path / "parts" / MANIFEST).exists()
+    steps: list[int] = []
+    build(tmp_path / "parts", config, workers=1, advance=steps.append)
+    assert steps == [20, 20, 20, 20, 15]
+    assert contents(tmp_path / "parts") == contents(data)
+
+
+def test_one_part_is_not_made_twice_at_a_time_nor_beside_the_end(data: Path, config: Config, tmp_path: Path) -> None:
+    build_part(tmp_path / "parts", config, (0, 2), workers=1)
+    lock = tmp_path / "parts" / FOLDER / "part-1-of-2.lock"
+    lock.touch()
+    with locked(lock), pytest.raises(DatasetError, match="another run"):
+        build_part(tmp_path / "parts", config, (0, 2), workers=1)
+    with locked(data), pytest.raises(DatasetError, match="another run"):
+        build_part(data, config, (0, 2), workers=1)
+    with pytest.raises(DatasetError, match="3/2"):
+        build_part(data, config, (2, 2), workers=1)
+
+
+def test_a_dataset_without_end_begins_at_once(tmp_path: Path, config: Config) -> None:
+    class EnoughError(Exception):
+        pass
+
+    def stop(steps: int) -> None:
+        del steps
+        if (tmp_path / "endless/data").is_dir():
+            raise EnoughError
+
+    with pytest.raises(EnoughError):
+        build(tmp_path / "endless", config.model_copy(update={"items": LARGEST}), workers=1, advance=stop)
+
+
 def test_two_runs_do_not_share_a_folder(data: Path, make: Make) -> None:
     with locked(data), pytest.raises(DatasetError, match="another run is writing here"):
         make()
@@ -195,7 +294,7 @@ def test_two_runs_do_not_share_a_folder(data: Path, make: Make) -> None:
 
 def test_an_empty_dataset_is_one_too(make: Make, tmp_path: Path) -> None:
     assert make(items=0).rows == 0
-    assert list(read_items(tmp_path / "data")) == []
+    assert list(Dataset(tmp_path / "data")) == []
 
 
 def test_there_is_at_least_one_core() -> None:

@@ -57,7 +57,7 @@ def test_shards_that_stand_keep_their_counts(make: Make, tmp_path: Path, content
     """A shard is lost and made again: the counts of the others come from the records of the shards."""
     make(maker="fake_makers:wanting")
     before = contents(tmp_path / "data")
-    (tmp_path / "data/items-00020-00039.parquet").unlink()
+    (tmp_path / "data/data/train-00001-of-00005.parquet").unlink()
     make(maker="fake_makers:wanting")
     assert contents(tmp_path / "data") == before
 

@@ -8,7 +8,7 @@ from fake_makers import steady
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item
 from sim2reason.datasets.plan import Request
-from sim2reason.datasets.store import read_shard, write
+from sim2reason.datasets.store import read, write
 
 
 @pytest.fixture
@@ -54,7 +54,7 @@ def test_a_formula_travels_through_a_shard(symbolic: Item, tmp_path: Path) -> No
     plain = steady(Request("pulley", "easy", "numeric", 0, 1)).item
     assert plain is not None
     write(tmp_path / "shard.parquet", [symbolic, plain])
-    assert read_shard(tmp_path / "shard.parquet") == [symbolic, plain]
+    assert read(tmp_path / "shard.parquet") == [symbolic, plain]
 
 
 @pytest.mark.parametrize(

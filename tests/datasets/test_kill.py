@@ -15,6 +15,7 @@ import pytest
 from sim2reason.datasets.manifest import MANIFEST
 
 SUPPORT = Path(__file__).parents[1] / "support"
+PATHS = os.pathsep.join((str(SUPPORT), os.environ.get("PYTHONPATH", "")))
 pytestmark = pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="looks processes up in /proc")
 
 
@@ -25,14 +26,14 @@ def start(out: Path, maker: str, workers: int, mark: str) -> "subprocess.Popen[b
     code = f"{heeds}; from sim2reason.cli import main; main()"
     return subprocess.Popen(
         [sys.executable, "-c", code, "generate", str(out), *options, "--maker", f"fake_makers:{maker}"],
-        env=os.environ | {"PYTHONPATH": str(SUPPORT), "MARK": mark},
+        env=os.environ | {"PYTHONPATH": PATHS, "MARK": mark},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
     )
 
 
 def shards(out: Path) -> int:
-    return len(list(out.glob("items-*.parquet")))
+    return len(list(out.glob("data/*.parquet")))
 
 
 def finish(out: Path, mark: str) -> int:
@@ -103,7 +104,7 @@ def test_an_interrupt_says_how_to_go_on(tmp_path: Path) -> None:
     mark = uuid.uuid4().hex
     run = start(tmp_path / "out", "hanging", 2, mark)
     end = time.monotonic() + 20
-    while not list((tmp_path / "out").glob("items-*.parquet")) and time.monotonic() < end:
+    while not list((tmp_path / "out").glob("data/*.parquet")) and time.monotonic() < end:
         time.sleep(0.02)
     run.send_signal(signal.SIGINT)
     _, err = run.communicate(timeout=20)

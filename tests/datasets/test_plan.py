@@ -14,7 +14,8 @@ NAMES = st.lists(st.sampled_from(["pulley", "incline", "hybrid", "collision"]), 
 @given(NAMES, st.integers(0, 200), st.integers(1, 50))
 def test_every_position_has_a_request_of_its_own(recipes: tuple[str, ...], items: int, shard: int) -> None:
     config = Config(items=items, recipes=recipes, shard=shard)
-    requests = [config.request(k) for positions in config.shards() for k in positions]
+    requests = [config.request(k) for number in range(config.shards) for k in config.positions(number)]
+    assert [config.position(config.named(request.id)) for request in requests] == list(range(items))
     assert len({request.id for request in requests}) == items
     counts = [sum(request.recipe == recipe for request in requests) for recipe in recipes]
     assert max(counts) - min(counts) <= 3  # even, up to one round of three difficulties
@@ -33,14 +34,38 @@ def test_a_recipe_named_twice_is_dealt_twice_a_round() -> None:
     assert dealt == [("a", 0), ("b", 0), ("a", 1), ("a", 2), ("b", 1), ("a", 3)]
 
 
-def test_shards_are_named_by_their_range() -> None:
-    shards = Config(items=1001, recipes=("a",)).shards()
-    assert [file_name(s) for s in shards] == [
-        f"items-{r}.parquet" for r in ("00000-00499", "00500-00999", "01000-01000")
-    ]
+def test_shards_are_named_as_the_hub_does() -> None:
+    config = Config(items=1001, recipes=("a",))
+    assert [config.positions(n) for n in range(config.shards)] == [range(500), range(500, 1000), range(1000, 1001)]
+    assert file_name(2, config.shards) == "data/train-00002-of-00003.parquet"
 
 
-@pytest.mark.parametrize("change", [{"items": -1}, {"recipes": ()}, {"shard": 0}, {"seed": -1}, {"colour": "red"}])
+def test_positions_are_not_counted_out() -> None:
+    config = Config(items=LARGEST, recipes=("a", "b"))
+    assert config.positions(config.shards - 1).stop == LARGEST
+    assert config.position(config.request(LARGEST - 1)) == LARGEST - 1
+
+
+def test_a_request_of_another_configuration_has_no_position() -> None:
+    config = Config(items=12, recipes=("a", "b"))
+    for request in (config.request(12), Request("c", "easy", "numeric", 0, 0), Request("a", "easy", "numeric", 1, 0)):
+        with pytest.raises(DrawError, match="no item of this dataset"):
+            config.position(request)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"items": -1},
+        {"recipes": ()},
+        {"shard": 0},
+        {"shard": 10**9},
+        {"seed": -1},
+        {"split": {"a": 0.5}},
+        {"split": {"../a": 1.0}},
+        {"colour": "red"},
+    ],
+)
 def test_a_configuration_is_checked(change: dict[str, object]) -> None:
     with pytest.raises(ValidationError):
         Config.model_validate({"items": 1, "recipes": ("a",), **change})
@@ -61,7 +86,16 @@ def test_counts_of_counts_add_in_alphabetical_order() -> None:
 def test_the_card_of_an_empty_dataset_has_no_tables_of_nothing() -> None:
     config = Config(items=0, recipes=("a",))
     manifest = Manifest(
-        config=config, config_hash="0", versions={}, rows=0, counts={}, cells=(), rejected={}, shards=(), files={}
+        config=config,
+        config_hash="0",
+        versions={},
+        rows=0,
+        counts={},
+        cells=(),
+        rejected={},
+        refused={},
+        shards=0,
+        files={},
     )
     card = text(manifest, None)
     assert card.startswith("---\npretty_name")

@@ -7,12 +7,13 @@ from pathlib import Path
 import pytest
 
 from sim2reason.datasets import store
-from sim2reason.datasets.atomic_files import canonical
-from sim2reason.datasets.manifest import MANIFEST, Manifest, load
+from sim2reason.datasets.atomic_files import canonical, checksum
+from sim2reason.datasets.journal import FOLDER
+from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, shards
 from sim2reason.datasets.verify import examine
 from sim2reason.errors import DatasetError
 
-FIRST = "items-00000-00019.parquet"
+FIRST = "data/train-00000-of-00005.parquet"
 
 
 def test_a_whole_dataset_has_no_problems(data: Path) -> None:
@@ -37,8 +38,8 @@ def test_a_missing_shard_is_found(data: Path) -> None:
 
 
 def test_an_extra_shard_is_found(data: Path) -> None:
-    shutil.copy(data / FIRST, data / "items-00095-00099.parquet")
-    assert examine(data).faults == ("items-00095-00099.parquet: an extra shard that the manifest does not know",)
+    shutil.copy(data / FIRST, data / "data/train-00005-of-00005.parquet")
+    assert examine(data).faults == ("data/train-00005-of-00005.parquet: an extra file that the dataset does not know",)
 
 
 def test_a_truncated_shard_is_found(data: Path) -> None:
@@ -50,8 +51,12 @@ def test_a_truncated_shard_is_found(data: Path) -> None:
 
 
 def test_a_wrong_count_of_rows_is_found_even_under_a_right_checksum(data: Path) -> None:
+    first, *others = shards(data)
+    file = first.files[0].model_copy(update={"rows": 20})
+    lines = [shard.model_dump_json() for shard in (first.model_copy(update={"files": (file,)}), *others)]
+    (data / SHARDS).write_text("".join(f"{line}\n" for line in lines))
     value = json.loads((data / MANIFEST).read_text())
-    value["shards"][0]["rows"] += 1
+    value["files"][SHARDS] = checksum(data / SHARDS)
     value["rows"] += 1
     (data / MANIFEST).write_text(Manifest.model_validate(value).sealed().text())
     assert examine(data).faults == (f"{FIRST}: 19 rows instead of 20",)
@@ -62,7 +67,7 @@ def test_a_wrong_count_of_rows_is_found_even_under_a_right_checksum(data: Path) 
     [
         (lambda value: value["config"].update(seed=3), "don't fit their hash"),
         (lambda value: value["versions"].update(numpy="0"), "don't fit their hash"),
-        (lambda value: value["shards"].pop(), "doesn't fit the configuration"),
+        (lambda value: value.update(shards=4), "doesn't fit the configuration"),
         (lambda value: value.update(rows=7), "not the sum"),
         (lambda value: value["rejected"]["pulley"].update(shortcut=0), "damaged"),
         (lambda value: value.update(more=1), "not a manifest"),
@@ -84,7 +89,7 @@ def test_what_is_no_finished_dataset_is_refused(tmp_path: Path, data: Path) -> N
     with pytest.raises(DatasetError, match=r"no manifest\.json here"):
         examine(tmp_path / "empty")
     (data / MANIFEST).unlink()
-    (data / ".journal").mkdir()
+    (data / FOLDER).mkdir()
     with pytest.raises(DatasetError, match="not finished; run the same"):
         examine(data)
 
@@ -94,4 +99,4 @@ def test_items_come_back_as_they_were_made(data: Path) -> None:
 
     config = load(data).config
     made = [steady(config.request(k)).item for k in range(20)]
-    assert store.read_shard(data / FIRST) == [item for item in made if item is not None]
+    assert store.read(data / FIRST) == [item for item in made if item is not None]

@@ -9,10 +9,11 @@ from click.testing import CliRunner
 from fake_makers import steady
 from sim2reason.cli import main
 from sim2reason.datasets.build import build
+from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import Config, Request
-from sim2reason.datasets.store import read_items, read_shard, write
+from sim2reason.datasets.store import read, write
 from sim2reason.datasets.worked_solutions import recorded
 from sim2reason.solutions import Solution
 
@@ -29,7 +30,7 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_problems_are_those_without_solutions_and_each_solution_is_graded_right(data: Path, tmp_path: Path) -> None:
     build(tmp_path, CONFIG.model_copy(update={"solutions": False}), workers=1)
-    bare, solved = list(read_items(tmp_path)), list(read_items(data))
+    bare, solved = list(Dataset(tmp_path)), list(Dataset(data))
     assert [item.model_copy(update={"solution": None, "unsolved": ""}) for item in solved] == bare
     assert all(item.solution is None and not item.unsolved for item in bare)
     for item in solved:
@@ -45,7 +46,7 @@ def test_two_workers_and_a_second_run_end_in_the_same_bytes(
     data: Path, tmp_path: Path, contents: Callable[[Path], dict[str, bytes]]
 ) -> None:
     build(tmp_path, CONFIG, workers=2)
-    (tmp_path / "items-00002-00003.parquet").unlink()
+    (tmp_path / "data/train-00001-of-00003.parquet").unlink()
     build(tmp_path, CONFIG, workers=2)
     assert contents(tmp_path) == contents(data)
 
@@ -56,7 +57,7 @@ def test_a_problem_without_a_solution_says_why(tmp_path: Path) -> None:
     solution, unsolved = recorded(Solution("", reason="no strategy applies"))
     item: Item = made.model_copy(update={"solution": solution, "unsolved": unsolved})
     write(tmp_path / "shard.parquet", [item])
-    assert read_shard(tmp_path / "shard.parquet") == [item]
+    assert read(tmp_path / "shard.parquet") == [item]
     assert (item.solution, item.unsolved) == (None, "no strategy applies")
 
 
@@ -65,7 +66,7 @@ def test_the_command_makes_and_shows_them(data: Path, tmp_path: Path) -> None:
     made = run(main, ["generate", str(tmp_path), "--items", "1", "--recipe", "hybrid", "--solutions"])
     assert made.exit_code == 0, made.output
     assert " --solutions\n" in (tmp_path / "README.md").read_text()
-    solved = next(item for item in read_items(data) if item.solution is not None)
+    solved = next(item for item in Dataset(data) if item.solution is not None)
     assert solved.solution is not None
     assert solved.solution.text in run(main, ["show", str(data), "--id", solved.id, "--solution"]).output
     told = run(main, ["explain", str(data), "--id", solved.id])

@@ -30,14 +30,12 @@ The problem is made again from its coordinates, so that nothing in the file is t
 @click.option("--trace", type=console.RESULT, help="Write the motion, too: a .parquet file.")
 def command(out: Path, name: str, figure: Path | None, trace: Path | None) -> int:
     """Tell all about one problem of the dataset in OUT: its scene, certificate, and every filter's verdict."""
+    from sim2reason.datasets.dataset import Dataset
     from sim2reason.datasets.item_search import ItemSearch
     from sim2reason.datasets.make import item_of
     from sim2reason.datasets.plan import Request
-    from sim2reason.datasets.store import read_items
 
-    item = next((item for item in read_items(out) if item.id == name), None)
-    if item is None:
-        raise DatasetError(f"{out}: holds no problem {name!r}; see: sim2reason show {out}")
+    item = Dataset(out).item(name)
     made = item.provenance
     weights = tuple(sorted(made.weights.items()))
     solved = item.solution is not None or bool(item.unsolved)

@@ -15,6 +15,9 @@ last complete box after the thinking. Exit code 0: graded; 2: no finished datase
 """
 
 
+LONGEST_NAME = 80  # characters shown of an id that nobody knows
+
+
 @click.command("grade", epilog=EXAMPLE)
 @click.argument("out", type=click.Path(path_type=Path))
 @click.option(
@@ -25,7 +28,8 @@ last complete box after the thinking. Exit code 0: graded; 2: no finished datase
 @click.option("--json", "to_json", is_flag=True, help="For a program to read: a list of groups with their outcomes.")
 def command(out: Path, source: Path, scores: Path | None, lenient: bool, to_json: bool) -> int:
     """Grade responses to the dataset in OUT; sum up by recipe, kind and outcome."""
-    from sim2reason.datasets import grade, store
+    from sim2reason.datasets import grade
+    from sim2reason.datasets.dataset import Dataset
     from sim2reason.errors import DatasetError
     from sim2reason.grading import Outcome
 
@@ -33,9 +37,10 @@ def command(out: Path, source: Path, scores: Path | None, lenient: bool, to_json
     if not given:
         raise DatasetError(f"{source}: holds no response; give a line {{id, response}} for each")
     wanted = {response.id for response in given}
-    items = {item.id: item for item in store.read_items(out) if item.id in wanted}
+    items = {item.id: item for item in Dataset(out) if item.id in wanted}
     if wanted - items.keys():
-        raise DatasetError(f"{source}: {min(wanted - items.keys())!r} is no item of {out}; give the dataset it is from")
+        unknown = min(wanted - items.keys())[:LONGEST_NAME]
+        raise DatasetError(f"{source}: {unknown!r} is no item of {out}; give the dataset it is from")
     graded = [(response, grade.grade(items[response.id], response.response, lenient=lenient)) for response in given]
     if scores is not None:
         scores.write_text("".join(f"{grade.line(*pair)}\n" for pair in graded), encoding="utf-8")

@@ -1,16 +1,13 @@
 """Show problems of a dataset with their answers."""
 
-from collections.abc import Iterator
-from itertools import islice
 from pathlib import Path
 from textwrap import fill, indent
 
 import click
 
 from sim2reason.cli import console
+from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.manifest import load
-from sim2reason.datasets.store import read_items
 
 EXAMPLE = """\b
 Example:
@@ -27,28 +24,14 @@ WIDTH = 88
 @click.option("--scene", "with_scene", is_flag=True, help="Print the scene too.")
 @click.option("--solution", "with_solution", is_flag=True, help="Print the worked solution too.")
 @click.option("--json", "to_json", is_flag=True, help="For a program to read: a list of whole items.")
-def command(out: Path, count: int, name: str | None, with_scene: bool, to_json: bool, *, with_solution: bool) -> int:
+def command(out: Path, count: int, name: str | None, with_scene: bool, to_json: bool, *, with_solution: bool) -> None:
     """Show problems of the dataset in OUT, spread over it, with their answers."""
-    items = list(_named(out, name) if name else _spread(out, count))
-    if not items:
-        console.explain(f"sim2reason: {out}: holds no such problem; see: sim2reason show {out}")
-        return 1
+    data = Dataset(out)
+    items = [data.item(name)] if name else list(data.some(count))
     if to_json:
         console.as_json([item.model_dump(mode="json") for item in items])
     for item in [] if to_json else items:
         _tell(item, with_scene=with_scene, with_solution=with_solution)
-    return 0
-
-
-def _named(out: Path, name: str) -> Iterator[Item]:
-    return islice((item for item in read_items(out) if item.id == name), 1)
-
-
-def _spread(out: Path, count: int) -> Iterator[Item]:
-    """Problems from all over the dataset; never in step with the round robin of its plan."""
-    rows = load(out).rows
-    places = {i * rows // count + i for i in range(count)} if rows > 2 * count else set(range(count))
-    return (item for place, item in enumerate(read_items(out)) if place in places)
 
 
 def _tell(item: Item, *, with_scene: bool, with_solution: bool) -> None:

@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all, checksums, and the lock of a folder."""
+"""Files that are there whole or not at all, checksums, and the locks of a folder."""
 
 import fcntl
 import hashlib
@@ -10,25 +10,38 @@ from pathlib import Path
 
 from sim2reason.errors import DatasetError
 
-
-def put(path: Path, write: Callable[[Path], object]) -> None:
-    """Let `write` fill a temporary file, then give it its name: a kill leaves the old file, the new or none."""
-    temporary = path.with_name(f".{path.name}.tmp")
-    write(temporary)
-    sync(temporary)
-    temporary.replace(path)
-    sync(path.parent)
+TEMPORARY, LOCK = ".tmp", ".lock"
 
 
-def put_text(path: Path, text: str) -> None:
+def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
+    """Let `write` fill a temporary file in `scratch`, then give it its name.
+
+    A kill leaves the old file, the new one or none. OSError names the file that could not be written, and leaves
+    nothing half done.
+    """
+    temporary = scratch / f"{path.name}.{os.getpid()}{TEMPORARY}"
+    try:
+        write(temporary)
+        sync(temporary)
+        path.parent.mkdir(exist_ok=True)
+        temporary.replace(path)
+        sync(path.parent)
+    except OSError as error:
+        temporary.unlink(missing_ok=True)
+        error.filename = error.filename or str(path)
+        raise
+
+
+def put_text(path: Path, text: str, scratch: Path) -> None:
     """Put a text file."""
-    put(path, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"))
+    put(path, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"), scratch)
 
 
-def sweep(folder: Path) -> None:
-    """Remove the temporary files that a kill left behind."""
-    for path in folder.glob(".*.tmp"):
-        path.unlink()
+def sweep(scratch: Path) -> None:
+    """Remove what a kill left behind in a folder which nobody but us writes to, and nobody now."""
+    for suffix in (TEMPORARY, LOCK):
+        for path in scratch.glob(f"*{suffix}"):
+            path.unlink(missing_ok=True)
 
 
 def sync(path: Path) -> None:
@@ -54,14 +67,17 @@ def canonical(value: object) -> str:
 
 
 @contextmanager
-def locked(folder: Path) -> Generator[None, None, None]:
-    """Keep a second run out of `folder` while the block runs; the lock ends with the process, however it ends."""
-    handle = os.open(folder, os.O_RDONLY)
+def locked(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
+    """Keep other runs out of `place` while the block runs, or only those that share it with nobody.
+
+    The lock ends with the process, however it ends. DatasetError if another run has it.
+    """
+    handle = os.open(place, os.O_RDONLY)
     try:
         try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            fcntl.flock(handle, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise DatasetError(f"{folder}: another run is writing here; wait for it or choose another folder") from None
+            raise DatasetError(f"{place}: another run is writing here; wait for it or choose another folder") from None
         yield
     finally:
         os.close(handle)

@@ -1,26 +1,28 @@
 """Build a dataset, or go on with one: shards first, duplicates out, then the card, and the manifest last."""
 
 import os
-from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing
 from pathlib import Path
 
-from sim2reason.datasets import card, store
-from sim2reason.datasets.atomic_files import checksum, locked, put_text
-from sim2reason.datasets.cells import Key, table
-from sim2reason.datasets.distinct import duplicates
-from sim2reason.datasets.item import Item
+from sim2reason.datasets import shard_files
+from sim2reason.datasets.atomic_files import LOCK, locked
+from sim2reason.datasets.cells import table
+from sim2reason.datasets.distinct import marks
+from sim2reason.datasets.finish import finish
 from sim2reason.datasets.journal import Journal
-from sim2reason.datasets.manifest import MANIFEST, Counts, Manifest, RefusedPosition, Shard, merged, save
-from sim2reason.datasets.plan import MAKER, Config, file_name
+from sim2reason.datasets.manifest import Counts, Manifest, RefusedPosition, Shard, merged
+from sim2reason.datasets.plan import MAKER, Config
 from sim2reason.datasets.pool import run
+from sim2reason.datasets.splits import split_of
 from sim2reason.datasets.work_queue import WorkQueue
 from sim2reason.datasets.worker import Attempt
+from sim2reason.errors import DatasetError
 
 PATIENCE = 120.0
 """Seconds after which a batch counts as hung: a safety net, far above what any item needs."""
-CARD = "README.md"
+Part = tuple[int, int]
+"""Of N processes that share the work, this one's number, from 0, and N."""
 
 
 def build(
@@ -34,34 +36,44 @@ def build(
     """Fill the folder `out` with the dataset of `config`, and give its manifest.
 
     May be interrupted at any moment: the next call makes what is missing or damaged, and ends in the same
-    bytes, whatever the number of `workers` (default: one per core that this process may use). `advance` is
-    called with the number of positions that are done. DatasetError if `out` holds anything else, or a weight makes no
-    sense.
+    bytes, whatever the number of `workers` (default: one per core that this process may use). A dataset of fewer items
+    and otherwise the same configuration is gone on with, too. `advance` is called with the number of positions that are
+    done. DatasetError if `out` holds anything else, or a weight makes no sense.
     """
-    if config.weights and config.maker == MAKER:
-        from sim2reason.datasets.weights import check  # noqa: PLC0415 - it loads what else only workers need
-
-        check(config.weights, config.modes, config.recipes)
-    out = Path(out)
-    out.mkdir(parents=True, exist_ok=True)
+    out = _folder(out, config)
     with locked(out):
         journal = Journal(out, config)
-        shards = journal.finished()
-        missing = [positions for positions in config.shards() if file_name(positions) not in shards]
-        advance(config.items - sum(map(len, missing)))
-        board = WorkQueue(config, missing)
-        crew = min(workers or cores(), max(1, sum(map(len, missing))))
-        with closing(run(board.next, config.maker, crew, patience)) as replies:
-            for batch, reply in replies:
-                before = board.done
-                for positions, outcomes in board.settle(batch, reply):
-                    shard = _shard(out, config, positions, outcomes)
-                    journal.note(shard)
-                    shards[shard.name] = shard
-                advance(board.done - before)
-        manifest = _finish(out, journal, [shards[file_name(positions)] for positions in config.shards()])
+        _fill(journal, range(config.shards), workers, patience, advance)
+        manifest = finish(journal)
         journal.close()
     return manifest
+
+
+def build_part(
+    out: Path | str,
+    config: Config,
+    part: Part,
+    *,
+    workers: int | None = None,
+    patience: float = PATIENCE,
+    advance: Callable[[int], object] = lambda _: None,
+) -> None:
+    """Make every N-th shard of a dataset, beside other processes that make the others; `build` then ends the work.
+
+    The arguments are those of `build`; `part` is this process's number, from 0, and how many there are. DatasetError
+    if another process has the same part, or `build` is at work, too.
+    """
+    number, parts = part
+    if not 0 <= number < parts:
+        raise DatasetError(f"part {number + 1}/{parts}: there is none; count from 1/{parts} to {parts}/{parts}")
+    out = _folder(out, config)
+    with locked(out, shared=True):
+        journal = Journal(out, config, alone=False)
+        mine = journal.folder / f"part-{number + 1}-of-{parts}{LOCK}"
+        mine.touch()
+        with locked(mine):
+            _fill(journal, range(number, config.shards, parts), workers, patience, advance)
+            mine.unlink()
 
 
 def cores() -> int:
@@ -69,89 +81,61 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _shard(out: Path, config: Config, positions: range, outcomes: Sequence[Attempt]) -> Shard:
-    """Write the file of a complete range, and give its record."""
-    path = out / file_name(positions)
-    items = [outcome.item for outcome in outcomes if outcome.item is not None]
-    store.write(path, items)
-    rejected: list[dict[str, Counts]] = []
-    wanted: list[tuple[Key, int]] = []
-    quarantined: list[RefusedPosition] = []
-    unfilled: list[RefusedPosition] = []
-    for outcome in outcomes:
-        request = config.request(outcome.position)
-        rejected.append({request.recipe: outcome.rejected})
-        if outcome.wanted:
-            wanted.append(((request.mode, outcome.wanted, request.recipe), 1))
-        if outcome.failure:
-            quarantined.append(RefusedPosition.of(outcome.position, request, outcome.failure))
-        elif outcome.item is None:
-            unfilled.append(RefusedPosition.of(outcome.position, request, _why(outcome.rejected)))
-    return Shard(
-        name=path.name,
-        rows=len(items),
-        sha256=checksum(path),
-        rejected=merged(rejected),
-        cells=table(wanted, map(_key, items)),
-        quarantined=tuple(quarantined),
-        unfilled=tuple(unfilled),
+def _folder(out: Path | str, config: Config) -> Path:
+    """The folder, made if it is not there, once the configuration makes sense."""
+    if config.weights and config.maker == MAKER:
+        from sim2reason.datasets.weights import check  # noqa: PLC0415 - it loads what else only workers need
+
+        check(config.weights, config.modes, config.recipes)
+    out = Path(out)
+    out.mkdir(parents=True, exist_ok=True)
+    return out
+
+
+def _fill(
+    journal: Journal, numbers: range, workers: int | None, patience: float, advance: Callable[[int], object]
+) -> None:
+    """Make those of some shards that do not stand."""
+    config = journal.plan.config
+
+    def missing() -> Iterator[int]:
+        for number in numbers:
+            if journal.stands(number) is None:
+                yield number
+            else:
+                advance(len(config.positions(number)))
+
+    queue = WorkQueue(config, missing())
+    with closing(run(queue.next, config.maker, workers or cores(), patience)) as replies:
+        for batch, reply in replies:
+            before = queue.done
+            for number, outcomes in queue.settle(batch, reply):
+                _write(journal, number, outcomes)
+            advance(queue.done - before)
+
+
+def _write(journal: Journal, number: int, outcomes: Sequence[Attempt]) -> None:
+    """Write the files of a complete range, and keep its record."""
+    config, positions = journal.plan.config, journal.plan.config.positions(number)
+    made = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
+    homes = [(split_of(item, config.split), item) for _, item in made]
+    by_split = {name: [item for home, item in homes if home == name] for name in config.split}
+    requests = [(outcome, config.request(outcome.position)) for outcome in outcomes]
+    wanted = [((r.mode, each.wanted, r.recipe), 1) for each, r in requests if each.wanted]
+    failed = [RefusedPosition.of(each.position, r, each.failure) for each, r in requests if each.failure]
+    barren = [(each, r) for each, r in requests if not each.failure and each.item is None]
+    shard = Shard(
+        number=number,
+        positions=(positions.start, positions.stop),
+        files=shard_files.write(journal.out, journal.folder, number, config.shards, by_split),
+        counts=shard_files.counts(by_split),
+        rejected=merged({r.recipe: each.rejected} for each, r in requests),
+        cells=table(wanted, ((item.mode, item.kind, item.recipe) for _, item in made)),
+        quarantined=tuple(failed),
+        unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in barren),
     )
-
-
-def _key(item: Item) -> Key:
-    return item.mode, item.kind, item.recipe
+    journal.note(shard, marks(made, scenes=len(config.split) > 1))
 
 
 def _why(rejected: Counts) -> str:
     return "no draw passed: " + (", ".join(f"{name} {n}" for name, n in sorted(rejected.items())) or "none was made")
-
-
-def _finish(out: Path, journal: Journal, shards: Sequence[Shard]) -> Manifest:
-    """Leave duplicates out, count, and write card and manifest."""
-    config, seen, final = journal.plan.config, dict[bytes, str](), list[Shard]()
-    counts: dict[str, Counter[str]] = {by: Counter() for by in ("recipe", "difficulty", "mode", "kind")}
-    example: Item | None = None
-    keys: list[Key] = []
-    for positions, shard in zip(config.shards(), shards, strict=True):
-        items = store.read_shard(out / shard.name)
-        double = duplicates(items, seen)
-        kept = [item for item in items if item.id not in double]
-        final.append(_without(out, journal, positions, shard, kept, double) if double else shard)
-        example = example or next(iter(kept), None)
-        for by, counter in counts.items():
-            counter.update(str(getattr(item, by)) for item in kept)
-        keys += map(_key, kept)
-    asked = [((cell.mode, cell.kind, cell.recipe), cell.asked) for shard in final for cell in shard.cells]
-    distinct = [{problem.recipe: {"distinct": 1}} for shard in final for problem in shard.duplicates]
-    manifest = Manifest(
-        config=config,
-        config_hash=config.digest(journal.plan.versions),
-        versions=journal.plan.versions,
-        rows=sum(shard.rows for shard in final),
-        counts=merged([counts]),
-        cells=table(asked, keys),
-        rejected=merged([*(shard.rejected for shard in final), *distinct]),
-        shards=tuple(final),
-        files={},
-    )
-    put_text(out / CARD, card.text(manifest, example))
-    manifest = manifest.model_copy(update={"files": {CARD: checksum(out / CARD)}}).sealed()
-    save(manifest, out / MANIFEST)
-    return manifest
-
-
-def _without(
-    out: Path, journal: Journal, positions: range, shard: Shard, kept: Sequence[Item], double: dict[str, str]
-) -> Shard:
-    """Write a shard again without its duplicates."""
-    store.write(out / shard.name, kept)
-    requests = [(k, journal.plan.config.request(k)) for k in positions]
-    found = [
-        RefusedPosition.of(k, request, f"same as {double[request.id]}")
-        for k, request in requests
-        if request.id in double
-    ]
-    everything = tuple(sorted([*shard.duplicates, *found], key=lambda problem: problem.position))
-    shard = shard.model_copy(update={"rows": len(kept), "sha256": checksum(out / shard.name), "duplicates": everything})
-    journal.note(shard)
-    return shard

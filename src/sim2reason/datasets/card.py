@@ -4,8 +4,8 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.manifest import Manifest
-from sim2reason.datasets.plan import SI
+from sim2reason.datasets.manifest import SHARDS, Manifest
+from sim2reason.datasets.plan import DATA, SI, TRAIN
 
 SIZES = (1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (1_000_000, "100K<n<1M")
 
@@ -20,7 +20,9 @@ def _front(manifest: Manifest) -> Iterator[str]:
     size = next((name for limit, name in SIZES if manifest.rows < limit), "n>1M")
     yield from ("---", "pretty_name: sim2reason physics problems", "language: [en]")
     yield from ("task_categories: [question-answering]", "tags: [physics, reasoning, simulation, synthetic]")
-    yield from (f"size_categories: [{size}]", "configs:", "- config_name: default", "  data_files: items-*.parquet")
+    yield from (f"size_categories: [{size}]", "configs:", "- config_name: default", "  data_files:")
+    for split in manifest.config.split:
+        yield from (f"  - split: {split}", f"    path: {DATA}/{split}-*.parquet")
     yield from ("---", "")
 
 
@@ -28,21 +30,19 @@ def _body(manifest: Manifest) -> Iterator[str]:
     config = manifest.config
     yield from ("# Physics problems by sim2reason", "")
     yield f"{manifest.rows} problems, each with an answer that two independent simulations of its scene agree on."
-    yield f"QueryRecord for: {config.items}; seed {config.seed}; configuration `{manifest.config_hash[:16]}`."
+    yield f"Asked for: {config.items}; seed {config.seed}; configuration `{manifest.config_hash[:16]}`."
     for by, counts in manifest.counts.items():
         yield from _table(f"By {by}", (by, "problems"), [(key, str(n)) for key, n in counts.items()])
     cells = [(c.mode, c.kind, c.recipe, str(c.asked), str(c.kept)) for c in manifest.cells]
     yield from _table("Asked for by the weights, and kept", ("mode", "kind", "recipe", "asked for", "kept"), cells)
     rows = [(r, name, str(n)) for r, counts in manifest.rejected.items() for name, n in counts.items()]
-    yield from _table("Refused draws", ("recipe", "filter", "draws"), rows)
-    for kind, title in (("quarantined", "Quarantined"), ("unfilled", "Unfilled"), ("duplicates", "Duplicates")):
-        found = [
-            (str(p.position), p.recipe, p.difficulty, p.mode, str(p.index), p.reason) for p in manifest.problems(kind)
-        ]
+    yield from _table("RefusedPositions draws", ("recipe", "filter", "draws"), rows)
+    for kind, refused in manifest.refused.items():
+        found = [(str(p.position), p.recipe, p.difficulty, p.mode, str(p.index), p.reason) for p in refused.first]
         head = "position", "recipe", "difficulty", "mode", "index", "reason"
-        yield from _table(f"{title} positions", head, found[:20])
-        if len(found) > len(found[:20]):
-            yield from ("", f"… and {len(found) - 20} more: see `manifest.json`.")
+        yield from _table(f"{kind.capitalize()} positions", head, found)
+        if refused.total > len(found):
+            yield from ("", f"… and {refused.total - len(found)} more: see `{SHARDS}`.")
 
 
 def _example(item: Item | None) -> Iterator[str]:
@@ -79,10 +79,10 @@ def _remake(manifest: Manifest) -> Iterator[str]:
     yield from ("", "## Made by", "", "```console")
     yield (
         f"$ sim2reason generate OUT --items {config.items} --recipe {','.join(config.recipes)} "
-        f"--difficulty {','.join(config.difficulties)} --modes {','.join(config.modes)} "
+        f"--difficulty {','.join(config.difficulties)} --mode {','.join(config.modes)} "
         f"--seed {config.seed} --shard-size {config.shard}"
         f"{_weights(config.weights)}{f' --units {config.units}' * (config.units != SI)}"
-        f"{' --solutions' * config.solutions}"
+        f"{' --solutions' * config.solutions}{_split(config.split)}"
     )
     yield from ("```", "", f"with `{json.dumps(manifest.versions)}`.")
 
@@ -90,6 +90,12 @@ def _remake(manifest: Manifest) -> Iterator[str]:
 def _weights(weights: Mapping[str, float]) -> str:
     """The option that gives them; none where there are none."""
     return f" --weights {','.join(f'{name}={size!r}' for name, size in weights.items())}" if weights else ""
+
+
+def _split(shares: Mapping[str, float]) -> str:
+    """The option that gives them; none where all is for training."""
+    option = f" --split {','.join(f'{name}={share!r}' for name, share in shares.items())}"
+    return option if list(shares) != [TRAIN] else ""
 
 
 def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:

@@ -31,16 +31,23 @@ Key = tuple[str, str, str]
 
 def table(asked: Iterable[tuple[Key, int]], kept: Iterable[Key]) -> tuple[Cell, ...]:
     """All cells that were asked for or hold an item, in alphabetical order."""
-    counts: dict[Key, list[int]] = {}
-    for key, number in asked:
-        counts.setdefault(key, [0, 0])[0] += number
-    for key in kept:
-        counts.setdefault(key, [0, 0])[1] += 1
+    return _summed([*((key, number, 0) for key, number in asked), *((key, 0, 1) for key in kept)])
+
+
+def together(tables: Iterable[Iterable[Cell]]) -> tuple[Cell, ...]:
+    """The table of several datasets, or parts of one, as a whole."""
+    cells = (cell for table in tables for cell in table)
+    return _summed(((cell.mode, cell.kind, cell.recipe), cell.asked, cell.kept) for cell in cells)
+
+
+def _summed(found: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
+    counts: dict[Key, tuple[int, int]] = {}
+    for key, asked, kept in found:
+        before = counts.get(key, (0, 0))
+        counts[key] = before[0] + asked, before[1] + kept
     return tuple(
-        Cell(
-            mode=mode, kind=kind, recipe=recipe, asked=counts[mode, kind, recipe][0], kept=counts[mode, kind, recipe][1]
-        )
-        for mode, kind, recipe in sorted(counts)
+        Cell(mode=mode, kind=kind, recipe=recipe, asked=asked, kept=kept)
+        for (mode, kind, recipe), (asked, kept) in sorted(counts.items())
     )
 
 

@@ -4,9 +4,9 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel, JsonValue, ValidationError
 
 from sim2reason.datasets.item import Item
 from sim2reason.errors import DatasetError
@@ -16,21 +16,25 @@ __all__ = ["Response", "Tally", "grade", "line", "responses", "tallies"]
 
 
 class Response(BaseModel):
-    """What a policy said about the item `id`; further fields are left alone."""
+    """What a policy said about the item `id`: a text, messages, or what is no answer; further fields are left alone."""
 
     id: str
-    response: str
+    response: JsonValue
 
 
-def grade(item: Item, response: str, *, lenient: bool = False) -> Score:
+def grade(item: Item, response: object, *, lenient: bool = False) -> Score:
     """The score of `response` to `item`, in the item's unit and within its tolerance; a formula at its bindings.
 
-    `lenient` takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken.
+    A direction in place of a sign is read by the item's words for what is positive. `lenient` takes the last number
+    where there is no box: for evaluation, never for a reward. No formula is so taken.
     """
     answer = item.answer
     if answer.formula is not None:
-        return formula(response, answer.formula.latex, answer.formula.points, symbols=answer.formula.symbols)
-    return number(response, answer.value, answer.unit, tolerance=answer.tolerance, lenient=lenient)
+        held = answer.formula
+        return formula(response, held.latex, held.points, symbols=held.symbols, positive=answer.sign)
+    return number(
+        response, answer.value, answer.unit, tolerance=answer.tolerance, positive=answer.sign, lenient=lenient
+    )
 
 
 def responses(path: Path) -> Iterator[Response]:
@@ -40,10 +44,23 @@ def responses(path: Path) -> Iterator[Response]:
             if not text.strip():
                 continue
             try:
-                yield Response.model_validate_json(text)
+                yield Response.model_validate(_whole(json.loads(text)))
             except ValidationError as error:
                 problem = "; ".join(f"{'.'.join(map(str, fault['loc']))} {fault['msg']}" for fault in error.errors())
                 raise DatasetError(f"{path}:{count}: {problem.strip()}; a line is {{id, response}}") from error
+            except (ValueError, RecursionError) as error:
+                raise DatasetError(f"{path}:{count}: no JSON: {error}; a line is {{id, response}}") from error
+
+
+def _whole(read: object) -> object:
+    """What was read, with a mark for each half of a surrogate pair that stands alone, since no file can hold it."""
+    if isinstance(read, str):
+        return read.encode(errors="replace").decode() if not read.isascii() else read
+    if isinstance(read, list):
+        return [_whole(part) for part in cast("list[object]", read)]
+    if isinstance(read, dict):
+        return {_whole(key): _whole(part) for key, part in cast("dict[object, object]", read).items()}
+    return read
 
 
 def line(response: Response, score: Score) -> str:

@@ -1,25 +1,29 @@
 """What a run has finished, so that the next can go on: one small record per shard, in a hidden folder.
 
-    OUT/.journal/plan.json                 the configuration and versions, written before anything else
-    OUT/.journal/items-00000-00499.json    a shard's record, written after the shard
+    OUT/.sim2reason/plan.json      the configuration and versions, written before anything else: the folder is ours
+    OUT/.sim2reason/00007.json     a shard's record, written after its files
+    OUT/.sim2reason/00007.npy      what no other item may share, of each of its items (`distinct`)
+    OUT/.sim2reason/*.tmp          files that are being written
+    OUT/.sim2reason/*.lock         locks of processes that share the work
 
-The folder goes when the manifest stands, which holds the same records.
+It goes when the manifest stands, which leads to the same records: file by file, and only what is named so.
 """
 
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TypeVar
 
+import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.datasets.atomic_files import checksum, sweep
+from sim2reason.datasets.atomic_files import canonical, checksum, put, put_text, sweep
+from sim2reason.datasets.distinct import Marks
 from sim2reason.datasets.item import Record
-from sim2reason.datasets.manifest import MANIFEST, Manifest, Shard, load, save
-from sim2reason.datasets.plan import Config, file_name, versions
+from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, load, shards
+from sim2reason.datasets.plan import DATA, Config, file_name, versions
 from sim2reason.errors import DatasetError
 
-FOLDER, PLAN = ".journal", "plan.json"
+FOLDER, PLAN = ".sim2reason", "plan.json"
 R = TypeVar("R", bound=Record)
 
 
@@ -30,55 +34,136 @@ class RunPlan(Record):
     versions: dict[str, str]
 
     def differences(self, other: "RunPlan") -> list[str]:
-        """In words: where `other` differs from this."""
+        """In words: where `other` differs from this, but for more items, which only come behind these."""
         mine, theirs = _flat(self), _flat(other)
         names = sorted(mine.keys() | theirs.keys())
+        if self.config.items <= other.config.items:
+            names.remove("items")
         return [f"{n} {mine.get(n)!r} ≠ {theirs.get(n)!r}" for n in names if mine.get(n) != theirs.get(n)]
 
 
 class Journal:
     """The records of one run or of the runs before it; the caller holds the folder's lock."""
 
-    def __init__(self, out: Path, config: Config) -> None:
-        """Open the journal of `out`; DatasetError, and nothing touched, if the folder is not ours to fill."""
+    def __init__(self, out: Path, config: Config, *, alone: bool = True) -> None:
+        """Open the journal of `out`; DatasetError, and nothing touched, if the folder is not ours to fill.
+
+        `alone` says that no other run writes here at this time.
+        """
         self.out, self.folder, self.plan = out, out / FOLDER, RunPlan(config=config, versions=versions())
         manifest = self._claim()
         self.folder.mkdir(exist_ok=True)
-        sweep(out)
-        sweep(self.folder)
-        save(self.plan, self.folder / PLAN)
-        self._known = {shard.name: shard for shard in manifest.shards} if manifest else {}
+        if alone:
+            sweep(self.folder)
+        if alone or not (self.folder / PLAN).is_file():
+            put_text(self.folder / PLAN, canonical(self.plan.model_dump(mode="json")), self.folder)
+        if manifest is not None:
+            self._open_again(manifest)
+        self._files = self._found()
 
     def _claim(self) -> Manifest | None:
-        manifest = load(self.out) if (self.out / MANIFEST).is_file() else None
+        """The manifest of a finished dataset that this plan goes on with, if there is one."""
+        if self.folder.is_symlink():
+            raise DatasetError(f"{self.folder}: is a link; choose a new folder")
         begun = _read(self.folder / PLAN, RunPlan)
+        manifest = load(self.out) if (self.out / MANIFEST).is_file() else None
         found = RunPlan(config=manifest.config, versions=manifest.versions) if manifest else begun
         if found is None:
-            if strangers := sorted(p.name for p in self.out.iterdir() if p.name != FOLDER):
+            if strangers := sorted(path.name for path in self.out.iterdir()):
                 raise DatasetError(f"{self.out}: holds {strangers[0]} and is no dataset; choose a new folder")
-        elif differences := found.differences(self.plan):
+        elif differences := (begun or found).differences(self.plan):
             raise DatasetError(
                 f"{self.out}: holds a dataset of another configuration ({'; '.join(differences)}); "
                 "choose a new folder, or the same options and versions to go on"
             )
         return manifest
 
-    def finished(self) -> dict[str, Shard]:
-        """The records of the shards that stand undamaged, by name."""
-        expected = [file_name(positions) for positions in self.plan.config.shards()]
-        records = {name: _read(self._record(name), Shard) or self._known.get(name) for name in expected}
-        return {n: shard for n, shard in records.items() if shard and shard.sha256 == checksum(self.out / n)}
+    def _open_again(self, manifest: Manifest) -> None:
+        """Take the records of a finished dataset over; its manifest holds no longer if the dataset grows."""
+        try:
+            for shard in shards(self.out):
+                if not self._record(shard.number).is_file():
+                    self._save(shard)
+        except DatasetError:
+            pass  # damaged: what has no record is made anew
+        if manifest.config != self.plan.config:
+            (self.out / MANIFEST).unlink(missing_ok=True)
+            (self.out / SHARDS).unlink(missing_ok=True)
 
-    def note(self, shard: Shard) -> None:
-        """Keep the record of a shard that stands."""
-        save(shard, self._record(shard.name))
+    def _found(self) -> dict[tuple[str, int], Path]:
+        """The files that stand, by split and number: of a smaller dataset, each had another total in its name."""
+        found: dict[tuple[str, int], Path] = {}
+        for path in (self.out / DATA).glob("*-of-*.parquet"):
+            split, _, rest = path.name.partition("-")
+            number = rest.partition("-")[0]
+            if number.isdecimal():
+                found[split, int(number)] = path
+        return found
+
+    def stands(self, number: int) -> Shard | None:
+        """The record of a shard if all its files stand undamaged; they get the names of this plan."""
+        shard = self.shard(number)
+        wanted = self.plan.config.positions(number)
+        if shard is None or shard.positions != (wanted.start, wanted.stop):
+            return None
+        renamed = tuple(
+            file.model_copy(update={"name": file_name(number, self.plan.config.shards, file.split)})
+            for file in shard.files
+        )
+        for file in renamed:
+            path = self._files.get((file.split, number), self.out / file.name)
+            if checksum(path) != file.sha256:
+                return None
+            if path != self.out / file.name:
+                path.replace(self.out / file.name)
+        if renamed != shard.files:
+            shard = shard.model_copy(update={"files": renamed})
+            self._save(shard)
+        return shard
+
+    def shard(self, number: int) -> Shard | None:
+        """The record of a shard, if there is one."""
+        return _read(self._record(number), Shard)
+
+    def marks(self, number: int) -> Marks | None:
+        """What no other item may share with those of a shard, if that is kept."""
+        try:
+            found: Marks = np.load(self._marks(number), allow_pickle=False)
+        except (OSError, ValueError):
+            return None
+        return found
+
+    def note(self, shard: Shard, marks: Marks) -> None:
+        """Keep the record of a shard whose files stand."""
+
+        def write(path: Path) -> None:
+            with path.open("wb") as file:
+                np.save(file, marks, allow_pickle=False)
+
+        put(self._marks(shard.number), write, self.folder)
+        self._save(shard)
+        for file in shard.files:
+            before = self._files.pop((file.split, shard.number), None)
+            if before is not None and before != self.out / file.name:
+                before.unlink(missing_ok=True)  # of a smaller dataset, whose last shard this one contains
 
     def close(self) -> None:
-        """The manifest stands: the journal may go."""
-        shutil.rmtree(self.folder)
+        """The manifest stands: what is ours in the folder goes, and it, if that leaves it empty."""
+        for number in range(self.plan.config.shards):
+            self._record(number).unlink(missing_ok=True)
+            self._marks(number).unlink(missing_ok=True)
+        (self.folder / PLAN).unlink(missing_ok=True)
+        if not any(self.folder.iterdir()):
+            self.folder.rmdir()
 
-    def _record(self, name: str) -> Path:
-        return self.folder / f"{Path(name).stem}.json"
+    def _save(self, shard: Shard) -> None:
+        put_text(self._record(shard.number), canonical(shard.model_dump(mode="json")), self.folder)
+
+    def _record(self, number: int) -> Path:
+        return self.folder / f"{number:05}.json"
+
+    def _marks(self, number: int) -> Path:
+        return self.folder / f"{number:05}.npy"
 
 
 def _flat(plan: RunPlan) -> Mapping[str, object]:

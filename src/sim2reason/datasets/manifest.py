@@ -1,20 +1,25 @@
 """The manifest: what a dataset holds, what was refused, what could not be made, and every checksum."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from hashlib import sha256
+from itertools import islice
 from pathlib import Path
+from typing import Literal
 
 from pydantic import ValidationError
 
-from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.datasets.atomic_files import canonical
 from sim2reason.datasets.cells import Cell
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.plan import Config, Request
 from sim2reason.errors import DatasetError
 
-MANIFEST = "manifest.json"
+MANIFEST, SHARDS = "manifest.json", "shards.jsonl"
+FIRST = 20  # of the refused positions that the manifest itself names; all stand beside their shards
 Counts = dict[str, int]
+Refusal = Literal["quarantined", "unfilled", "duplicates"]
+REFUSALS: tuple[Refusal, ...] = ("quarantined", "unfilled", "duplicates")
 
 
 class RefusedPosition(Record):
@@ -42,22 +47,55 @@ class RefusedPosition(Record):
         )
 
 
-class Shard(Record):
+class ShardFile(Record):
     """One file of items."""
 
     name: str
+    """Within the dataset's folder."""
+    split: str
     rows: int
     sha256: str
+
+
+class Shard(Record):
+    """A range of positions: the files of its items, one for each split, and what became of all others.
+
+    The list of all shards stands beside the manifest, one a line, so that nobody needs to hold it in memory.
+    """
+
+    number: int
+    positions: tuple[int, int]
+    """The first one, and that behind the last one."""
+    files: tuple[ShardFile, ...]
+    counts: dict[str, Counts]
+    """Items by recipe, difficulty, mode, kind and split."""
     rejected: dict[str, Counts]
     """By recipe, then by filter: the draws that were refused while these items were made."""
     cells: tuple[Cell, ...] = ()
-    """By mode, kind and recipe: what these items were asked to be, and what they are, duplicates included."""
+    """By mode, kind and recipe: what these items were asked to be, and what was kept."""
     quarantined: tuple[RefusedPosition, ...] = ()
     """Requests that crashed or hung their worker twice, or raised an error that they should not."""
     unfilled: tuple[RefusedPosition, ...] = ()
     """Requests for which no draw passed within the maker's budget."""
     duplicates: tuple[RefusedPosition, ...] = ()
     """Items that were left out because one at a lower position says or asks the same."""
+
+    @property
+    def rows(self) -> int:
+        """Of all its files."""
+        return sum(file.rows for file in self.files)
+
+
+class RefusedPositions(Record):
+    """Positions without an item, for one cause: how many, and the first of them."""
+
+    total: int = 0
+    first: tuple[RefusedPosition, ...] = ()
+
+    def with_more(self, found: Iterable[RefusedPosition]) -> "RefusedPositions":
+        """Those and later ones."""
+        more = tuple(found)
+        return RefusedPositions(total=self.total + len(more), first=(*self.first, *more)[:FIRST]) if more else self
 
 
 class Manifest(Record):
@@ -68,14 +106,15 @@ class Manifest(Record):
     versions: dict[str, str]
     rows: int
     counts: dict[str, Counts]
-    """Items by recipe, difficulty, mode and kind."""
+    """Items by recipe, difficulty, mode, kind and split."""
     cells: tuple[Cell, ...]
     """By mode, kind and recipe: what was asked for, and what was kept."""
     rejected: dict[str, Counts]
     """By recipe, then by filter."""
-    shards: tuple[Shard, ...]
+    refused: dict[Refusal, RefusedPositions]
+    shards: int
     files: dict[str, str]
-    """Other files of the dataset and their SHA-256."""
+    """The card and the list of shards, each with its SHA-256."""
     seal: str = ""
     """The SHA-256 of this manifest with an empty seal."""
 
@@ -87,15 +126,6 @@ class Manifest(Record):
     def text(self) -> str:
         """The bytes of ``manifest.json``, as text."""
         return canonical(self.model_dump(mode="json"))
-
-    def problems(self, kind: str) -> list[RefusedPosition]:
-        """All that are `quarantined`, `unfilled` or `duplicates`, in the order of positions."""
-        return [problem for shard in self.shards for problem in getattr(shard, kind)]
-
-
-def save(record: Record, path: Path) -> None:
-    """Write a record as canonical JSON."""
-    put_text(path, canonical(record.model_dump(mode="json")))
 
 
 def load(path: Path) -> Manifest:
@@ -109,6 +139,38 @@ def load(path: Path) -> Manifest:
         raise DatasetError(
             f"{file}: not a manifest of this version ({_first(error)}); make it anew in another folder"
         ) from None
+
+
+def shards(path: Path) -> Iterator[Shard]:
+    """The shards of a finished dataset in order, one at a time; DatasetError for a line that is none."""
+    return (_shard(path, *numbered) for numbered in enumerate(_lines(path), start=1))
+
+
+def shard(path: Path, number: int) -> Shard:
+    """One shard of a finished dataset; DatasetError if its line is none, or not there."""
+    line = next(islice(_lines(path), number, None), b"")
+    return _shard(path, number + 1, line)
+
+
+def _lines(path: Path) -> Iterator[bytes]:
+    try:
+        with (path / SHARDS).open("rb") as lines:
+            yield from lines
+    except FileNotFoundError:
+        raise DatasetError(f"{path / SHARDS}: missing; run the same sim2reason generate again") from None
+
+
+def _shard(path: Path, count: int, line: bytes) -> Shard:
+    try:
+        return Shard.model_validate_json(line)
+    except ValidationError as error:
+        why = f"line {count} is no shard ({_first(error)}); run the same sim2reason generate again"
+        raise DatasetError(f"{path / SHARDS}: {why}") from None
+
+
+def refused(path: Path, kind: Refusal) -> Iterator[RefusedPosition]:
+    """All positions of a finished dataset that hold no item for one cause, in order."""
+    return (found for shard in shards(path) for found in getattr(shard, kind))
 
 
 def merged(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:

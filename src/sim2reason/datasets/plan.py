@@ -11,10 +11,11 @@ from functools import cache, cached_property
 from importlib import import_module
 from importlib.metadata import version
 from itertools import product
+from math import isclose
 from typing import Annotated, Self, cast
 
-from annotated_types import Ge, Le, MinLen
-from pydantic import Field
+from annotated_types import Ge, Gt, Le, MinLen
+from pydantic import Field, field_validator
 
 from sim2reason.datasets.item import Item, Record
 from sim2reason.errors import DatasetError, DrawError
@@ -27,9 +28,18 @@ LARGEST = 2**63 - 1
 SI = "SI"
 """The system of units of which a text speaks by default."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
+LARGEST_SHARD = 100_000  # rows: what a process holds in memory at once, some 300 MB
+DATA = "data"
+"""The folder of all shards."""
+TRAIN = "train"
+"""The split that holds everything where none is asked for; so the Hugging Face hub calls it, too."""
 SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 """The packages whose versions may change the bytes of a dataset."""
 
+Weights = tuple[tuple[str, float], ...]
+"""Pairs of a name and a weight."""
+Share = Annotated[float, Gt(0.0), Le(1.0)]
+_SPLIT = re.compile(r"[a-z][a-z0-9_]{0,30}")
 _ID = re.compile(
     r"(?P<recipe>[^-].{0,80}?)-(?P<difficulty>[a-z]{1,20})-(?P<mode>[a-z]{1,20})-(?P<seed>\d{1,19})-(?P<index>\d{1,19})"
     r"(?:-(?P<units>[a-z]{1,20}(?<![0-9a-f]{8})))?(?:-(?P<weights>[0-9a-f]{8}))?"
@@ -45,7 +55,7 @@ class Request:
     mode: str
     seed: int
     index: int
-    weights: tuple[tuple[str, float], ...] = ()
+    weights: Weights = ()
     """Of kinds of question, by name, where they are not those that the library declares."""
     units: str = SI
     solutions: bool = False
@@ -65,15 +75,16 @@ class Request:
         return f"{name}{units}-{_digest(self.weights)}" if self.weights else f"{name}{units}"
 
     @classmethod
-    def named(cls, name: str) -> Self:
-        """The request of an id; DrawError for what is none, or for one whose weights no name tells."""
+    def named(cls, name: str, weights: Weights = ()) -> Self:
+        """The request of an id, made with `weights`; DrawError for what is none, or for one of other weights."""
         match = _ID.fullmatch(name)
         if match is None:
             raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")
-        if match["weights"]:
+        seed, index, units = int(match["seed"]), int(match["index"]), match["units"] or SI
+        request = cls(match["recipe"], match["difficulty"], match["mode"], seed, index, weights, units)
+        if request.id != name:
             raise DrawError(f"{name!r}: its weights do not stand in its id; see: sim2reason explain OUT --id {name}")
-        seed, index = int(match["seed"]), int(match["index"])
-        return cls(match["recipe"], match["difficulty"], match["mode"], seed, index, units=match["units"] or SI)
+        return request
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,18 +107,28 @@ Maker = Callable[[Request], Made]
 class Config(Record):
     """The configuration of a dataset: with the versions it decides every byte."""
 
-    items: Annotated[int, Ge(0)]
+    items: Annotated[int, Ge(0), Le(LARGEST)]
     recipes: Annotated[tuple[str, ...], MinLen(1)]
     difficulties: Annotated[tuple[str, ...], MinLen(1)] = DIFFICULTIES
     modes: Annotated[tuple[str, ...], MinLen(1)] = ("numeric",)
     seed: Annotated[int, Ge(0), Le(LARGEST)] = 0
-    shard: Annotated[int, Ge(1)] = SHARD
+    shard: Annotated[int, Ge(1), Le(LARGEST_SHARD)] = SHARD
     maker: str = MAKER
     weights: dict[str, float] = Field(default_factory=dict[str, float])
     """How often kinds of question are asked, by name: ``period``, ``reverse.period``, ``springs.reverse.period``."""
     units: str = SI
     solutions: bool = False
     """Whether items come with worked solutions."""
+    split: dict[str, Share] = Field(default_factory=lambda: {TRAIN: 1.0})
+    """The shares of the splits, by name; together 1."""
+
+    @field_validator("split")
+    @classmethod
+    def _whole(cls, value: dict[str, float]) -> dict[str, float]:
+        """In alphabetical order; names that a file may have, and shares that leave nothing over."""
+        if any(not _SPLIT.fullmatch(name) for name in value) or not isclose(sum(value.values()), 1.0, abs_tol=1e-9):
+            raise ValueError("a split is NAME=SHARE in small letters and digits, and all shares together are 1")
+        return dict(sorted(value.items()))
 
     @cached_property
     def _cells(self) -> tuple[tuple[str, str, str], ...]:
@@ -118,11 +139,36 @@ class Config(Record):
         turn, place = divmod(position, len(self._cells))
         cell = self._cells[place]
         index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
-        return Request(*cell, self.seed, index, tuple(sorted(self.weights.items())), self.units, self.solutions)
+        return Request(*cell, self.seed, index, self._weights, self.units, self.solutions)
 
-    def shards(self) -> list[range]:
-        """The ranges of positions that stand in one file each."""
-        return [range(k, min(k + self.shard, self.items)) for k in range(0, self.items, self.shard)]
+    def named(self, name: str) -> Request:
+        """The request of an id; DrawError for what is no id of this configuration's weights."""
+        return Request.named(name, self._weights)
+
+    @cached_property
+    def _weights(self) -> Weights:
+        return tuple(sorted(self.weights.items()))
+
+    @property
+    def shards(self) -> int:
+        """How many ranges of positions there are, of which each stands in one file for each split."""
+        return -(-self.items // self.shard)
+
+    def positions(self, number: int) -> range:
+        """The positions of the shard of that number."""
+        return range(number * self.shard, min((number + 1) * self.shard, self.items))
+
+    def position(self, request: Request) -> int:
+        """Where a request stands; DrawError if it is not among those of this configuration."""
+        cell = request.recipe, request.difficulty, request.mode
+        times = self._cells.count(cell)
+        if times:
+            turn, among = divmod(request.index, times)
+            place = [n for n, found in enumerate(self._cells) if found == cell][among]
+            position = turn * len(self._cells) + place
+            if position < self.items and self.request(position).id == request.id:
+                return position
+        raise DrawError(f"{request.id}: no item of this dataset")
 
     def digest(self, versions: dict[str, str]) -> str:
         """A hash of the configuration and the versions that make it."""
@@ -130,9 +176,9 @@ class Config(Record):
         return hashlib.sha256(text.encode()).hexdigest()
 
 
-def file_name(positions: range) -> str:
-    """The name of the shard that holds `positions`."""
-    return f"items-{positions.start:05}-{positions.stop - 1:05}.parquet"
+def file_name(number: int, total: int, split: str = TRAIN) -> str:
+    """The file of a shard and a split, named as the Hugging Face hub does."""
+    return f"{DATA}/{split}-{number:05}-of-{total:05}.parquet"
 
 
 def _digest(weights: tuple[tuple[str, float], ...]) -> str:

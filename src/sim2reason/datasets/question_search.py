@@ -15,6 +15,7 @@ from sim2reason.prose.writer import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
 from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND
+from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
 from sim2reason.solutions import Setting
@@ -147,7 +148,8 @@ class QuestionSearch:
 
     def _told(self, question: Question, mode: QuestionMode, rng: np.random.Generator) -> "_Told":
         """A question with its prompt, as filters look at it."""
-        description, study = mode.described(question, self.description), mode.study(question, self.study)
+        study = mode.study(question, self.study)
+        description = mode.described(question, self.description.leaving_out(irrelevant(question, study)))
         prompt = shaped(description, question, rng)
         said, level = description.sentences, self._difficulty
         candidate = Candidate(study, question, prompt.text, said, self.words, difficulty=level)

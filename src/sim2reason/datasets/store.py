@@ -1,20 +1,18 @@
-"""Shards on disk: Parquet with a fixed schema, so that equal items give equal bytes."""
+"""Items on disk: Parquet with a fixed schema, so that equal items give equal bytes."""
 
 # pyarrow ships no types; it is used for data in this one module of the package, which speaks types to the others:
 # pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false
 # pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from sim2reason.datasets.atomic_files import put
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.manifest import load
 
 TEXT, REAL, WHOLE = pa.string(), pa.float64(), pa.int64()
 BINDING = pa.struct({"numbers": pa.list_(REAL), "answer": REAL})
@@ -70,27 +68,26 @@ OPEN = "versions", "weights"
 
 
 def write(path: Path, items: Sequence[Item]) -> None:
-    """Put a shard: the same items give the same bytes with the same pyarrow."""
+    """Write a file: the same items give the same bytes with the same pyarrow."""
     table = pa.Table.from_pylist([_row(item) for item in items], schema=SCHEMA)
     # all that decides about bytes is said here, and none of it depends on the clock or the machine's cores
-    put(path, lambda file: pq.write_table(table, file, compression="zstd", compression_level=3, version="2.6"))
+    pq.write_table(table, path, compression="zstd", compression_level=3, version="2.6")
 
 
-def read_shard(path: Path) -> list[Item]:
-    """The items of one shard, in order; OSError or ValueError if it is damaged."""
-    return [_item(row) for row in pq.ParquetFile(path).read().to_pylist()]
+def read(path: Path) -> list[Item]:
+    """The items of one file, in order; OSError or ValueError if it is damaged."""
+    try:
+        return [_item(row) for row in pq.ParquetFile(path).read().to_pylist()]
+    except (pa.ArrowException, KeyError, TypeError) as error:
+        raise ValueError(str(error)) from error
 
 
 def count(path: Path) -> int:
-    """The number of rows that a shard says it has."""
-    return pq.ParquetFile(path).metadata.num_rows
-
-
-def read_items(out: Path | str) -> Iterator[Item]:
-    """All items of a finished dataset in the order of their positions; DatasetError if it is none."""
-    out = Path(out)
-    for shard in load(out).shards:
-        yield from read_shard(out / shard.name)
+    """The number of rows that a file says it has; OSError or ValueError if it is damaged."""
+    try:
+        return pq.ParquetFile(path).metadata.num_rows
+    except pa.ArrowException as error:
+        raise ValueError(str(error)) from error
 
 
 def _row(item: Item) -> dict[str, Any]:

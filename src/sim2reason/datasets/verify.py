@@ -8,8 +8,8 @@ from sim2reason.datasets.atomic_files import checksum
 from sim2reason.datasets.cells import empty
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.journal import FOLDER
-from sim2reason.datasets.manifest import MANIFEST, Manifest, Shard, load
-from sim2reason.datasets.plan import file_name
+from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, ShardFile, load, shards
+from sim2reason.datasets.plan import DATA, file_name
 from sim2reason.errors import DatasetError
 
 
@@ -39,8 +39,8 @@ def examine(out: Path | str) -> Findings:
         manifest = load(out)
     except DatasetError as error:
         return Findings(rows=0, shards=0, faults=(str(error),))
-    faults = *_manifest(out, manifest), *_files(out, manifest), *_strangers(out, manifest), *empty(manifest.cells)
-    return Findings(rows=manifest.rows, shards=len(manifest.shards), faults=faults)
+    faults = *_manifest(out, manifest), *_files(out, manifest), *_shards(out, manifest), *empty(manifest.cells)
+    return Findings(rows=manifest.rows, shards=manifest.shards, faults=faults)
 
 
 def _manifest(out: Path, manifest: Manifest) -> Iterator[str]:
@@ -48,37 +48,58 @@ def _manifest(out: Path, manifest: Manifest) -> Iterator[str]:
         yield f"{MANIFEST}: damaged, it is not as it was written"
     if manifest.config.digest(manifest.versions) != manifest.config_hash:
         yield f"{MANIFEST}: the configuration or the versions don't fit their hash"
-    if [shard.name for shard in manifest.shards] != [file_name(positions) for positions in manifest.config.shards()]:
-        yield f"{MANIFEST}: the list of shards doesn't fit the configuration"
-    if manifest.rows != sum(shard.rows for shard in manifest.shards):
-        yield f"{MANIFEST}: the number of rows is not the sum over the shards"
+    if manifest.shards != manifest.config.shards:
+        yield f"{MANIFEST}: the number of shards doesn't fit the configuration"
 
 
 def _files(out: Path, manifest: Manifest) -> Iterator[str]:
     for name, sha256 in manifest.files.items():
         if checksum(out / name) != sha256:
             yield f"{name}: {'damaged' if (out / name).is_file() else 'missing'}"
-    for shard in manifest.shards:
-        if not (out / shard.name).is_file():
-            yield f"{shard.name}: missing"
-            continue
-        if checksum(out / shard.name) != shard.sha256:
-            yield f"{shard.name}: damaged, its SHA-256 is not that of the manifest"
-        yield from _rows(out, shard)
 
 
-def _rows(out: Path, shard: Shard) -> Iterator[str]:
+def _shards(out: Path, manifest: Manifest) -> Iterator[str]:
+    """What is wrong with the list of shards, their files, and others beside them."""
+    rows, numbers = 0, 0
     try:
-        rows = store.count(out / shard.name)
-    except (OSError, ValueError) as error:
-        yield f"{shard.name}: not readable as Parquet ({' '.join(str(error).split())})"
+        for shard in shards(out):
+            rows, numbers = rows + shard.rows, numbers + 1
+            names = tuple(file_name(shard.number, manifest.shards, split) for split in manifest.config.split)
+            if shard.number != numbers - 1 or tuple(file.name for file in shard.files) != names:
+                yield f"{SHARDS}: line {numbers} doesn't fit the configuration"
+            for file in shard.files:
+                yield from _file(out, file)
+    except DatasetError as error:
+        yield str(error)
         return
-    if rows != shard.rows:
-        yield f"{shard.name}: {rows} rows instead of {shard.rows}"
+    if numbers != manifest.shards:
+        yield f"{SHARDS}: {numbers} shards instead of {manifest.shards}"
+    if manifest.rows != rows:
+        yield f"{MANIFEST}: the number of rows is not the sum over the shards"
+    yield from _strangers(out, manifest)
+
+
+def _file(out: Path, file: ShardFile) -> Iterator[str]:
+    path = out / file.name
+    if not path.is_file():
+        yield f"{file.name}: missing"
+        return
+    if checksum(path) != file.sha256:
+        yield f"{file.name}: damaged, its SHA-256 is not that of the list of shards"
+    try:
+        rows = store.count(path)
+    except (OSError, ValueError) as error:
+        yield f"{file.name}: not readable as Parquet ({' '.join(str(error).split())})"
+        return
+    if rows != file.rows:
+        yield f"{file.name}: {rows} rows instead of {file.rows}"
 
 
 def _strangers(out: Path, manifest: Manifest) -> Iterator[str]:
-    known = {shard.name for shard in manifest.shards}
-    for path in sorted(out.glob("*.parquet")):
-        if path.name not in known:
-            yield f"{path.name}: an extra shard that the manifest does not know"
+    """Parquet files beside those of the dataset."""
+    for path in sorted((out / DATA).glob("*.parquet")):
+        split, _, rest = path.stem.partition("-")
+        number = int(rest[:5]) if rest[:5].isdecimal() else -1
+        ours = split in manifest.config.split and 0 <= number < manifest.shards
+        if not ours or f"{DATA}/{path.name}" != file_name(number, manifest.shards, split):
+            yield f"{DATA}/{path.name}: an extra file that the dataset does not know"

@@ -1,17 +1,18 @@
-"""How often each kind of question is asked: weights declared by kinds and recipes, or by whoever orders a dataset."""
+"""How often each kind of question is asked: weights declared by kinds and recipes, or by whoever orders a dataset.
+
+The name of a weight is that of a kind, and may have a mode, a recipe or both before it: ``period``, ``reverse.period``,
+``springs.period``, ``springs.reverse.period``. The most special one counts.
+"""
 
 from collections.abc import Mapping
 from math import isfinite
 
 import numpy as np
 
+from sim2reason.datasets.plan import Weights
 from sim2reason.errors import DatasetError
 from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES
-
-Weights = tuple[tuple[str, float], ...]
-"""Pairs of a name and a weight. A name is that of a kind, and may have a mode, a recipe or both before it:
-``period``, ``reverse.period``, ``springs.period``, ``springs.reverse.period``. The most special one counts."""
 
 REMEDY = "write KIND, MODE.KIND, RECIPE.KIND or RECIPE.MODE.KIND, as in reverse.period=0.5"
 

@@ -1,7 +1,7 @@
 """Which positions wait, which are being made, and which shards are complete."""
 
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.pool import Reply
@@ -17,37 +17,39 @@ class WorkQueue:
     the others are not lost. A position that fails alone gives an outcome with a failure.
     """
 
-    def __init__(self, config: Config, shards: Sequence[range]) -> None:
-        """RunPlan the `shards` that are to be made."""
+    def __init__(self, config: Config, shards: Iterable[int]) -> None:
+        """Plan the `shards` that are to be made, by number; they are asked for when their turn comes."""
         self._config = config
-        self._shards = {k: shard for shard in shards for k in shard}
-        self._open: dict[range, list[Attempt]] = {shard: [] for shard in shards}
+        self._open: dict[int, list[Attempt]] = {}
         self._fresh = self._cut(shards)
         self._again: deque[int] = deque()
         self._second: set[int] = set()
         self.done = 0
         """Positions whose outcome is known."""
 
-    def _cut(self, shards: Sequence[range]) -> Iterator[range]:
-        for shard in shards:
-            for start in range(shard.start, shard.stop, BATCH):
-                yield range(start, min(start + BATCH, shard.stop))
+    def _cut(self, shards: Iterable[int]) -> Iterator[range]:
+        for number in shards:
+            self._open[number] = []
+            positions = self._config.positions(number)
+            for start in range(positions.start, positions.stop, BATCH):
+                yield range(start, min(start + BATCH, positions.stop))
 
     def next(self) -> Batch | None:
         """The next batch; None if there is none now (a reply may bring more)."""
         positions = [self._again.popleft()] if self._again else next(self._fresh, ())
         return [(k, self._config.request(k)) for k in positions] or None
 
-    def settle(self, batch: Batch, reply: Reply) -> Iterator[tuple[range, list[Attempt]]]:
+    def settle(self, batch: Batch, reply: Reply) -> Iterator[tuple[int, list[Attempt]]]:
         """Take a reply in, and give each shard that it completes with its outcomes in order."""
         if isinstance(reply, str):
             reply = list(self._retry(batch, reply))
         self.done += len(reply)
         for outcome in reply:
-            shard = self._shards[outcome.position]
-            self._open[shard].append(outcome)
-            if len(self._open[shard]) == len(shard):
-                yield shard, sorted(self._open.pop(shard), key=lambda each: each.position)
+            number = outcome.position // self._config.shard
+            self._second.discard(outcome.position)
+            self._open[number].append(outcome)
+            if len(self._open[number]) == len(self._config.positions(number)):
+                yield number, sorted(self._open.pop(number), key=lambda each: each.position)
 
     def _retry(self, batch: Batch, why: str) -> Iterator[Attempt]:
         for position, _ in batch:

@@ -1,0 +1,91 @@
+"""Generate a dataset from Python, as the command of this name does."""
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TypedDict, Unpack
+
+from pydantic import ValidationError
+
+from sim2reason.datasets.build import build
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.plan import MAKER, SI, Config
+from sim2reason.errors import DatasetError
+from sim2reason.questions import MODES
+from sim2reason.questions.spoken_units import system_named
+from sim2reason.recipes import DIFFICULTIES, RECIPES, all_recipes, known
+
+ALL = "all"
+ITEMS = 1000
+AS_GIVEN = "seed", "shard", "maker", "solutions", "weights", "split"
+Names = str | Sequence[str]
+"""One name, several, or ``all``."""
+
+
+class Order(TypedDict, total=False):
+    """What a dataset shall hold; whatever is left out is as the command line has it."""
+
+    items: int
+    recipe: Names
+    difficulty: Names
+    mode: Names
+    seed: int
+    weights: Mapping[str, float]
+    """How often kinds of question are asked: ``{"period": 2, "reverse.count": 0}``."""
+    units: str
+    """The system in which texts speak: ``SI``, ``cgs`` or ``mixed``."""
+    solutions: bool
+    """Whether items come with worked solutions."""
+    split: Mapping[str, float]
+    """The shares of the splits: ``{"train": 0.9, "test": 0.1}``."""
+    shard: int
+    """How many problems stand in one file."""
+    maker: str
+    """The maker of items by its dotted path: one of one's own may know names that the library doesn't."""
+
+
+def generate(
+    out: Path | str,
+    *,
+    workers: int | None = None,
+    advance: Callable[[int], object] = lambda _: None,
+    **order: Unpack[Order],
+) -> Dataset:
+    """Fill the folder `out` with problems, or go on with what stands there, and open it.
+
+    The same order gives the same bytes, whatever the number of `workers` (default: one per core); with more `items` a
+    dataset grows. `advance` is called with the number of positions that are done.
+
+    Raises:
+        UnknownNameError: no such recipe, difficulty, mode or units.
+        DatasetError: an order that makes no sense, or a folder that holds anything else.
+    """
+    build(out, configured(**order), workers=workers, advance=advance)
+    return Dataset(out)
+
+
+def configured(**order: Unpack[Order]) -> Config:
+    """The configuration that an order means; it raises what `generate` does."""
+    recipe, difficulty, mode = order.get("recipe", ALL), order.get("difficulty", ALL), order.get("mode", "numeric")
+    recipes = all_recipes() if recipe == ALL else _several(recipe)
+    modes = tuple(MODES) if mode == ALL else _several(mode)
+    if order.get("maker", MAKER) == MAKER:
+        for names, registry in ((recipes, RECIPES), (modes, MODES)):
+            for name in names:
+                registry[name]  # says what is near to an unknown one
+    fields = {
+        "items": order.get("items", ITEMS),
+        "recipes": recipes,
+        "difficulties": DIFFICULTIES if difficulty == ALL else tuple(known(name) for name in _several(difficulty)),
+        "modes": modes,
+        "units": system_named(order.get("units", SI)).name,
+        **{name: value for name, value in order.items() if name in AS_GIVEN and value},
+    }
+    try:
+        return Config.model_validate(fields)
+    except ValidationError as error:
+        fault = error.errors()[0]
+        raise DatasetError(f"{'.'.join(map(str, fault['loc']))}: {fault['msg']}") from None
+
+
+def _several(names: Names) -> tuple[str, ...]:
+    return (names,) if isinstance(names, str) else tuple(names)

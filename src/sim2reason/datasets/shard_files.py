@@ -1,0 +1,48 @@
+"""The files of a shard: written, and read back as items."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from sim2reason.datasets import store
+from sim2reason.datasets.atomic_files import checksum, put
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.manifest import Counts, Shard, ShardFile, merged
+from sim2reason.datasets.plan import file_name
+from sim2reason.errors import DatasetError
+
+COUNTED = "recipe", "difficulty", "mode", "kind"
+BySplit = Mapping[str, Sequence[Item]]
+
+
+def write(out: Path, scratch: Path, number: int, total: int, items: BySplit) -> tuple[ShardFile, ...]:
+    """Put the files of the `number`-th of so many shards: one for each split, empty or not."""
+    return tuple(_write(out, scratch, file_name(number, total, split), split, found) for split, found in items.items())
+
+
+def _write(out: Path, scratch: Path, name: str, split: str, items: Sequence[Item]) -> ShardFile:
+    put(out / name, lambda path: store.write(path, items), scratch)
+    return ShardFile(name=name, split=split, rows=len(items), sha256=checksum(out / name))
+
+
+def counts(items: BySplit) -> dict[str, Counts]:
+    """How many items there are of each recipe, difficulty, mode, kind and split."""
+    found = (merged({by: {str(getattr(item, by)): 1}} for by in COUNTED) for held in items.values() for item in held)
+    return merged([*found, {"split": {name: len(held) for name, held in items.items()}}])
+
+
+def read(out: Path, file: ShardFile) -> list[Item]:
+    """The items of one file, in order; DatasetError if it is not as it was written."""
+    remedy = f"see: sim2reason verify {out}; the same sim2reason generate makes it again"
+    if checksum(out / file.name) != file.sha256:
+        state = "damaged" if (out / file.name).is_file() else "missing"
+        raise DatasetError(f"{out / file.name}: {state}; {remedy}")
+    try:
+        return store.read(out / file.name)
+    except (OSError, ValueError) as error:
+        why = " ".join(str(error).split())
+        raise DatasetError(f"{out / file.name}: not readable ({why}); {remedy}") from None
+
+
+def items(out: Path, shard: Shard, split: str | None = None) -> Iterator[Item]:
+    """The items of one shard, by default of all its splits, one after the other."""
+    return (item for file in shard.files if split in (None, file.split) for item in read(out, file))
