@@ -281,7 +281,7 @@ def test_what_is_held_has_no_force_of_its_own() -> None:
     study = found.study
     assert found.response(study) == found.question.answer
     free = replace(study.mechanism, faces=())
-    assert found.response(study.changed("no plane", lambda: free, 1.0)) is None
+    assert found.response(study.changed("no plane", lambda _: free, 1.0)) is None
 
 
 def test_too_few_numbers_that_matter_make_no_problem() -> None:

@@ -5,7 +5,7 @@ from math import asin, degrees, radians, tan
 import numpy as np
 import pytest
 
-from plain_scenes import atwood, ramp, swing
+from plain_scenes import atwood, ramp, row, swing
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.pipe import Pipe
 from sim2reason.bodies.sphere import Sphere
@@ -14,23 +14,31 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import NoSlipping, Rolling
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.filters import FILTERS, Candidate
+from sim2reason.filters.parts.products import product_of
+from sim2reason.filters.parts.sums import sum_of
 from sim2reason.questions import KINDS, Moment, Query, Question, StatedResult, Study, Target
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 
 BLOCK, HANGING, BOB = "ramp.blocks.0", "one.system.blocks.0", "swing.bob"
 
 
-def reason(scene: Scene, moment: Moment, target: Target | None) -> str:
+def candidate(scene: Scene, moment: Moment, target: Target | None) -> Candidate:
     study = Study.of(scene, np.linspace(0.0, 2.0, 41))
     query = Query(moment.kind if target else "time_to_event", target, moment)
     answer = KINDS[query.kind].answer(query, study)
     assert answer is not None
     unit = KINDS[query.kind].measured(query).unit
-    return FILTERS["one line"].reason(Candidate(study, Question("numeric", query, "?", answer, unit), "a b c"))
+    return Candidate(study, Question("numeric", query, "?", answer, unit), "a b c")
+
+
+def reason(scene: Scene, moment: Moment, target: Target | None) -> str:
+    return FILTERS["one line"].reason(candidate(scene, moment, target))
 
 
 @pytest.mark.parametrize(
@@ -83,8 +91,11 @@ def test_what_is_read_off_a_definition_is_one_line() -> None:
 
 
 def test_a_special_angle_makes_no_product() -> None:
-    """v = √(2 g l (1 − cos θ)), of which 1 − cos 60° = ½ is no reason."""
-    assert reason(swing(), LowestPoint(BOB), Target("velocity", BOB)) == ""
+    """v = √(2 g l (1 − cos θ)), of which 1 − cos 60° = ½ is no reason; it is the root of a sum at any angle."""
+    for angle in (50.0, 60.0):
+        speed = candidate(swing(angle=angle), LowestPoint(BOB), Target("velocity", BOB))
+        assert product_of(speed) == ""
+        assert "the root of a sum" in sum_of(speed)
 
 
 CHORD = (
@@ -108,3 +119,27 @@ def test_an_unknown_angle_whose_sine_is_a_product_is_one_line() -> None:
     given = StatedResult("1.98", "m")
     question = Question("reverse", asked.query, "", angle, "deg", "", unknown, given, elasticity)
     assert "sine of the answer" in FILTERS["one line"].reason(Candidate(study, question, "a b c"))
+
+
+def cart(moment: Moment, quantity: str, *, tilt: float = 0.0) -> str:
+    scene = row((1.3,), (90.0,), "right", strain=0.1, speed=0.5, tilt=tilt)
+    return reason(scene, moment, Target(quantity, "row.carts.0"))
+
+
+def test_energy_by_itself_is_one_line() -> None:
+    """½ k d² + ½ m v² of a cart on a spring is all kinetic at one moment; k times its stretch is √(k² d² + k m v²)."""
+    assert "a sum of two products" in cart(NaturalLength("row.springs.0"), "kinetic energy")
+    assert "the root of a sum of two products" in cart(NaturalLength("row.springs.0"), "velocity")
+    assert "the root of a sum of two products" in cart(Stopped("row.carts.0"), "net force")
+
+
+def test_energy_on_a_slope_is_more() -> None:
+    """On the slope that cart has three energies."""
+    assert cart(NaturalLength("row.springs.0"), "kinetic energy", tilt=20.0) == ""
+
+
+def test_a_fall_with_a_start_is_one_line() -> None:
+    """½ m v² - m g s sin θ of a block that moves up a smooth slope; with friction there is a third term."""
+    energy = Target("kinetic energy", BLOCK)
+    assert "a sum of two products" in reason(ramp(angle=37.0, speed=3.0), Moved(BLOCK, 0.5), energy)
+    assert reason(ramp(angle=37.0, speed=3.0, friction=0.2), Moved(BLOCK, 0.5), energy) == ""

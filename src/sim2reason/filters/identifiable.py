@@ -3,13 +3,13 @@
 import re
 
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.modes.reverse import another
+from sim2reason.modes.reverse import unfixed
 
 
 class Identifiable(Filter):
     """Another value of the unknown gives the same result, or the text does not speak of it as of an unknown."""
 
-    order = 9
+    order = 10
 
     def reason(self, candidate: Candidate) -> str:
         """Solve the scene with other values within ten times the range from which the number is drawn."""
@@ -22,8 +22,7 @@ class Identifiable(Filter):
             rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$", text
         ):
             return "the text has no words for the unknown"
-        other = another(question, candidate.study)
-        return f"{other:.3g} {question.unit} is not excluded" if other is not None else ""
+        return unfixed(question, candidate.study)
 
 
 def _plain(symbol: str) -> str:

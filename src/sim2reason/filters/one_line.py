@@ -5,12 +5,13 @@ from collections.abc import Iterator
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.products import product_of
+from sim2reason.filters.parts.sums import sum_of
 from sim2reason.questions.simplifications.gravity_left_out import GravityLeftOut
 from sim2reason.questions.simplifications.point_mass import PointMass
 
 
 class OneLine(Filter):
-    """The answer is no more than a product of a few stated numbers, as m g cos θ, √(2 g h) or F/(m + M) is.
+    """The answer is no more than a product of a few stated numbers, or a sum of two, as F/(m + M) or √(v² + 2 g h).
 
     So is whatever is read off a formula that everybody knows: a period, a free fall, a weight on a slope. What follows
     from a law of motion and a law of turning together is more, whatever it simplifies to: the friction ½ m g sin θ on
@@ -23,12 +24,14 @@ class OneLine(Filter):
         """See how the answer goes with each number, and whether that is all there is to it."""
         if candidate.kind.measured(candidate.question.query).whole:
             return ""
-        line = product_of(candidate)
+        line = product_of(candidate) or sum_of(candidate)
         return "" if line and _needs_a_second_law(candidate) else line
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The product, if it is one."""
-        yield product_of(candidate) or "the answer is no product of stated numbers"
+        """The product or sum, if it is one."""
+        yield (
+            product_of(candidate) or sum_of(candidate) or "the answer is no product of stated numbers, nor a sum of two"
+        )
         if _needs_a_second_law(candidate):
             yield "weight drives it, and bodies that turn resist it by their moments of inertia"
 

@@ -1,11 +1,10 @@
 """How much an answer moves with each stated number."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
-from sim2reason.errors import SceneError
 from sim2reason.filters import Candidate
 from sim2reason.questions import Study
 from sim2reason.simulation.trace import Trace
@@ -77,7 +76,7 @@ def _is_said(scene: Scene, parameter: Parameter) -> bool:
 def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
     """That of the answer to all that is given, each shifted by one part in a thousand."""
     study = candidate.study
-    before = _story(study.trace, candidate.time)
+    before = story(study.trace, candidate.time)
     for given in givens(study.scene, candidate.question.unknown):
         other = shifted(study, given, candidate.until)
         answer = candidate.response(other)
@@ -86,7 +85,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
             continue
         time = candidate.kind.time(candidate.question.query, other)
         size = candidate.change_to(answer) / SHIFT
-        yield Elasticity(given, size, reordered=_story(other.trace, time) != before)
+        yield Elasticity(given, size, reordered=story(other.trace, time) != before)
 
 
 def matters(candidate: Candidate, found: Elasticity) -> bool:
@@ -100,7 +99,7 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
     study, given, time = candidate.study, found.given, candidate.time or 0.0
     until = None if candidate.time is None else SLOWER * time
     for factor, turn in ((2.0, TURN), (0.5, -TURN)):
-        other = with_values(study, given.at(study.scene, (factor, factor), turn), until)
+        other = study.with_values(given.at(study.scene, (factor, factor), turn), until)
         answer = candidate.response(other)
         if answer is None and (other is None or other.trace.stable_until < SLOWER * time):
             continue
@@ -115,22 +114,13 @@ def shifted(study: Study, given: Given, until: float | None) -> Study | None:
     The components of a vector are shifted to opposite sides, so that it turns.
     """
     for factors in ((1.0 + SHIFT, 1.0 - SHIFT), (1.0 - SHIFT, 1.0 + SHIFT)):
-        other = with_values(study, given.at(study.scene, factors), until)
+        other = study.with_values(given.at(study.scene, factors), until)
         if other is not None:
             return other
     return None
 
 
-def with_values(study: Study, values: Mapping[str, float], until: float | None) -> Study | None:
-    """The motion with other values at some addresses of the scene; None if there is none."""
-    try:
-        scene = study.scene.having_all(values)
-    except (SceneError, ValueError):
-        return None
-    return study.variant(scene, until)
-
-
-def _story(trace: Trace, time: float | None) -> list[tuple[str, tuple[str, ...]]]:
+def story(trace: Trace, time: float | None) -> list[tuple[str, tuple[str, ...]]]:
     """What happens before a moment, in order; turns change nothing and are left out."""
     end = time if time is not None else trace.stable_until
     return [(e.kind, e.subjects) for e in trace.events if e.time < end * (1.0 - 1e-9) and e.kind != "turn"]

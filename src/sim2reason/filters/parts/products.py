@@ -7,7 +7,7 @@ from math import cos, isclose, log, pi, prod, radians, sin, sqrt, tan
 
 from sim2reason.dsl.units import parse_unit
 from sim2reason.filters import Candidate
-from sim2reason.filters.parts.numbers import SHIFT, givens, shifted, with_values
+from sim2reason.filters.parts.numbers import SHIFT, givens, shifted
 from sim2reason.questions import Question
 
 EXACT = 1e-5  # relative: how well the product must be the answer
@@ -36,7 +36,7 @@ POWERS: tuple[tuple[View, View], ...] = (
 
 
 @dataclass(frozen=True, slots=True)
-class _Factor:
+class Factor:
     """A stated number in SI units, and the power with which the answer goes with it."""
 
     path: str  # empty for one of the question's own
@@ -51,7 +51,7 @@ def product_of(candidate: Candidate) -> str:
     views = VIEWS if question.unit == ANGLE else {"": float}
     scale = 1.0 if question.unit == ANGLE else parse_unit(question.unit).factor
     for name, view in views.items():
-        factors = _factors(candidate, view)
+        factors = factors_of(candidate, view)
         if not factors:
             continue
         for total in _products(factors, candidate, view):
@@ -62,7 +62,7 @@ def product_of(candidate: Candidate) -> str:
     return ""
 
 
-def _products(factors: Sequence[_Factor], candidate: Candidate, view: View) -> Iterator[float]:
+def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> Iterator[float]:
     """What that of all factors may be; those whose powers are no multiples of a half are the terms of one sum."""
     each = [list(_plain(factor, candidate, view)) for factor in factors]
     terms = [factor for factor, plain in zip(factors, each, strict=True) if not plain]
@@ -71,7 +71,7 @@ def _products(factors: Sequence[_Factor], candidate: Candidate, view: View) -> I
         yield from (rest * prod(some) for some in product(*(plain for plain in each if plain)))
 
 
-def _sum(terms: Sequence[_Factor]) -> float | None:
+def _sum(terms: Sequence[Factor]) -> float | None:
     """A power of a sum of all terms, with either sign; None if their powers are not those of one."""
     rates = [term.power / term.value for term in terms]  # of (Σ ± x)^E the power of x is ± E x/Σ
     alike = max(map(abs, rates)) <= (1.0 + 4.0 * NEAR) * min(map(abs, rates))
@@ -81,7 +81,7 @@ def _sum(terms: Sequence[_Factor]) -> float | None:
     return abs(of_all) ** (round(2.0 * sum(term.power for term in terms)) / 2.0) if of_all else None
 
 
-def _plain(factor: _Factor, candidate: Candidate, view: View) -> Iterator[float]:
+def _plain(factor: Factor, candidate: Candidate, view: View) -> Iterator[float]:
     """What a number may be as a factor, by its power, a multiple of a half; an angle, by that of a function of it."""
     if factor.unit != ANGLE:
         halves = _halves(factor.power)
@@ -95,17 +95,22 @@ def _plain(factor: _Factor, candidate: Candidate, view: View) -> Iterator[float]
             yield abs(function(factor.value)) ** (halves / 2.0)
 
 
-def _goes_with(candidate: Candidate, view: View, angle: _Factor, function: View) -> bool:
+def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) -> bool:
     """Whether what is seen of the answer goes with a function of an angle of the scene, as far as that is turned."""
-    study = candidate.study
     if not angle.path:
         return True
-    turned = {angle.path: float(study.scene.value(angle.path)) + FAR}
-    there = candidate.response(with_values(study, turned, candidate.until))
+    there = turned(candidate, angle)
     if there is None:
         return False
     ratio = function(angle.value + radians(FAR)) / function(angle.value)
     return isclose(view(there) / view(candidate.question.answer), ratio, rel_tol=NEAR)
+
+
+def turned(candidate: Candidate, angle: Factor) -> float | None:
+    """The answer where an angle of the scene is turned by `FAR`; None if there is none."""
+    study = candidate.study
+    values = {angle.path: float(study.scene.value(angle.path)) + FAR}
+    return candidate.response(study.with_values(values, candidate.until))
 
 
 def _halves(power: float) -> int | None:
@@ -114,9 +119,9 @@ def _halves(power: float) -> int | None:
     return found if abs(2.0 * power - found) <= 2.0 * NEAR and abs(power) <= HIGHEST + NEAR else None
 
 
-def _factors(candidate: Candidate, view: View) -> list[_Factor] | None:
+def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
     """The numbers on which what is seen of the answer hangs; None if one is a vector, or the answer is lost with it."""
-    study, question, found = candidate.study, candidate.question, list[_Factor]()
+    study, question, found = candidate.study, candidate.question, list[Factor]()
     for given in givens(study.scene, question.unknown):
         other = shifted(study, given, candidate.until)
         there = candidate.response(other)
@@ -127,18 +132,18 @@ def _factors(candidate: Candidate, view: View) -> list[_Factor] | None:
         power = _power(view(question.answer), view(there), new / here)
         if power is None or (power and len(given.paths) > 1):
             return None
-        found.append(_Factor(first, given.unit, _in_si(here, given.unit), power))
+        found.append(Factor(first, given.unit, _in_si(here, given.unit), power))
     own = _of_question(candidate, view)
     return [factor for factor in (*found, *own) if factor.power] if own is not None else None
 
 
-def _of_question(candidate: Candidate, view: View) -> list[_Factor] | None:
+def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
     """Those that the question itself states; None if the answer is lost with one."""
-    question, found = candidate.question, list[_Factor]()
+    question, found = candidate.question, list[Factor]()
     rate = _rate(question, view)
     if question.unknown and question.given is not None:
         own = question.given
-        found.append(_Factor("", own.unit, _in_si(own.value, own.unit), rate))
+        found.append(Factor("", own.unit, _in_si(own.value, own.unit), rate))
     moment = question.query.moment
     if moment is None:
         return found
@@ -152,7 +157,7 @@ def _of_question(candidate: Candidate, view: View) -> list[_Factor] | None:
         if power is None:
             return None
         power = -power * rate if question.unknown else power
-        found.append(_Factor("", unit, _in_si(number, unit), power))
+        found.append(Factor("", unit, _in_si(number, unit), power))
     return found
 
 

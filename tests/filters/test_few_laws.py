@@ -1,0 +1,89 @@
+"""What textbooks have ready by one law, or by few that give a short formula; and what takes a little more."""
+
+from dataclasses import replace
+
+import pytest
+
+from plain_scenes import half_atwood, ramp, row, swing
+from sim2reason.bodies.ball import Ball
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.projectile import Projectile
+from sim2reason.filters import FILTERS, Candidate
+from sim2reason.questions import KINDS, Question, StatedResult
+from worked import asked
+
+FILTER = FILTERS["few laws"]
+
+
+def candidate(scene: Scene, said: str) -> Candidate:
+    setting = asked(scene, said)
+    assert setting.answer is not None
+    unit = KINDS[setting.query.kind].measured(setting.query).unit
+    question = Question("numeric", setting.query, said, setting.answer, unit)
+    return Candidate(setting.study, question, said, words=setting.words)
+
+
+def thrown(angle: float = 40.0) -> Scene:
+    ball = Projectile(ball=Ball(mass=0.3), height=2.0, speed=5.0, angle=angle)
+    return Scene(entities=(Named(name="throw", entity=ball),))
+
+
+ROUGH = ramp(angle=30.0, friction=0.2, speed=3.0)
+SPRING = row((1.0,), (100.0,), "right", strain=0.1, speed=0.5)
+KNOWN = {
+    "How long after t = 0 does the block first come to rest?": (ROUGH, 2, 5),  # v/(g (sin θ + µ cos θ))
+    "Find the magnitude of the acceleration of block B after the release.": (half_atwood(), 2, 6),  # two weights, M + m
+    "Find the tension in the string after release.": (half_atwood(), 2, 8),  # m_B (g - a)
+    "How long after t = 0 does the ball reach the ground?": (thrown(), 1, 7),  # (v sin θ + √(v² sin² θ + 2 g h))/g
+    "Find the speed of the trolley after it has moved 0.16 m.": (SPRING, 1, 6),  # energy, once
+    "Between release and the moment when the ball first comes to rest again, what is the greatest speed of the ball?": (
+        swing(),
+        1,
+        3,
+    ),  # √(2 g ℓ (1 − cos θ))
+}
+WORTH_IT = {
+    "What is the magnitude of the change in the block's gravitational potential energy when it comes to rest for the "
+    "first time?": ROUGH,  # how far, and how high that is
+    "What is the speed of block B after it has moved 1.0 m?": half_atwood(),
+    "Find the kinetic energy of block A after it has moved 1.3 m.": half_atwood(),
+    "How far is the ball from its starting point just before it reaches the ground?": thrown(),
+    "Find the magnitude of the net force on the trolley at the moment when it first comes to rest.": SPRING,
+    "How long after t = 0 is the ball first 1.2 m from its starting point?": thrown(),  # of the fourth degree
+}
+
+
+@pytest.mark.parametrize("said", KNOWN)
+def test_what_few_laws_give_by_a_short_formula_is_known(said: str) -> None:
+    scene, laws, symbols = KNOWN[said]
+    assert (
+        FILTER.reason(candidate(scene, said)) == f"{laws} law{'s' if laws > 1 else ''}, a formula of {symbols} symbols"
+    )
+
+
+@pytest.mark.parametrize("said", WORTH_IT)
+def test_what_takes_more_is_a_problem(said: str) -> None:
+    asked_about = candidate(WORTH_IT[said], said)
+    assert [*FILTER.findings(asked_about)]  # a formula is derived, and it is no short one
+    assert FILTER.reason(asked_about) == ""
+
+
+def test_it_is_known_whichever_number_is_asked_for() -> None:
+    """The speed of a cart by its spring, which tells the stiffness as well."""
+    forward = candidate(SPRING, "Find the speed of the trolley after it has moved 0.16 m.")
+    asked_for, given = "row.springs.0.stiffness", StatedResult.rounded(forward.question.answer, "m/s", 3)
+    question = replace(
+        forward.question, mode="reverse", answer=100.0, unit="N/m", unknown=asked_for, given=given, elasticity=0.5
+    )
+    assert FILTER.reason(replace(forward, question=question)) == FILTER.reason(forward) != ""
+
+
+def test_nothing_is_said_without_words_for_the_laws() -> None:
+    assert FILTER.reason(replace(candidate(ROUGH, next(iter(KNOWN))), words=None)) == ""
+
+
+def test_that_a_speed_is_the_size_of_a_velocity_is_no_law() -> None:
+    """v² = v_0² + k (…)/m, and v = −v_x."""
+    said = "Find the speed of the trolley after it has moved 0.16 m."
+    assert [*FILTER.findings(candidate(SPRING, said))] == ["1 law, by energy", "symbols in the formula: 6"]
