@@ -19,9 +19,6 @@ from sim2reason.bodies.carriage import Carriage
 from sim2reason.bodies.hanger import LightRod
 from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.uniform_rod import UniformRod
-from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.make import item_of
-from sim2reason.datasets.plan import Request
 from sim2reason.dsl.entity import Entity
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.constant_force_puller import ConstantForcePuller
@@ -31,6 +28,7 @@ from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.pieces import AxialPiece, RoundPiece
 from sim2reason.entities.rigid_pendulum import RigidPendulum
 from sim2reason.entities.slider_mass import SliderMass
+from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.deflected import Deflected
@@ -38,12 +36,15 @@ from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.query import Query
 from sim2reason.questions.targets import Target
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions.carriage import riding
 from sim2reason.solutions.check import SEEN, faults
+from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.solutions.reading import read
 from sim2reason.solutions.solution import WELL
 from worked import asked
@@ -223,12 +224,28 @@ def test_what_takes_the_time_is_left_to_integration() -> None:
     assert solve(setting).strategy == "integration"
 
 
-@pytest.mark.parametrize("index", range(3))
-def test_there_are_formulas_of_carriages(index: int) -> None:
+def test_upward_it_moves_against_the_way_in_which_the_rod_turns() -> None:
+    """u sin φ, of either sign: down on the side on which it begins, up on the other; the height has the same sense."""
+    phi, made, up = radians(20.0), swinging(), Sense("upward", (0.0, 0.0, 1.0))
+    moment, fallen = Deflected(BOB, 20.0), LENGTH * (cos(THETA) - cos(phi))
+    close(made, Query("event", Target("velocity", BOB, up), moment), -relative(phi) * sin(phi))
+    close(made, Query("event", Target("displacement", BOB, up), moment), fallen)
+    over = Query("event", Target("momentum", BOB, up), TurnedThrough(BOB, degrees(THETA + phi)))
+    close(made, over, SMALL * relative(phi) * sin(phi))
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        Query("event", Target("velocity", CART), LowestPoint(BOB)),
+        Query("event", Target("displacement", CART), Stopped(CART)),
+        Query("start", Target("acceleration", CART), AtStart()),
+    ],
+)
+def test_there_are_formulas_of_carriages(query: Query) -> None:
     """Short enough for a box."""
-    request = Request("mixed", "medium", "symbolic", 2311, index)
-    found = ItemSearch(request).found()
-    assert found is not None
-    formula = item_of(request, found).answer.formula
-    assert formula is not None
-    assert len(formula.latex) < 100
+    setting = asked(swinging(), query)
+    assert riding(setting.mechanism) is not None
+    found = solve(setting, derived=True)
+    assert found.strategy == NAME
+    assert len(closed_form(found).latex) < 100

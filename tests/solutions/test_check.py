@@ -1,12 +1,18 @@
 """The checks themselves: each catches the fault that it is for, planted in a solution that was sound."""
 
 from dataclasses import replace
+from math import cos, radians, sin
 
 import pytest
 
 from plain_scenes import atwood
-from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.plan import Request
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.slab import Slab
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.questions import Query, Target
+from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.solutions import Relation, Solution, solve
 from sim2reason.solutions.check import faults, undetermined
 from sim2reason.solutions.expressions import Number, Symbol, added, multiplied
@@ -63,10 +69,13 @@ def test_a_law_that_is_superfluous() -> None:
 
 def test_what_tells_since_when_bodies_stick_is_not_superfluous() -> None:
     """Their common momentum gives the speed of two boards, whatever the friction between them was, once they stick."""
-    drawn = ItemSearch(Request("incline", "hard", "reverse", 31, 5)).found()
-    assert drawn is not None
-    found = solve(drawn.setting)
-    assert found.answer is not None
+    boards = StackedMassPlane(
+        plane=Plane(angle=50.0, friction=0.3), lower=Slab(mass=3.0), upper=Slab(mass=2.0), friction=0.4, speed=2.0
+    )
+    scene = Scene(entities=(Named(name="boards", entity=boards),))
+    found = solve(asked(scene, Query("state", Target("velocity", "boards.lower"), AtTime(1.0))))
+    slope = radians(50.0)  # down the slope, the momentum of both changes by what their weight and the plane give
+    assert found.answer == pytest.approx(9.8 * (sin(slope) - 0.3 * cos(slope)) - 2.0 * 2.0 / (3.0 + 2.0))
     assert not undetermined(found)
     unverified = altered(found, "verify", lambda _: ())
     assert [fault.partition(":")[0] for fault in undetermined(unverified)] == ["superfluous"]

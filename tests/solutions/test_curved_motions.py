@@ -1,7 +1,7 @@
 """Orbits, charges in fields, bodies on axles and rocking ones: textbooks' closed forms, written down independently."""
 
 from dataclasses import replace
-from math import acos, asin, cos, degrees, pi, radians, sin, sqrt
+from math import acos, asin, cos, degrees, hypot, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
@@ -248,6 +248,13 @@ def test_two_springs_that_are_not_strained_oscillate_along_and_across(rank: int,
     query = PeriodQuery("period", measure="frequency", small=True, of=("springs.block",), rank=rank, modes=2)
     found = held(((0.0, 0.0), (0.168, 0.576)), 0.5, query)
     assert found == pytest.approx(sqrt(2.0 * STIFF * share / MASS) / (2.0 * pi))
+
+
+def test_springs_nailed_nearly_above_each_other_are_nearly_at_a_right_angle_to_the_x_axis() -> None:
+    """Midway between two nails, K = 2k (1 − ℓ₀/ℓ) across; five digits of the run are too few for a tangent."""
+    query = PeriodQuery("period", measure="frequency", small=True, of=("springs.block",), rank=0, modes=2)
+    found = held(((0.2, 0.0), (0.203, 0.8)), 0.3, query)
+    assert found == pytest.approx(sqrt(2.0 * STIFF * (1.0 - 0.3 / hypot(0.0015, 0.4)) / MASS) / (2.0 * pi))
 
 
 def test_a_reverse_question_about_an_equilibrium_finds_the_natural_length() -> None:

@@ -1,14 +1,21 @@
 """Springs along lines: harmonic oscillation, normal modes, energy, momentum and statics, each by a closed form."""
 
-from math import acos, asin, cos, pi, radians, sqrt
+from math import acos, asin, cos, pi, radians, sin, sqrt
 
 import pytest
 
+from joined_entities import scene as joined
+from joined_entities import string
 from plain_scenes import row
+from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.spring import Spring
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.hanging_mass import HangingMass
+from sim2reason.entities.parts.mass_systems import Hanging
+from sim2reason.entities.spring_mass_incline import SpringMassIncline
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -214,3 +221,19 @@ def test_where_all_is_at_rest_for_good_no_half_swing_is_written() -> None:
     setting = asked(scene, Query("state", Target("displacement", "row.carts.1"), AtTime(0.5)))
     assert not solve(setting, derived=True).strategy
     assert solve(setting).answer == pytest.approx(setting.answer, rel=1e-9)
+
+
+def test_the_impulse_of_a_string_that_a_spring_pulls_is_the_momentum_of_what_hangs_on_it() -> None:
+    """J = m (g t − v): with M x″ = −k (x − m g/k), M = m + m′, it falls at v = g m/(M ω) sin ωt, ω² = k/M."""
+    time, hung, rate = 0.2, 0.8, sqrt(STIFFNESS / (MASS + 0.8))
+    table = SpringMassIncline(
+        plane=Plane(angle=0.0, friction=0.0),
+        block=Block(mass=MASS),
+        spring=Spring(stiffness=STIFFNESS, length=0.3),
+        start=0.3,
+    )
+    load = HangingMass(system=Hanging(blocks=(Block(mass=hung),)))
+    made = joined({"table": table, "load": load}, string("table.right", "load.end"))
+    query = StretchQuery("sum", None, AtTime(time), "impulse of a tension", made.mechanism.strings[0].name)
+    fast = G * hung / ((MASS + hung) * rate) * sin(rate * time)
+    assert found(made, query, "oscillation", "normal modes") == pytest.approx(hung * (G * time - fast), rel=1e-9)

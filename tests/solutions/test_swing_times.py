@@ -23,6 +23,7 @@ from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.solutions import solve
 from worked import answer, asked
 
 G, LENGTH = 9.8, 0.8
@@ -164,6 +165,18 @@ def test_the_impulse_on_a_bob_is_the_change_of_its_momentum() -> None:
     speed = sqrt(2.0 * G * LENGTH * (cos(radians(20.0)) - cos(radians(60.0))))
     found = summed("impulse of the net force", BOB, Deflected("pendulum.hanger", 20.0), 60.0)
     assert found == pytest.approx(0.5 * speed)
+
+
+def test_the_impulse_up_to_the_top_is_a_chord_whose_angle_is_told_without_pi() -> None:
+    """From 30°, sent down at 7 m/s, to the top: the velocities are 210° apart, and cos 210° = −cos 30°."""
+    top = sqrt(49.0 - 2.0 * G * LENGTH * (1.0 + cos(radians(30.0))))
+    expected = 0.5 * sqrt(49.0 + top**2 + 14.0 * top * cos(radians(30.0)))
+    pendulum = Pendulum(bob=Ball(mass=0.5), hanger=LightRod(length=LENGTH), angle=30.0, speed=7.0)
+    query = StretchQuery("sum", None, HighestPoint(BOB), "impulse of the net force", BOB)
+    found = solve(asked(Scene(entities=(Named(name="pendulum", entity=pendulum),)), query))
+    assert found.derived
+    assert found.answer == pytest.approx(expected, rel=1e-9)
+    assert "\\pi" not in found.text
 
 
 def test_the_impulse_on_a_thrown_bob_is_a_chord() -> None:

@@ -3,7 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from math import atan2, hypot
+from math import atan2, hypot, pi
+
+import numpy as np
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
@@ -16,10 +18,10 @@ from sim2reason.solutions.functions import Call, Power
 from sim2reason.solutions.lexicon import Both, UnreadError
 from sim2reason.solutions.mass_spread import candidates, mass_spread
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import INERTIA, METRES, latex
 
 SAME = 1e-9  # relative
-INERTIA, MOMENT, METRES = latex("kg m^2"), latex("kg m"), latex("m")
+MOMENT = latex("kg m")
 
 
 def lone_axle(m: Mechanism) -> str:
@@ -68,6 +70,23 @@ class Arm:
             apart = minus(frames.center(first).place, frames[self.carrier].origin)
         x, y, z = (float(part) / hypot(*apart) for part in apart)
         return x, y, z
+
+    def seen(self, time: float) -> tuple[float, float, float]:
+        """The angle from the downward vertical, positive on the side on which it begins, that from the start; its rate.
+
+        For signs alone.
+        """
+        m = self.setting.mechanism
+        state, number = (
+            self.setting.study.trace.sample(np.array([time])),
+            m.number[m.body[self.carrier].coordinates[0].name],
+        )
+        way = self.way(m)
+        side = 1.0 if way[0] >= 0.0 else -1.0
+        sense = -side * self.axis[1]  # about y, what points to the right goes down
+        turned = sense * float(state.q[0, number])
+        angle = side * atan2(way[0], -way[2]) + turned
+        return (angle + pi) % (2.0 * pi) - pi, turned, sense * float(state.v[0, number])
 
     def _deflection(self, m: Mechanism) -> float:
         x, _, z = self.way(m)
@@ -134,11 +153,11 @@ class Arm:
         if spread is None:
             raise UnreadError(f"the centre of mass of {self.setting.called(body)} is in no table")
         name = self.book.fresh("c", self.setting.mark(body))
-        said = f"The centre of mass of {self.setting.called(body)} is from the centre that the text speaks of"
+        said = f"The centre of mass of {self.setting.called(body)} is off the stated point by"
         shift: Expression = self.book.told("table", said, name, spread.center, METRES)
         shift = shift if aside * self.book.value(shift) > 0.0 else -shift
         whole = self.book.fresh("r", self.setting.mark(body))
-        self.book.told("place", "From the axle, along the arm, it is", whole, plain + shift, METRES)
+        self.book.told("place", "From the axle it is", whole, plain + shift, METRES)
         if abs(self.book.value(whole) - here) > SAME:
             raise UnreadError(f"the centre of mass of {self.setting.called(body)} is beside the arm")
         return whole
@@ -173,6 +192,8 @@ class Arm:
             piece = self.piece(body)
             total = total + piece.inertia + piece.mass * _squared(piece.place)
         said = "About the axle, by the parallel-axis theorem, the moment of inertia is"
+        if len(self.bodies) == 1 and self.piece(self.bodies[0]).inertia != ZERO:  # the text has just told its own
+            said = "About the axle it is, by the parallel-axis theorem,"
         return self.book.told("inertia", said, self.book.fresh("I"), total, INERTIA)
 
     @cached_property

@@ -6,12 +6,10 @@ from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.grading.tokens import canonical
 from sim2reason.solutions.digits import DIGITS
 from sim2reason.solutions.expressions import Expression, Number, Symbol
-from sim2reason.solutions.solution import Relation, Step, spelled
+from sim2reason.solutions.solution import Relation, Step, with_unit
 from sim2reason.solutions.subscripts import marked
-from sim2reason.solutions.unit_latex import CANONICAL, latex
+from sim2reason.solutions.unit_latex import CANONICAL, SECONDS, latex
 from sim2reason.solutions.worked import Worked
-
-SECONDS = latex("s")
 
 
 class UnsolvedError(Exception):
@@ -80,7 +78,7 @@ class Book:
 
     def say_given(self, name: str, value: float, unit: str) -> None:
         """A number that the question itself says."""
-        is_time, unit = unit == SECONDS, self.spelled(unit)
+        is_time, unit = unit == SECONDS, self.unit_in_text(unit)
         self.know(name, value, unit)
         if self.asks_time and is_time and not self.sought:
             self.sought = name
@@ -110,7 +108,7 @@ class Book:
         assert not isinstance(found, complex)
         return found
 
-    def spelled(self, unit: str) -> str:
+    def unit_in_text(self, unit: str) -> str:
         """A unit of the SI, in LaTeX, as the text of this scene has it."""
         name = CANONICAL.get(unit)
         if name is None or self._units == SI:
@@ -187,7 +185,7 @@ class Writing:
 
     def result(self, name: Symbol, formula: Expression, unit: str, *, law: bool = False) -> str:
         """A name and what it comes to; with `law`, the formula is a law by itself, as v = a t is."""
-        unit = self._book.spelled(unit)
+        unit = self._book.unit_in_text(unit)
         relation = Relation(name, formula, "law" if law else "result", unit)
         self._relations.append(relation)
         value = self._book.value(formula)
@@ -200,7 +198,7 @@ class Writing:
 
     def verified(self, what: Expression, formula: Expression, unit: str) -> str:
         """What something comes to on which nothing rests, so that an assumption can be judged by it."""
-        relation = Relation(what, formula, "verified", self._book.spelled(unit))
+        relation = Relation(what, formula, "verified", self._book.unit_in_text(unit))
         self._relations.append(relation)
         return relation.latex(self._book.value(formula))
 
@@ -209,7 +207,7 @@ class Writing:
         relation = Relation(name, Number(value), "integrated", self._book.units[name.name])
         self._relations.append(relation)
         self._gives.append(name.name)
-        return f"${name.latex()} = {spelled(value, relation.unit, digits)}$"
+        return f"${name.latex()} = {with_unit(value, relation.unit, digits)}$"
 
     def stated(self, formula: Expression, unit: str) -> str:
         """What follows from what was told, in numbers: what something given comes to, or a name."""
@@ -217,9 +215,9 @@ class Writing:
         if self._book.is_hidden(formula):
             return f"${formula.latex()}$"
         if isinstance(formula, Number):
-            return f"${spelled(value, unit)}$"
+            return f"${with_unit(value, unit)}$"
         self._noted(Relation(formula, Number(value), "derived", unit))
-        return f"${formula.latex()} = {spelled(value, unit)}$"
+        return f"${formula.latex()} = {with_unit(value, unit)}$"
 
     def closed(self, name: Symbol, formula: Expression) -> str:
         """What a symbol comes to whose value was unknown till now."""

@@ -11,10 +11,8 @@ from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import Polynomial
-from sim2reason.solutions.stage import SECONDS
+from sim2reason.solutions.unit_latex import KILOGRAMS, SECONDS
 from sim2reason.solutions.way import Way
-
-KILOGRAMS = r"\ \text{kg}"
 
 
 class Burning(Way):

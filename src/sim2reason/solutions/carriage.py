@@ -1,6 +1,6 @@
 """A carriage that slides along a level rail, with an arm that swings on it and strings along the rail that pull it."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from math import copysign
@@ -11,10 +11,9 @@ from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.arm import Arm
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ZERO, Expression
+from sim2reason.solutions.functions import summed
 from sim2reason.solutions.lexicon import Both
-from sim2reason.solutions.setting import Setting, joined
-
-LEVEL = 1e-9
+from sim2reason.solutions.setting import LEVEL, Setting, joined
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,12 +105,12 @@ class Carriage:
     @cached_property
     def own(self) -> Expression:
         """The mass of what moves as fast as the carriage."""
-        return _sum(self.mass(body) for body in self.rim)
+        return summed(self.mass(body) for body in self.rim)
 
     @cached_property
     def swung(self) -> Expression:
         """The mass of the arm and what is on it."""
-        return _sum(self.arm.piece(body).mass for body in self.arm.bodies)
+        return summed(self.arm.piece(body).mass for body in self.arm.bodies)
 
     @cached_property
     def whole(self) -> Expression:
@@ -151,10 +150,3 @@ class Carriage:
     def noun(self) -> str:
         """The carriage, and what moves with it."""
         return joined([self.setting.called(body) for body in self.rim])
-
-
-def _sum(parts: Iterable[Expression]) -> Expression:
-    found: Expression = ZERO
-    for part in parts:
-        found = found + part
-    return found

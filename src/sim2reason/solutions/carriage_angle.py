@@ -1,11 +1,6 @@
 """Where a swing on a carriage is, at the moment that is asked about, and what of it never changes."""
 
-from collections.abc import Mapping
 from functools import cached_property
-from math import atan2, pi
-from typing import ClassVar
-
-import numpy as np
 
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
@@ -16,20 +11,16 @@ from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import Call, Power, squares
 from sim2reason.solutions.greatest import time_of_greatest
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.stage import METRES
-from sim2reason.solutions.swing_angle import STRAIGHT, SwingAngle, Way
-from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.swing_angle import STRAIGHT, SwingAngle
+from sim2reason.solutions.unit_latex import DEGREES, METRES
 
 TWO = Number(2.0)
 REST = 1e-4  # rad/s, where the time is found by a search
 NEAR = 1e-3  # rad, likewise
-ACCELERATION = latex("m/s^2")
 
 
 class CarriageAngle(SwingAngle):
     """The angle of the arm, positive forward, on the side on which it begins, written as it is needed."""
-
-    WAYS: ClassVar[Mapping[str, Way]] = {}
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """UnreadError where a number is no simple function of those in the text."""
@@ -42,20 +33,9 @@ class CarriageAngle(SwingAngle):
         searched = isinstance(query, StretchQuery) and query.kind == "extremum"
         moment = query.moment
         when = time_of_greatest(setting) if searched else moment.side(setting.time) if moment is not None else 0.0
-        self.now, self.turned, self.turning = self._seen(when)
+        self.now, self.turned, self.turning = self.arm.seen(when)
         self.way = -1.0
         self.begins = isinstance(moment, AtStart) or when == 0.0
-
-    def _seen(self, time: float) -> tuple[float, float, float]:
-        """The angle, that from the start, and its rate at a time, for signs alone."""
-        m = self.setting.mechanism
-        hinge = m.body[self.arm.carrier].coordinates[0]
-        state, number = self.setting.study.trace.sample(np.array([time])), m.number[hinge.name]
-        way = self.arm.way(m)
-        sense = -self.carriage.forward * hinge.axis[1]  # about y, what points to the right goes down
-        turned = sense * float(state.q[0, number])
-        angle = self.carriage.forward * atan2(way[0], -way[2]) + turned
-        return (angle + pi) % (2.0 * pi) - pi, turned, sense * float(state.v[0, number])
 
     # ---- what SwingAngle asks
 
@@ -133,11 +113,10 @@ class CarriageAngle(SwingAngle):
         self.unloaded()
         far, name = self.book.fresh("d"), self.book.fresh(r"\phi")
         self.book.say_given(far.name, moment.value, METRES)
-        back = self.now > self.began
-        formula = Call("arcsin", self.sine_first + (far if back else -far) * self.carriage.whole / self.moment)
+        formula = Call("arcsin", self.sine_first - far * self.carriage.whole / self.moment)
         step = self.book.open("place")
         gone = self.moment * (self.sine_first - Call("sin", name))
-        law = step.law(self.carriage.whole * far, -gone if back else gone)
+        law = step.law(self.carriage.whole * far, gone)
         said = "The common centre of mass does not move along the rail, as nothing pulls there:"
         step.say(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
         step.close()

@@ -7,11 +7,10 @@ a uniform acceleration to all: in the frame that has it, momentum is kept, and i
 
 from functools import cached_property
 
-from sim2reason.solutions.carriage_angle import ACCELERATION, TWO, CarriageAngle
+from sim2reason.solutions.carriage_angle import TWO, CarriageAngle
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import Power, Root, squares
-from sim2reason.solutions.stage import METRES, SPEED
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_ACCELERATION, ANGULAR_SPEED, METRES, NEWTONS, SPEED
 
 HALF = Number(0.5)
 
@@ -55,7 +54,7 @@ class CarriageLaws(CarriageAngle):
         step.say(f"{seen} {self.swings} turn at ${turns.name}$ and {c.noun()} move at ${runs.name}$ against it.")
         keeps = "and with the work of inertial forces energy is kept" if drift != ZERO else "and energy is kept"
         step.say(f"Momentum along the rail stays zero, {kept}, {keeps}: {held}. Together")
-        solved = step.result(turns, Root(square), latex("rad/s"))
+        solved = step.result(turns, Root(square), ANGULAR_SPEED)
         formula = self.moment * turns * there / c.whole
         if self.lone and self.sine == ZERO:
             formula = self.mass * Root(TWO * self.length * worth / (c.whole * c.own))
@@ -107,37 +106,38 @@ class CarriageLaws(CarriageAngle):
     @cached_property
     def rod(self) -> Symbol:
         """The force in the rod of a lone small body."""
+        return self._pulled[0]
+
+    @cached_property
+    def _pulled(self) -> tuple[Symbol, Expression]:
+        """That force, and the acceleration of the carriage where the rod has a part in it."""
         name, book, c = self.book.fresh("T"), self.book, self.carriage
         bend, mass = self.bend, self.mass
         who = self.setting.called(self.arm.bodies[0])
         if self.sine == ZERO:
             said = f"The rod holds the weight of {who} and bends its path into a circle around the carriage:"
-            return book.told("rod", said, name, mass * bend, latex("N"))
-        step, rise = book.open("rod"), book.fresh("a", r"\text{c}")
+            return book.told("rod", said, name, mass * bend, NEWTONS), ZERO
+        step, a = book.open("rod"), book.fresh("a", r"\text{c}")
         pulled = name * self.signed if self.load == ZERO else self.load + name * self.signed
-        along = step.law(name, mass * (bend - rise * self.signed))
-        rail = step.law(c.own * rise, pulled)
-        step.say(f"Let ${name.name}$ be the force in the rod and ${rise.name}$ the acceleration of {c.noun()} forward,")
+        along = step.law(name, mass * (bend - a * self.signed))
+        rail = step.law(c.own * a, pulled)
+        step.say(f"Let ${name.name}$ be the force in the rod and ${a.name}$ the acceleration of {c.noun()} forward,")
         step.say(f"which in its own frame pulls back. Along the rod, for {who}: {along}. Along the rail, for")
         over = c.own * bend if self.load == ZERO else c.own * bend - self.load * self.signed
-        step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.give, latex('N'))}")
-        step.say(f"and {step.result(rise, pulled / c.own, ACCELERATION)}.")
+        step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.give, NEWTONS)}")
+        step.say(f"and {step.result(a, pulled / c.own, ACCELERATION)}.")
         step.close()
-        self._risen = rise
-        return name
-
-    _risen: Expression = ZERO
+        return name, a
 
     @cached_property
-    def rise(self) -> Expression:
+    def carriage_acceleration(self) -> Expression:
         """The acceleration of the carriage, forward."""
         if self.sine == ZERO and self.load == ZERO:
             return ZERO
         if not self.lone:
             return self._turned_up[1]
         if self.sine != ZERO:
-            _ = self.rod
-            return self._risen
+            return self._pulled[1]
         said = "The rod does not pull along the rail, so the carriage is accelerated by"
         name = self.book.fresh("a", r"\text{c}")
         return self.book.told("newton", said, name, self.load / self.carriage.own, ACCELERATION)
@@ -147,31 +147,31 @@ class CarriageLaws(CarriageAngle):
         """The angular acceleration of the arm, towards the lowest point if it is forward of that."""
         if not self.lone:
             return self._turned_up[0] if self.sine != ZERO or self.load != ZERO else ZERO
-        rise = self.rise
-        back = rise * self.cosine if rise != ZERO else ZERO
+        a = self.carriage_acceleration
+        back = a * self.cosine if a != ZERO else ZERO
         formula = (self.gravity * self.signed + back) / self.length
         if self.book.value(formula) == 0.0:
             return ZERO
         said = "Along the circle weight and the inertial force pull:"
-        return self.book.told("growth", said, self.book.fresh(r"\alpha"), formula, latex("rad/s^2"))
+        return self.book.told("growth", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     @cached_property
     def _turned_up(self) -> tuple[Symbol, Symbol]:
         """Of an arm with a moment of inertia: its torque and Newton's law along the rail."""
         c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
-        step, turns, rise = book.open("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
+        step, turns, a = book.open("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
         bent = Power(self.rate, 2) * self.signed if self.rate != ZERO else ZERO
         held = self.load + s * bent
         weight = self.gravity * self.signed if self.sine != ZERO else ZERO
-        rail = step.law(c.whole * rise, self.load + s * (turns * self.cosine + bent))
-        torque = step.law(inertia * turns, s * (weight + rise * self.cosine))
+        rail = step.law(c.whole * a, self.load + s * (turns * self.cosine + bent))
+        torque = step.law(inertia * turns, s * (weight + a * self.cosine))
         step.say(
-            f"Let ${turns.name}$ be the angular acceleration of {self.swings}, back, and ${rise.name}$ the acceleration"
+            f"Let ${turns.name}$ be the angular acceleration of {self.swings}, back, and ${a.name}$ the acceleration"
         )
         step.say(f"of {c.noun()}, forward. Along the rail, for all: {rail}. About the axle, with the inertial")
         over = s * (c.whole * weight + self.cosine * held) if held != ZERO else s * c.whole * weight
-        step.say(f"force: {torque}. Together {step.result(turns, over / self.give, latex('rad/s^2'))}")
+        step.say(f"force: {torque}. Together {step.result(turns, over / self.give, ANGULAR_ACCELERATION)}")
         formula = (held + s * turns * self.cosine) / c.whole
-        step.say(f"and {step.result(rise, formula, ACCELERATION)}.")
+        step.say(f"and {step.result(a, formula, ACCELERATION)}.")
         step.close()
-        return turns, rise
+        return turns, a

@@ -8,6 +8,7 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.digits import DIGITS, shortened
 from sim2reason.solutions.expressions import Expression, Number, Sum, Symbol
+from sim2reason.solutions.long_chains import TIME
 from sim2reason.solutions.solution import WELL, Relation, Solution
 from sim2reason.solutions.worked import gradient
 
@@ -75,7 +76,8 @@ def undetermined(solution: Solution) -> list[str]:
     laws = [number for number, r in enumerate(relations) if r.role == "law"]
     found: list[str] = []
     told = [rows[number] for number in laws]
-    units, since = ([np.eye(len(names))[place[n]] for n in some if n in place] for some in (goals, _turns(solution)))
+    sought = goals, _since_when(solution)
+    units, since = ([np.eye(len(names))[place[n]] for n in some if n in place] for some in sought)
     if not all(_spanned(told, unit) for unit in units):
         found.append("the laws that are told do not determine the answer")
     else:
@@ -93,16 +95,17 @@ def undetermined(solution: Solution) -> list[str]:
     return found + [f"does not follow from what is told: {text}" for text in strays]
 
 
-def _turns(solution: Solution) -> list[str]:
-    """The times since when something is as it was verified to be.
+def _since_when(solution: Solution) -> list[str]:
+    """The times since when something is as it was verified to be, or since when something flies freely.
 
     What tells them is not idle, even if the answer is the same whenever they are: as two boards that stick to each
-    other move by their common momentum, whatever the friction was between them, but only from when they stick.
+    other move by their common momentum, whatever the friction was between them, but only from when they stick; and
+    as free fall changes a velocity by as much before an impact as after it.
     """
-    if all(relation.role != "verified" for relation in solution.relations):
-        return []
-    told = (relation for step in solution.steps if step.kind == "time" for relation in step.relations)
-    return [relation.left.latex() for relation in told if relation.role == "result"]
+    stuck = any(relation.role == "verified" for relation in solution.relations)
+    told = [r for step in solution.steps if step.kind == "time" and stuck for r in step.relations if r.role == "result"]
+    flown = [relation for step in solution.steps if step.kind == TIME for relation in step.relations]
+    return [relation.left.latex() for relation in (*told, *flown)]
 
 
 def _is_number(relation: Relation) -> bool:
@@ -137,7 +140,7 @@ def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str,
     matrix = np.array([_row(law, values, place) for law in laws])
     if not len(matrix):
         return True
-    sizes = np.array([max(abs(values[name]), FAINT) for name in place])
+    sizes = _sizes(values, place)
     _, spread, ways = np.linalg.svd(matrix * sizes)
     free = ways[int((spread > FAINT * spread.max(initial=0.0)).sum()) :]
     way = free.sum(axis=0)
@@ -154,9 +157,14 @@ def _row(relation: Relation, values: dict[str, float], place: dict[str, int], *,
     left, right = gradient(relation.left, values, place), gradient(relation.right, values, place)
     row = np.array(left) - np.array(right)
     if scaled:  # by relative changes: what is large and what is small weigh alike
-        row = row * np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in place])
+        row = row * _sizes(values, place)
     scale = np.abs(row).max(initial=0.0)
     return row / scale if scaled and scale else row
+
+
+def _sizes(values: Mapping[str, float], place: Mapping[str, int]) -> Array:
+    """Of the values of names, in SI units; 1 for what is zero but for rounding."""
+    return np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in place])
 
 
 def _spanned(rows: Sequence[Array], goal: Array) -> bool:

@@ -4,6 +4,8 @@ from fractions import Fraction
 from functools import lru_cache
 
 DIGITS = 5  # significant ones that a worked solution carries
+SIMPLE = 60  # the largest denominator of a number that is no accident
+EXACT = 1e-12  # relative, of a number not near zero: what rounding may have left of a simple fraction
 
 
 def shortened(value: float, digits: int = DIGITS) -> float:
@@ -22,11 +24,17 @@ def rounded(value: float, digits: int = DIGITS) -> str:
     return rf"{mantissa} \times 10^{{{exponent}}}"
 
 
+def simple_fraction(x: float) -> Fraction | None:
+    """The fraction that a number is; None if it is no simple one."""
+    fraction = Fraction(x).limit_denominator(SIMPLE)
+    return fraction if abs(float(fraction) - x) <= EXACT * max(1.0, abs(x)) else None
+
+
 @lru_cache(maxsize=4096)
-def spelled(x: float) -> str:
+def pure_number(x: float) -> str:
     """A pure number as formulas have it: a fraction where it is a simple one."""
-    fraction = Fraction(x).limit_denominator(60)
-    if abs(float(fraction) - x) > 1e-12 * max(1.0, abs(x)):
+    fraction = simple_fraction(x)
+    if fraction is None:
         return rounded(x)
     if fraction.denominator == 1:
         return str(fraction.numerator)

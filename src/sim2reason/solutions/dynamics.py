@@ -9,7 +9,8 @@ from sim2reason.solutions.book import Book
 from sim2reason.solutions.newton import Newton, Row, symbol
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.shared import ACCELERATIONS, NEWTONS, STILL, Measure, Shared, equal
+from sim2reason.solutions.shared import ACCELERATIONS, STILL, Measure, Shared, equal
+from sim2reason.solutions.unit_latex import NEWTONS
 
 
 class Dynamics:

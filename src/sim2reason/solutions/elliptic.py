@@ -11,10 +11,9 @@ from sim2reason.solutions.book import Book, Writing
 from sim2reason.solutions.expressions import ONE, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.setting import joined
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import RADIANS
 
 CLOSE = 1e-9  # how far the two means are apart at last; what they are from their limit is the square of that
-RADIANS = latex("rad")
 TWO = Number(2.0)
 
 
@@ -55,7 +54,7 @@ class Elliptic:
     def complete(self) -> Symbol:
         """K = F(π/2) = π/(2 a)."""
         last = self.means[-1][0]
-        said = "For a quarter of the oscillation the integral is"
+        said = "For a quarter oscillation the integral is"
         return self.book.told("elliptic", said, self.book.fresh("K"), PI / (TWO * last), "")
 
     def integral(self, angle: Symbol) -> Symbol:

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 
-from sim2reason.solutions.digits import spelled
+from sim2reason.solutions.digits import pure_number
 
 FUNCTIONS = ("\\sin", "\\cos", "\\tan", "\\arc", "\\ln", "\\exp")
 Scalar = float | complex
@@ -102,7 +102,7 @@ class Number(Expression):
 
     def latex(self) -> str:
         """As in: 2, 2/5 or 0.30000."""
-        return spelled(self.x)
+        return pure_number(self.x)
 
     def symbols(self) -> Iterator[str]:
         """None."""

@@ -3,20 +3,21 @@
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.field_moment import FieldMoment
-from sim2reason.solutions.functions import Call, Power, Root, squares
-from sim2reason.solutions.goals import Known, magnitude
-from sim2reason.solutions.goals.kinematics import SPEED
+from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.goals import magnitude
+from sim2reason.solutions.goals.kinematics import VELOCITIES
 from sim2reason.solutions.goals.turning import squared
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.polynomials import NIL, total
+from sim2reason.solutions.unit_latex import JOULES
+from sim2reason.solutions.way import Way
 
 HALF = Number(0.5)
-JOULES = latex("J")
 
 
 class FieldEnergy:
     """The works of what acts, written as they are needed."""
 
-    def __init__(self, known: Known, moment: FieldMoment) -> None:
+    def __init__(self, known: Way, moment: FieldMoment) -> None:
         """`known` tells how far the body has come by the moment, and how fast it is."""
         self.known, self.moment, self.fields, self.book = known, moment, moment.fields, known.book
 
@@ -37,10 +38,8 @@ class FieldEnergy:
 
     def _gained(self) -> Expression:
         """The change in kinetic energy."""
-        first, launch = ZERO, [part for part in self.fields.launch if part != ZERO]
-        if launch:
-            given = self.known.setting.given(f"{self.fields.body.rpartition('.')[0]}.start.speed")
-            first = Power(Symbol(given.symbol), 2) if given is not None else squares(launch)
+        speeds = (self.known.first_speeds.get(number, NIL) for number in self.fields.coordinates)
+        first = total(speed * speed for speed in speeds).expression()
         square = self._square(first)
         return HALF * self.fields.mass * (square - first) if first != ZERO else HALF * self.fields.mass * square
 
@@ -50,8 +49,8 @@ class FieldEnergy:
         if self.fields.drive is None and damping is not None and isinstance(first, Power):
             formula = first.base * Call("exp", -(damping * self.moment.time))
             said = "Nothing but the medium changes its speed, which becomes"
-            return Power(self.book.told("speed", said, self.book.fresh("v"), formula, SPEED.unit), 2)
-        last = magnitude(self.known.vector("v", self.fields.body), self.known, SPEED, self.fields.body)
+            return Power(self.book.told("speed", said, self.book.fresh("v"), formula, VELOCITIES.unit), 2)
+        last = magnitude(self.known.vector("v", self.fields.body), self.known, VELOCITIES, self.fields.body)
         return last.inside if isinstance(last, Root) else squared(last)
 
     def work(self) -> Symbol:

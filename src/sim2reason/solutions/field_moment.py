@@ -15,10 +15,9 @@ from sim2reason.solutions.fields import Fields
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import JOULES, METRES, SECONDS, SPEED
 from sim2reason.solutions.worked import NumericRoot
 
-METRES, SECONDS, SPEED = latex("m"), latex("s"), latex("m/s")
 TWO, HALF = Number(2.0), Number(0.5)
 SAMPLES = 400
 
@@ -127,7 +126,7 @@ class FieldMoment:
         if query.functional != "greatest kinetic energy":
             return speed
         energy = HALF * fields.mass * Power(speed, 2)
-        return self.book.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, latex("J"))
+        return self.book.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, JOULES)
 
     def _farthest(self) -> Symbol:
         """Where the displacement is square to the velocity."""

@@ -5,12 +5,11 @@ from functools import cached_property
 
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.fields import AXES, RATE, TURNS, Drive, Fields
+from sim2reason.solutions.fields import AXES, TURNS, Drive, Fields
 from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ANGULAR_SPEED, METRES, PER_SECOND, SPEED
 
 HALF, SIXTH = Number(0.5), Number(1.0 / 6.0)
-SPEED = latex("m/s")
 
 
 class FieldMotion(ABC):
@@ -94,18 +93,16 @@ class Driven(FieldMotion):
         along = AXES[self._drive.axis]
         if self._swings:
             said = f"Along {along} that is a harmonic oscillation with the angular frequency"
-            return self.named(said, r"\omega", "", Root(-slope), latex("rad/s"))
+            return self.named(said, r"\omega", "", Root(-slope), ANGULAR_SPEED)
         said = f"Along {along} the departure from where the force is zero grows or decays exponentially, at the rate"
-        return self.named(said, r"\lambda", "", Root(slope), RATE)
+        return self.named(said, r"\lambda", "", Root(slope), PER_SECOND)
 
     @cached_property
     def _center(self) -> Expression:
         slope = self._drive.slope
         assert slope is not None
         along = AXES[self._drive.axis]
-        return self.named(
-            f"The force is zero at {along} equal to", along, "c", -(self._drive.strength / slope), latex("m")
-        )
+        return self.named(f"The force is zero at {along} equal to", along, "c", -(self._drive.strength / slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
         """The cosine, or the hyperbolic one."""

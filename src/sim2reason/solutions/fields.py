@@ -12,11 +12,10 @@ from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
 
 AXES = ("x", "y")
 TURNS = (1.0, -1.0)  # of the velocity: a_x = Ω v_y, a_y = −Ω v_x
-RATE = latex("1/s")
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,9 +82,7 @@ class Fields:
             return None
         charge = self._read(lambda m: _magnetic(m.forces[number]))
         said = "The magnetic force is square to the velocity and turns it clockwise at the rate"
-        return self.book.told(
-            "field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, latex("rad/s")
-        )
+        return self.book.told("field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED)
 
     @cached_property
     def damping(self) -> Symbol | None:
@@ -95,7 +92,7 @@ class Fields:
             return None
         drag = self._read(lambda m: getattr(m.forces[number].law, "linear", 0.0)).expression()
         said = "The medium slows it at the rate"
-        return self.book.told("field", said, self.book.fresh(r"\gamma"), drag / self.mass, RATE)
+        return self.book.told("field", said, self.book.fresh(r"\gamma"), drag / self.mass, PER_SECOND)
 
     @cached_property
     def drag(self) -> Expression:
@@ -109,7 +106,7 @@ class Fields:
         vx, vy = self.launch
         said = "The medium slows it at first at the rate"
         formula = square.expression() * Root(Power(vx, 2) + Power(vy, 2)) / self.mass
-        return self.book.told("field", said, self.book.fresh(r"\gamma"), formula, RATE)
+        return self.book.told("field", said, self.book.fresh(r"\gamma"), formula, PER_SECOND)
 
     @cached_property
     def drive(self) -> Drive | None:
@@ -123,7 +120,7 @@ class Fields:
         strength = self._part(number, "value", axis) / self.mass
         first = "" if law.profile.uniform else " at first" if law.profile.steady is False else " at the origin"
         said = f"The electric force accelerates it along {AXES[axis]}{first} by"
-        name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, latex("m/s^2"))
+        name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
         if profile.frequency:
             frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
@@ -137,7 +134,7 @@ class Fields:
                 self._part(number, "slope", axis) / self.mass,
                 f"For each metre along {AXES[along]} that grows by",
             )
-            slope = self.book.told("field", more, self.book.fresh("k"), slope, latex("1/s^2"))
+            slope = self.book.told("field", more, self.book.fresh("k"), slope, PER_SECOND_SQUARED)
             return Drive(axis, name, slope=slope, along=along)
         return Drive(axis, name)
 

@@ -12,11 +12,12 @@ from sim2reason.dsl.mechanism import Meeting
 from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.expressions import Expression, Symbol, added
 from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.long_chains import DISPLACEMENT, TIME, VELOCITY
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.stage import METRES, SECONDS, SPEED
+from sim2reason.solutions.unit_latex import METRES, SECONDS, SPEED
 
 ALIGNED = 1e-9
 Relative = tuple[list[Expression], list[Expression], Symbol | None, list[str]]  # place, velocity, since when, axes
@@ -156,12 +157,22 @@ class FreeFlights(ABC):
         """How long it is from one time to another."""
         key = (begins.name, time.name)
         if key not in self._spans:
-            step, name = self.book.open("time"), self.book.fresh("t")
+            step, name = self.book.open(TIME), self.book.fresh("t")
             formula = (Polynomial.of(time) - Polynomial.of(begins)).expression()
             step.say(f"Since then {step.result(name, formula, SECONDS, law=True)} have passed.")
             step.close()
             self._spans[key] = name
         return self._spans[key]
+
+    def counted(self, begins: Symbol | None, span: Symbol) -> Symbol:
+        """The time since t = 0, of how long it is from another."""
+        if begins is None:
+            return span
+        step, until = self.book.open(TIME), self.book.fresh("t")
+        step.say(f"That is at {step.result(until, added(begins, span), SECONDS, law=True)}.")
+        step.close()
+        self._spans[begins.name, until.name] = span
+        return until
 
     def velocity(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
         """The rate of a coordinate at a time of a flight; at its beginning for None."""
@@ -171,7 +182,7 @@ class FreeFlights(ABC):
         key = (k, number, time.name)
         if key not in self._speeds:
             span = self.span(leg, time)
-            step, name = self.book.open("velocity"), self.book.fresh("v", self.mark(body, k))
+            step, name = self.book.open(VELOCITY), self.book.fresh("v", self.mark(body, k))
             formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
             step.say(f"Then {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
             step.close()
@@ -212,7 +223,7 @@ class FreeFlights(ABC):
         formula = before + leg.speeds[k] * span + (a * span * span).scaled(0.5)
         if not formula.names():
             return NIL
-        step, name = self.book.open("distance"), self.book.fresh("s", self.mark(body, k))
+        step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", self.mark(body, k))
         says = f"Until then {self.setting.called(body)} moves by"
         step.say(f"{says} {step.result(name, formula.expression(), METRES, law=True)}.")
         step.close()
@@ -231,10 +242,6 @@ class FreeFlights(ABC):
 
     def _whose(self, body: str, k: int) -> str:
         return f"the velocity of {self.setting.called(body)}{self._axis(k)} is"
-
-    def lasting(self, since: Symbol, until: Symbol, name: Symbol) -> None:
-        """Note how long it is from one time to another."""
-        self._spans[since.name, until.name] = name
 
     # ---- what they meet
 

@@ -4,9 +4,10 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Literal
 
-from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Scalar, Symbol, Values, parenthesized
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Scalar, Symbol, Values, added, parenthesized
 
 Function = Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
 
@@ -173,9 +174,11 @@ def plain(held: Expression) -> Expression:
     return undone.get((held.function, held.argument.function), held)
 
 
+def summed(parts: Iterable[Expression]) -> Expression:
+    """All parts added up."""
+    return reduce(added, parts, ZERO)
+
+
 def squares(parts: Iterable[Expression]) -> Expression:
     """The sum of the squares, without those of zeros."""
-    found: Expression = ZERO
-    for part in parts:
-        found = found + Power(part, 2) if part != ZERO else found
-    return found
+    return summed(Power(part, 2) for part in parts if part != ZERO)

@@ -11,9 +11,8 @@ from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.linear_motion import LinearMotion
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.relative_motion import RelativeMotion
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ANGULAR_SPEED, KILOGRAMS, METRES, RADIANS, STIFFNESS
 
-METRES, SECONDS, RADIANS, SPEED, KG = latex("m"), latex("s"), latex("rad"), latex("m/s"), latex("kg")
 HALF = Number(0.5)
 LITTLE = 1e-7  # of the amplitude
 
@@ -78,7 +77,7 @@ class Harmonic:
         if len(held.terms) == 1:
             return held.expression()
         said = f"If all that moves moved as ${self.name.name}$ does, with the same kinetic energy, its mass would be"
-        return self.book.told("inertia", said, self._fresh("M"), held.factored(), KG)
+        return self.book.told("inertia", said, self._fresh("M"), held.factored(), KILOGRAMS)
 
     @cached_property
     def stiffness(self) -> Expression:
@@ -89,7 +88,7 @@ class Harmonic:
         if len(held.terms) == 1:
             return held.expression()
         said = "Together the springs act along it like one of the stiffness"
-        return self.book.told("stiffness", said, self._fresh("k"), held.factored(), latex("N/m"))
+        return self.book.told("stiffness", said, self._fresh("k"), held.factored(), STIFFNESS)
 
     def _fresh(self, base: str) -> Symbol:
         return self.book.fresh(base, r"\text{eff}")
@@ -101,7 +100,7 @@ class Harmonic:
             return self.like.rate
         formula = Root(self.stiffness / self.mass)
         said = "It is driven back in proportion to how far it is from the place of balance, so it oscillates with"
-        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
+        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
     def rest(self) -> Expression:

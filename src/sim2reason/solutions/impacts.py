@@ -9,7 +9,7 @@ from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import capital
-from sim2reason.solutions.stage import SECONDS, SPEED
+from sim2reason.solutions.unit_latex import SECONDS, SPEED
 
 ORDINALS = ("", "", " for the second time", " for the third time")
 
@@ -77,14 +77,7 @@ class Impacts(FreeFlights, ABC):
             formula = self.root(gap, rate, rise)
         step.say(f"{self.met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{' later' if since else ''}.")
         step.close()
-        if since is None:
-            return name
-        step, whole = self.book.open("time"), self.book.fresh("t")
-        formula = added(since, name)
-        step.say(f"That is at {step.result(whole, formula, SECONDS, law=True)}.")
-        step.close()
-        self.lasting(since, whole, name)
-        return whole
+        return self.counted(since, name)
 
     def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial) -> Expression:
         """The first time at which gap + rate t + ½ rise t² is zero."""
@@ -150,6 +143,8 @@ class Impacts(FreeFlights, ABC):
         step, name = self.book.open("rebound"), self.book.fresh("v", self.mark(body, k))
         formula = (e * before).scaled(-1.0).expression()
         met = self.met(impact).replace(" hits ", " rebounds from ")
+        if impact.number in self.times:  # the text has just said from what, and for the how manieth time
+            met = f"{capital(self.setting.called(body))} rebounds"
         step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}.")
         step.close()
         return {k: Polynomial.of(name)}
@@ -165,7 +160,9 @@ class Impacts(FreeFlights, ABC):
         x, y = (Polynomial.of(name) for name in names)
         momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
         parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
-        step.say(f"{self.met(impact)}. Momentum is kept: {momentum}; restitution: {parting}.")
+        if impact.number not in self.times:  # else the text has just said when they meet
+            step.say(f"{self.met(impact)}.")
+        step.say(f"Momentum is kept: {momentum}; restitution: {parting}.")
         step.label(f"impact {impact.number}")
         step.close()
         whole = (m + n).expression()

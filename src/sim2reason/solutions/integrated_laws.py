@@ -13,7 +13,8 @@ from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.lexicon import Both, Lexicon
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.shared import NEWTONS, gravitational_constant
+from sim2reason.solutions.shared import gravitational_constant
+from sim2reason.solutions.unit_latex import NEWTONS
 
 EASY = 300  # characters of a side of an equation that is written out
 LONG = 900  # characters of an equation that nobody reads
@@ -91,6 +92,8 @@ class IntegratedLaws:
         self._told_names = len(self.equations.named)
 
     def _check(self, left: Expression, right: Expression) -> None:
+        if unknown := {*left.symbols(), *right.symbols()} - {*self.book.values}:
+            raise UnsolvedError(f"the text has no number for {', '.join(sorted(unknown))}")
         if len(left.latex()) + len(right.latex()) > LONG:
             raise UnsolvedError("the equations of motion are too long to be written")
         one, other = self.book.value(left), self.book.value(right)
@@ -115,7 +118,7 @@ class IntegratedLaws:
             step.say(self._introduced(kind, name))
         for number, value in zip(rows, self._sizes(rows), strict=True):
             (name,) = found[number].names()
-            self.book.know(name, value, self.book.spelled(NEWTONS))
+            self.book.know(name, value, self.book.unit_in_text(NEWTONS))
         return found
 
     def _introduced(self, kind: RowKind, name: Symbol) -> str:
@@ -185,7 +188,7 @@ class IntegratedLaws:
 
     def _named(self, base: str, mark: str, value: float) -> Polynomial:
         name = self.book.fresh(base, mark)
-        self.book.know(name.name, value, self.book.spelled(NEWTONS))
+        self.book.know(name.name, value, self.book.unit_in_text(NEWTONS))
         return Polynomial.of(name)
 
 

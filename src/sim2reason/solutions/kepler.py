@@ -18,10 +18,9 @@ from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.shared import gravitational_constant
 from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ANGULAR_SPEED, METRES, RADIANS, SECONDS, latex
 from sim2reason.solutions.worked import NumericRoot
 
-METRES, SECONDS, RADIANS = latex("m"), latex("s"), latex("rad")
 PARAMETER, AREAL, AREA = latex("m^3/s^2"), latex("m^2/s"), latex("m^2")
 ROUNDS, PIECES = 60, 720
 TWO, HALF = Number(2.0), Number(0.5)
@@ -89,7 +88,7 @@ class KeplerOrbit:
     def mean_motion(self) -> Symbol:
         """The mean angular velocity, √(µ/a³)."""
         formula = Root(self.parameter / Power(self.axis, 3))
-        return self.book.told("mean motion", "The mean motion is", self.named("n"), formula, latex("rad/s"))
+        return self.book.told("mean motion", "The mean motion is", self.named("n"), formula, ANGULAR_SPEED)
 
     @cached_property
     def dot(self) -> Expression:

@@ -20,6 +20,7 @@ from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
 from sim2reason.prose.formula_numbers import factor
+from sim2reason.solutions.digits import EXACT, SIMPLE
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.functions import Call
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -28,8 +29,7 @@ from sim2reason.solutions.unit_latex import latex
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
 SAME = 1e-10  # relative: far less than two numbers can agree by chance
 TRIES = 4
-FACTORS = 60  # the largest denominator of a number that is no accident
-LARGEST = 10_000  # its largest numerator
+LARGEST = 10_000  # the largest numerator of a number that is no accident
 TERMS = 2500  # products of several numbers that are tried
 
 
@@ -52,7 +52,7 @@ class StatedNumber:
         if self.value != value and not self.angle:  # in the units that formulas need
             return f"{self.value:.12f}".rstrip("0").rstrip(".") + self.counted_unit
         text = f"{value:.{measure.places(value)}f}"
-        if abs(float(text) - value) > 1e-12 * abs(value):
+        if abs(float(text) - value) > EXACT * abs(value):
             text = repr(value)
         return text + self.unit
 
@@ -224,6 +224,6 @@ def _factor(number: Both, atom: Both) -> float | None:
     here, there = number.here / atom.here, number.there / atom.there
     if abs(here - there) > SAME * abs(here):
         return None
-    fraction = Fraction(here).limit_denominator(FACTORS)
+    fraction = Fraction(here).limit_denominator(SIMPLE)
     simple = float(fraction) if abs(fraction.numerator) <= LARGEST else 0.0
     return simple if simple and abs(simple - here) <= SAME * abs(here) else None

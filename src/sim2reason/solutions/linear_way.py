@@ -16,11 +16,9 @@ from sim2reason.solutions.newton import Newton, Row
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.shared import NEWTONS
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import IMPULSE, NEWTONS
 from sim2reason.solutions.way import STILL, Way
 
-METRES = latex("m")
 TIMES = {0.5: "half as far as", 2.0: "twice as far as", 1.0: "as far as"}
 
 
@@ -68,7 +66,9 @@ class LinearWay(Way):
         heavy = [k for body in self.mechanism.bodies if body.mass for k in self.moving([body.name])]
         slides = [k for k in heavy if self.mechanism.coordinates[k].kind == "slide"]
         mentioned = [k for k in slides if self.mechanism.coordinates[k].body in self.setting.words.mentions]
-        return LinearMotion(self.setting, self.segment, [*self.moving(names), *self.asked(), *mentioned, *slides])
+        return LinearMotion(
+            self.setting, self.segment, [*self.moving(names), *self.asked_coordinates(), *mentioned, *slides]
+        )
 
     @property
     def newton(self) -> Newton:
@@ -182,14 +182,59 @@ class LinearWay(Way):
         if self.target is None or self.goal is None:
             raise UnsolvedError(f"no {kind} of {name}")
         asked = self.goal.force(self.target, self.setting)
+        row = self._alone(asked, "TNf")
+        if row is None:
+            raise UnsolvedError("no law of a single body gives the force")
+        return self._from(row, asked, kind, name)
+
+    def _alone(self, asked: str, letters: str) -> Row | None:
+        """The shortest law with a force, and with no other one of such letters."""
         rows = [self.newton.newton(k) for k in self.motion.ratios]
-        if kind == "N":
+        if asked.startswith("N"):
             rows = [self.newton.normal(int(asked[1:]))]
         for row in sorted(rows, key=lambda row: len(row.zero.terms)):
-            others = {n for n in row.zero.names() if n[0] in "TNf" and n[1:].isdigit()} - {asked}
+            others = {n for n in row.zero.names() if n[0] in letters and n[1:].isdigit()} - {asked}
             if asked in row.zero.names() and not others:
-                return self._from(row, asked, kind, name)
-        raise UnsolvedError("no law of a single body gives the force")
+                return row
+        return None
+
+    @cached_property
+    def _pulled(self) -> Row | None:
+        """Of a tension that is asked about over a time, the law of a body on which it acts with its weight alone."""
+        if self.target is None or self.goal is None or not self.goal.throughout:
+            return None
+        asked = self.goal.force(self.target, self.setting)
+        return self._alone(asked, "TNfS") if asked.startswith("T") else None
+
+    @property
+    def gaining(self) -> list[int]:
+        """The coordinates of that body."""
+        names = self._pulled.inertia.names() if self._pulled is not None else ()
+        return sorted(int(name[1:]) for name in names if name[0] == "q" and name[1:].isdigit())
+
+    def impulse(self, line: str) -> Symbol | None:
+        """Of a tension, by the momentum that a body gains from it and its weight."""
+        del line
+        row, target, goal = self._pulled, self.target, self.goal
+        if row is None or target is None or goal is None:
+            raise UnsolvedError("no law of a single body gives the impulse")
+        asked = goal.force(target, self.setting)
+        gained = {f"q{k}": self.rate("v", k) - self.first_speeds.get(k, NIL) for k in self.gaining}
+        weight = row.forces.put({asked: NIL})
+        found = Polynomial.of(self.book.fresh("J"))
+        pushed = (row.forces - weight).put({asked: found}) + weight * Polynomial.of(self.clock())
+        step, gain = self.book.open("impulse"), row.inertia.put(gained)
+        who = self.setting.called(self.mechanism.coordinates[row.number].body)
+        law = step.law(pushed.expression(), gain.expression())
+        assert found.symbol is not None
+        formula = solved(pushed - gain, found.symbol.name)
+        step.say(f"What pulls {who} gives it its momentum: {law}, so {step.result(found.symbol, formula, IMPULSE)}.")
+        step.close()
+        return found.symbol
+
+    def clock(self) -> Symbol:
+        """The time of the moment; by default nothing takes one."""
+        raise UnsolvedError("no way to what adds up over a time")
 
     def _from(self, row: Row, asked: str, kind: str, name: str) -> Symbol:
         known = {f"q{k}": self.rate("a", k) for k in self.motion.ratios}

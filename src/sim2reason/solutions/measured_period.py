@@ -4,7 +4,7 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.functions import PI
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ANGULAR_SPEED, SECONDS, latex
 
 TWO = Number(2.0)
 
@@ -14,7 +14,7 @@ def measured_period(book: Book, query: PeriodQuery, rate: Expression, said: str 
     if query.measure == "angular frequency" and isinstance(rate, Symbol):
         return rate
     if query.measure == "angular frequency":
-        return book.told("period", "The angular frequency is", book.fresh(r"\omega"), rate, latex("rad/s"))
+        return book.told("period", "The angular frequency is", book.fresh(r"\omega"), rate, ANGULAR_SPEED)
     if query.measure == "frequency":
         return book.told("period", "The frequency is", book.fresh("f"), rate / (TWO * PI), latex("Hz"))
-    return book.told("period", said, book.fresh("T"), TWO * PI / rate, latex("s"))
+    return book.told("period", said, book.fresh("T"), TWO * PI / rate, SECONDS)

@@ -12,20 +12,16 @@ SENTENCE = re.compile(r"(?P<lead>[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
 def merged(steps: Sequence[Step]) -> list[Step]:
     """Steps of one like sentence that rest on the same ones, as one step where the first of them stands."""
-    kept: list[Step] = []
     groups: dict[tuple[object, ...], list[Step]] = {}
+    place: dict[int, int] = {}  # by the number of a step, that of the one with which it stands
     for step in steps:
+        rests = tuple(sorted({place.get(n, n) for n in step.needs}))
         match = SENTENCE.fullmatch(step.text)
-        key = (step.kind, match["lead"], step.needs) if match is not None and step.gives else (step.id,)
-        groups.setdefault(key, []).append(step)
-        if len(groups[key]) == 1:
-            kept.append(step)
-    first = {step.id: group[0].id for group in groups.values() for step in group}
-    together = {group[0].id: _together(group) for group in groups.values()}
-    return [
-        replace(together[step.id], needs=tuple(sorted({first.get(n, n) for n in together[step.id].needs})))
-        for step in kept
-    ]
+        key = (step.kind, match["lead"], rests) if match is not None and step.gives else (step.id,)
+        group = groups.setdefault(key, [])
+        group.append(replace(step, needs=rests))
+        place[step.id] = group[0].id
+    return [_together(group) for group in groups.values()]
 
 
 def _together(group: Sequence[Step]) -> Step:

@@ -19,10 +19,9 @@ from sim2reason.solutions.mode import Mode
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import PER_SECOND_SQUARED
 from sim2reason.solutions.worked import Worked
 
-METRES, SPEED, RATE, SQUARED = latex("m"), latex("m/s"), latex("rad/s"), r"\ \text{s}^{-2}"
 NONE = 1e-9  # of the largest λ: less drives nothing back
 FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
 
@@ -173,13 +172,14 @@ class ModeLaws:
         step = self.book.open("modes")
         step.rest_on(f"mode {mode.number}")
         if len(powers) == 2 and formula is not None:
-            step.say(f"Together they hold for {step.result(mode.square, formula, SQUARED)}.")
+            step.say(f"Together they hold for {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
         else:
             held = self._vanishing(powers, mode.square)
             step.say(f"They hold where the determinant of their coefficients vanishes, {step.derived(held, ZERO)}.")
             if formula is not None:
-                step.say(f"One root is {step.result(mode.square, formula, SQUARED)}.")
+                step.say(f"One root is {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
             else:
                 near = float(self.squares[mode.number])
-                step.say(told_root(self.book, step, mode.square, held, near, SQUARED, "Found numerically, one root is"))
+                said = "Found numerically, one root is"
+                step.say(told_root(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
         step.close()

@@ -18,9 +18,8 @@ from sim2reason.solutions.mode import Mode
 from sim2reason.solutions.mode_laws import ModeLaws
 from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.setting import joined
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_SPEED, KILOGRAMS, METRES, SPEED
 
-METRES, SPEED, RATE = latex("m"), latex("m/s"), latex("rad/s")
 FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
 
 
@@ -113,11 +112,11 @@ class NormalModes(ModeLaws):
         own = self._own_mass(mode, named=not alone)
         if mode.square != ZERO:
             mode.rate = self.book.fresh(r"\omega", str(n))
-            self.book.told("rate", "Its angular frequency is", mode.rate, Root(mode.square), RATE)
+            self.book.told("rate", "Its angular frequency is", mode.rate, Root(mode.square), ANGULAR_SPEED)
         shape = self.shapes[:, mode.number]
         if push != ZERO and abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max()):
             below = own * mode.square if mode.square != ZERO else own
-            unit = METRES if mode.square != ZERO else latex("m/s^2")
+            unit = METRES if mode.square != ZERO else ACCELERATION
             said = "Its place of balance is" if mode.square != ZERO else "It is accelerated by"
             mode.rise = self.book.told("start", said, self.book.fresh("b", str(n)), push / below, unit)
         carry = shape * (self.mass @ self.begun)
@@ -139,4 +138,4 @@ class NormalModes(ModeLaws):
         if not named:
             return found
         name = self.book.fresh(r"\mu", str(mode.number + 1))
-        return self.book.told("modal mass", "Its mass is", name, found, latex("kg"))
+        return self.book.told("modal mass", "Its mass is", name, found, KILOGRAMS)

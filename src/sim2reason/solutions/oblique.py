@@ -1,18 +1,14 @@
 """Collisions of discs in a plane: when they touch, and the impulse along the line of their centres."""
 
-from collections.abc import Iterable
-
 from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.flights import Impact
-from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.functions import Power, Root, summed
 from sim2reason.solutions.impacts import Impacts
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import joined
-from sim2reason.solutions.stage import METRES, SECONDS, SPEED
-
-IMPULSE = r"\ \text{N s}"
+from sim2reason.solutions.unit_latex import IMPULSE, METRES, SECONDS, SPEED, latex
 
 
 class Flights(Impacts):
@@ -40,7 +36,7 @@ class Flights(Impacts):
 
 
 def _meet(flights: Impacts, impact: Impact) -> Symbol:
-    """When the centres are as far apart as the radii say: a quadratic equation."""
+    """When the centres are as far apart as the radii say: (p t + q)² + c² = p d², p = u², q = X·u, c = X×u."""
     X, u, since, _ = _relative(flights, impact)
     book, distance = flights.book, _distance(flights, impact)
     step, t = book.open("impact time"), book.fresh("t")
@@ -48,35 +44,25 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     for x, w in zip(X, u, strict=True):
         whole = added(whole, Power(added(x, multiplied(w, t)), 2))
     law = step.derived(whole, Power(distance, 2))
-    speeds = _sum(Power(w, 2) for w in u)
-    along = _sum(multiplied(x, w) for x, w in zip(X, u, strict=True))
-    apart = _sum(Power(x, 2) for x in X)
-    p, q, r = (book.fresh(base) for base in ("p", "q", "r"))
-    said = [  # of p t² + 2 q t + r = 0
-        step.result(p, speeds, r"\ \text{m}^2\text{/s}^2", law=True),
-        step.result(q, along, r"\ \text{m}^2\text{/s}", law=True),
-        step.result(r, added(apart, -Power(distance, 2)), r"\ \text{m}^2", law=True),
+    speeds = summed(Power(w, 2) for w in u)
+    along = summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
+    p, q = book.fresh("p"), book.fresh("q")
+    said = [
+        step.result(p, speeds, latex("m^2/s^2"), law=True),
+        step.result(q, along, latex("m^2/s"), law=True),
     ]
-    two = multiplied(Number(2.0), multiplied(q, t))
-    quadratic = step.law(added(multiplied(p, Power(t, 2)), added(two, r)), ZERO)
-    formula = ratio(added(-q, -Root(added(Power(q, 2), -multiplied(p, r)))), p)
+    aside: Expression = ZERO
+    if len(X) > 1:  # |X|² |u|² = (X·u)² + (X×u)²: q² − p |X|² would leave few digits where they hardly touch
+        c = book.fresh("c")
+        said.append(step.result(c, X[0] * u[1] - X[1] * u[0], latex("m^2/s"), law=True))
+        aside = Power(c, 2)
+    square = multiplied(p, Power(distance, 2))
+    quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
+    formula = ratio(added(-q, -Root(added(square, -aside) if aside != ZERO else square)), p)
     step.say(f"{flights.met(impact)} when {law}, that is {quadratic} with {joined(said)}.")
     step.say(f"The first root is {step.result(t, formula, SECONDS)}.")
     step.close()
-    if since is None:
-        return t
-    step, end = book.open("time"), book.fresh("t")
-    step.say(f"That is at {step.result(end, added(since, t), SECONDS, law=True)}.")
-    step.close()
-    flights.lasting(since, end, t)
-    return end
-
-
-def _sum(parts: Iterable[Expression]) -> Expression:
-    found: Expression = ZERO
-    for part in parts:
-        found = added(found, part)
-    return found
+    return flights.counted(since, t)
 
 
 def _distance(flights: Impacts, impact: Impact) -> Expression:
@@ -134,7 +120,7 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
         said.append(step.result(n[label], ratio(added(x, multiplied(w, span)), distance), "", law=True))
     step.say(f"The line of centres then has the direction {joined(said)}.")
     approach = book.fresh("u", r"\text{n}")
-    along = _sum(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
+    along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
     step.say(f"Along it they approach with {step.result(approach, along, SPEED, law=True)}.")
     step.close()
     return n, approach
@@ -149,7 +135,7 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     step, push = book.open("impulse"), book.fresh("J")
     reduced = ratio(multiplied(m, k), added(m, k))
     formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
-    said = "Momentum and restitution along the line of centres give the impulse"
+    said = "Momentum and restitution along it give the impulse"
     step.say(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
     step.close()
     found: dict[int, Polynomial] = {}

@@ -6,10 +6,9 @@ from functools import cached_property
 
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
-from sim2reason.solutions.kepler import METRES, RADIANS, TWO, KeplerOrbit
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.kepler import TWO, KeplerOrbit
+from sim2reason.solutions.unit_latex import ACCELERATION, METRES, PER_SECOND, RADIANS, SECONDS, SPEED
 
-SPEED, ACCELERATION = latex("m/s"), latex("m/s^2")
 FIELDS = ("x", "y")
 
 
@@ -129,7 +128,7 @@ class AtAnomaly(OrbitPlace):
         else:
             formula = ONE - orbit.axis / self.radius * rest
         whole, part = "displacement" if number in "12" else "velocity", "place" if number in "13" else "velocity"
-        unit = {"2": latex("s"), "3": latex("1/s")}.get(number, "")
+        unit = {"2": SECONDS, "3": PER_SECOND}.get(number, "")
         return orbit.book.told("weights", f"In the {whole} the first {part} counts", name, formula, unit)
 
     def _moved(self, axis: int) -> Expression:

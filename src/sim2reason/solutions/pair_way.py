@@ -9,8 +9,7 @@ from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.relative_motion import RelativeMotion
 from sim2reason.solutions.single_way import SingleWay
-from sim2reason.solutions.stage import METRES, SPEED
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SPEED
 
 
 class PairWay(SingleWay):
@@ -122,4 +121,4 @@ class PairWay(SingleWay):
         if i != self._relative.other:
             return self.along("a")
         said = f"The centre of mass is not accelerated; with the acceleration of {self._partner()}"
-        return self._balanced("a", latex("m/s^2"), NIL, said)
+        return self._balanced("a", ACCELERATION, NIL, said)

@@ -4,17 +4,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Self
 
-from sim2reason.solutions.expressions import (
-    ONE,
-    ZERO,
-    Expression,
-    Number,
-    Quotient,
-    Symbol,
-    Values,
-    added,
-    multiplied,
-)
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Quotient, Symbol, Values, added, multiplied
 from sim2reason.solutions.functions import Call, Power, Root
 
 NOTHING = 1e-12  # a coefficient that rounding has left

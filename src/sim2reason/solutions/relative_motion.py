@@ -16,7 +16,7 @@ from sim2reason.solutions.fractions import over
 from sim2reason.solutions.linear_motion import LinearMotion
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.spring_laws import SpringLaws
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import KILOGRAMS
 
 DIRECTIONS = ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -1.0))
 
@@ -86,7 +86,8 @@ class RelativeMotion:
         """µ, told."""
         shared, both, own = self.masses
         text = "As the momentum of all is kept along one direction, what moves relative to that has the reduced mass"
-        return self.book.told("inertia", text, self.book.fresh(r"\mu"), over(own * shared - both * both, shared), KG)
+        formula = over(own * shared - both * both, shared)
+        return self.book.told("inertia", text, self.book.fresh(r"\mu"), formula, KILOGRAMS)
 
     def mass(self, i: int, j: int) -> Polynomial:
         """µ."""
@@ -116,6 +117,3 @@ class RelativeMotion:
         """What is kept, by the rates at the start of the two."""
         shared, both, _ = self.masses
         return shared * first.get(self.other, NIL) + both * first.get(self.free[0], NIL)
-
-
-KG = latex("kg")

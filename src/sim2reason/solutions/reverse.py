@@ -84,14 +84,14 @@ class Inversion:
     def _numerically(self, at: str) -> str:
         """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""
         book = self.book
-        names = [name for name in book.formulas if name in book.hidden]
+        names = self._leading(at)
         chain = Chain(tuple((name, book.formulas[name]) for name in (*names, at)))
         near = book.values[self.unknown]
         root = NumericRoot(added(chain, -Symbol(at)), self.unknown, near)
         book.keen = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
         book.refresh(self.unknown, book.value(root))
         step = book.open(SOLVED)
-        said = f"Put into each other, these equations have ${self.unknown}$ as their only unknown; solved numerically,"
+        said = f"Together, these equations leave only ${self.unknown}$ unknown; solved numerically,"
         step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")
         implied = [(name, held) for name in names if isinstance(held := book.formulas[name], ImplicitRoot)]
         plain = [(name, NumericRoot(held.residual, held.name, held.near)) for name, held in implied]
@@ -100,10 +100,19 @@ class Inversion:
         step.close()
         return self.unknown
 
+    def _leading(self, at: str) -> list[str]:
+        """The names on which one hangs whose values are unknown, each after those that it hangs on itself."""
+        formulas, waiting, found = self.book.formulas, [at], set[str]()
+        while waiting:
+            more = {*formulas[waiting.pop()].symbols()} & (self.book.hidden & formulas.keys()) - found
+            found |= more
+            waiting += more
+        return [name for name in formulas if name in found]
+
     def _close(self, name: str, found: Expression, at: str) -> None:
         """Say what a symbol is."""
         step = self.book.open(SOLVED)
-        where = "So " if at != self.goal else f"With the value of ${at}$ that is given, "
+        where = "So " if at != self.goal else f"With the given ${at}$, "
         how = "found numerically, " if isinstance(found, NumericRoot) else ""
         if not self.stated:
             where = "So "

@@ -7,8 +7,8 @@ from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import Number, Product, Symbol
 from sim2reason.solutions.functions import PI, Power
 from sim2reason.solutions.newton import Row
+from sim2reason.solutions.unit_latex import ACCELERATION
 
-NEWTONS, PER_SQUARE_SECOND = r"\ \text{N}", r"\ \text{m/s}^2"
 STILL = 1e-9
 
 
@@ -34,7 +34,7 @@ class Measure:
     known: tuple[int, Symbol] | None = None
 
 
-ACCELERATIONS = Measure("a", PER_SQUARE_SECOND, "acceleration")
+ACCELERATIONS = Measure("a", ACCELERATION, "acceleration")
 
 
 def equal(row: Row) -> tuple[tuple[int, int], int] | None:

@@ -12,7 +12,7 @@ from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.fractions import over
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.polynomials import Polynomial
-from sim2reason.solutions.stage import METRES
+from sim2reason.solutions.unit_latex import METRES
 
 
 class SingleWay(LinearWay):
@@ -26,10 +26,6 @@ class SingleWay(LinearWay):
     @abstractmethod
     def along(self, kind: str) -> Polynomial:
         """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate at the moment."""
-
-    @abstractmethod
-    def clock(self) -> Symbol:
-        """The time of the moment."""
 
     def place(self, i: int) -> Polynomial:
         """How far it has come."""

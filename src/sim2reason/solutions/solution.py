@@ -8,6 +8,7 @@ from typing import Literal
 from sim2reason.solutions.digits import DIGITS, rounded
 from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.unit_latex import DEGREES
+from sim2reason.solutions.worked import NumericRoot
 
 Role = Literal["given", "law", "derived", "result", "integrated", "verified"]
 WELL = 1e-9  # relative: how well every relation holds
@@ -32,8 +33,9 @@ class Relation:
         """As it stands in the text, with dollars; of a result the value follows."""
         text = f"{self.left.latex()} = {self.right.latex()}"
         if value is not None:
-            number = spelled(value, self.unit)
-            plain = self.right.latex() == rounded(value) and self.unit != DEGREES
+            number = with_unit(value, self.unit)
+            bare = isinstance(self.right, NumericRoot) or self.right.latex() == rounded(value)
+            plain = bare and self.unit != DEGREES
             text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
         return f"${text}$"
 
@@ -71,7 +73,9 @@ class Solution:
     formula: str = ""  # the answer to a problem in symbols
     scale: float = 1.0  # what one of `unit` is in the unit of the answer, degrees but for those
     keen: float = 1.0  # relative: by how much what is given changes with the answer, where that is unknown
-    asked: tuple[str, float] | None = None  # the unit that the text asks for, and what one of the answer's is in it
+    asked_unit: tuple[str, float] | None = (
+        None  # the unit that the text asks for, and what one of the answer's is in it
+    )
 
     @property
     def derived(self) -> bool:
@@ -89,10 +93,10 @@ class Solution:
     def _boxed(self, answer: float) -> str:
         if self.formula:
             return rf" = \boxed{{{self.formula}}}"
-        if self.asked is None:
+        if self.asked_unit is None:
             return rf" \approx \boxed{{{rounded(answer, 3)}}}{self.unit}"
-        unit, factor = self.asked
-        number = spelled(self.values[self.goal], self.unit)
+        unit, factor = self.asked_unit
+        number = with_unit(self.values[self.goal], self.unit)
         return rf" = {number} \approx \boxed{{{rounded(answer * factor, 3)}}}{unit}"
 
     def said(self, value: float) -> float:
@@ -105,6 +109,6 @@ class Solution:
         return [relation for step in self.steps for relation in step.relations]
 
 
-def spelled(value: float, unit: str, digits: int = DIGITS) -> str:
+def with_unit(value: float, unit: str, digits: int = DIGITS) -> str:
     """A number with its unit, in LaTeX; an angle in degrees is known in radians."""
     return f"{rounded(degrees(value) if unit == DEGREES else value, digits)}{unit}"

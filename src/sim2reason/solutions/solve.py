@@ -95,7 +95,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     )
     unknown = setting.lexicon.givens.get(setting.unknown)
     if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:
-        found = replace(found, scale=1.0 / unknown.scale, asked=(unknown.unit, 1.0))
+        found = replace(found, scale=1.0 / unknown.scale, asked_unit=(unknown.unit, 1.0))
     answer = found.said(book.values[goal])
     if setting.answer is None or abs(answer - setting.answer) > SAME * abs(setting.answer):
         return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")

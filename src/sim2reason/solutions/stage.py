@@ -11,9 +11,9 @@ from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import STILL, Shared
 from sim2reason.solutions.subscripts import subscript
+from sim2reason.solutions.unit_latex import METRES, SECONDS, SPEED
 from sim2reason.solutions.written_dynamics import WrittenDynamics
 
-SECONDS, METRES, SPEED = r"\ \text{s}", r"\ \text{m}", r"\ \text{m/s}"
 HALF = Number(0.5)
 
 

@@ -7,7 +7,7 @@ from sim2reason.solutions.elimination import solved
 from sim2reason.solutions.expressions import Expression, multiplied
 from sim2reason.solutions.newton import Row
 from sim2reason.solutions.setting import capital
-from sim2reason.solutions.shared import NEWTONS
+from sim2reason.solutions.unit_latex import NEWTONS
 
 LIMIT = 1.0 + 1e-9
 

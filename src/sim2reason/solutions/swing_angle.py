@@ -21,9 +21,8 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.stage import SECONDS
 from sim2reason.solutions.swing_time import SwingTime
-from sim2reason.solutions.unit_latex import DEGREES
+from sim2reason.solutions.unit_latex import DEGREES, SECONDS
 
 MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
 EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is extreme at rest or where it is fastest
@@ -47,7 +46,7 @@ SMALL = "Small swings would have the angular frequency"
 Way = tuple[str, str, str, str]
 
 
-def asked(setting: Setting) -> str:
+def quantity_of(setting: Setting) -> str:
     """The quantity that is asked about."""
     query = setting.query
     if isinstance(query, StretchQuery):
@@ -59,13 +58,17 @@ def unasked(setting: Setting, quantities: Collection[str]) -> str:
     """What of a query no way leads to; empty if one does."""
     query = setting.query
     if isinstance(query, StretchQuery):
-        if asked(setting) not in quantities:
+        if quantity_of(setting) not in quantities:
             return f"no way to the {query.functional}"
         if query.kind != "sum":
             return ""
     if not isinstance(query.moment, MOMENTS):
         return "only integration gives the time"
-    return "" if query.target is None or asked(setting) in quantities else f"no way to the quantity {asked(setting)}"
+    return (
+        ""
+        if query.target is None or quantity_of(setting) in quantities
+        else f"no way to the quantity {quantity_of(setting)}"
+    )
 
 
 class SwingAngle(ABC):
@@ -229,7 +232,8 @@ class SwingAngle(ABC):
         """Of the velocity, from one speed along the arc to another: the third side of a triangle."""
         if ZERO in (begun, speed):
             return speed if begun == ZERO else begun
-        along = TWO * begun * speed * Call("cos", self.between)
+        bent = self.cosine * self.cosine_first if self.sine == ZERO else Call("cos", self.between)
+        along = TWO * begun * speed * bent
         along = along if self.way * self.turning > 0.0 else -along
         return Root(Power(begun, 2) + Power(speed, 2) - along)
 
@@ -237,7 +241,7 @@ class SwingAngle(ABC):
 
     def write(self) -> Symbol:
         """What is asked for, by its quantity."""
-        quantity, target = asked(self.setting), self.setting.query.target
+        quantity, target = quantity_of(self.setting), self.setting.query.target
         if not quantity:
             return self._when()
         sense = target.sense if target is not None else None

@@ -12,9 +12,8 @@ from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.pendulum import geometry, pivot, place
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.stage import SPEED
 from sim2reason.solutions.swing_angle import SMALL, SwingAngle
-from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.unit_latex import ANGULAR_SPEED, DEGREES, SPEED
 
 
 class SwingState(SwingAngle):
@@ -62,7 +61,7 @@ class SwingState(SwingAngle):
     def natural(self) -> Symbol:
         """ω₀² = g/ℓ."""
         formula = Root(ratio(self.gravity, self.length))
-        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, latex("rad/s"))
+        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
 
     @cached_property
     def spin(self) -> Expression:

@@ -12,11 +12,10 @@ from sim2reason.solutions.elliptic import Elliptic
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.polynomials import NIL, Polynomial
-from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.unit_latex import ANGULAR_SPEED, DEGREES, RADIANS, SECONDS
 
 TWO = Number(2.0)
 NEAR = 1e-6  # rad or relative
-RADIANS, SECONDS = latex("rad"), latex("s")
 
 
 class SwingTime:
@@ -127,7 +126,7 @@ class SwingTime:
         formula = Number(share) * PI * self.pace / self.elliptic.complete
         said = "To and fro takes four such quarters, so that the angular frequency is"
         said = "Once round takes two such quarters, so that the angular frequency is" if self.rounds else said
-        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
+        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     def angle(self, time: Symbol) -> Symbol:
         """Write the angle at a time."""
@@ -135,7 +134,7 @@ class SwingTime:
         grown = self.pace * time
         name = self.book.fresh("F", "t")
         whole = self.begins.expression() + grown if self.begins else grown
-        said = "The integral grows with time, to"
+        said = "With time it grows to"
         theta = self.elliptic.amplitude(self.book.told("elliptic", said, name, whole, ""))
         if self.rounds:
             formula: Expression = TWO * theta if self.way * self.side > 0.0 else -(TWO * theta)

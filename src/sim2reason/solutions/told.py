@@ -18,4 +18,6 @@ def told_in(system: SpokenUnits, solution: Solution, unit: str) -> Solution:
         replace(step, text=step.text.replace(GIVEN, "Given, in SI units: ", 1)) if step.kind == "givens" else step
         for step in solution.steps
     )
-    return replace(solution, steps=steps, asked=(latex(other), float(factor)) if other != unit else solution.asked)
+    return replace(
+        solution, steps=steps, asked_unit=(latex(other), float(factor)) if other != unit else solution.asked_unit
+    )

@@ -66,7 +66,7 @@ class Way(ABC):
         """The coordinates whose rates add up to the motion of a body; by default all that move it."""
         return self.moving([body])
 
-    def asked(self) -> list[int]:
+    def asked_coordinates(self) -> list[int]:
         """The coordinates that move what is asked about."""
         if self.target is None or self.goal is None:
             return []
@@ -194,6 +194,10 @@ class Way(ABC):
     def stretches(self) -> Sequence[Stretch]:
         """The parts of the motion; by default it has none."""
         raise UnsolvedError("no way to what adds up over a motion")
+
+    def impulse(self, line: str) -> Symbol | None:
+        """That of a tension which changes all the while; by default it is constant, part by part."""
+        del line
 
     @property
     def impacts(self) -> Sequence[Struck]:

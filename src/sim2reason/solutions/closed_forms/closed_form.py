@@ -2,19 +2,17 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from math import inf
 
 from sim2reason.solutions.closed_forms.gathering import gathered
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
+from sim2reason.solutions.digits import simple_fraction
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.functions import Absolute, Pi, Root, plain
 from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.worked import Worked
 
-SIMPLE = 60  # the largest denominator of a number that is no accident
-EXACT = 1e-12
 MOST = 150  # symbols in a formula before it is made shorter
 LONGEST = 200  # characters of LaTeX: nobody would write more into a box
 ROOTED = {2: 400, 3: 250}  # characters: longer ones of so many different roots, or more, were never brought to that
@@ -152,7 +150,6 @@ class Substitution:
 
 def _simple(number: Number) -> Number:
     """A number that a formula may have: anything else hides what it comes from."""
-    fraction = Fraction(number.x).limit_denominator(SIMPLE)
-    if abs(float(fraction) - number.x) > EXACT * max(1.0, abs(number.x)):
+    if simple_fraction(number.x) is None:
         raise ClosedFormError(f"the number {number.x:g} in it is no simple one")
     return number

@@ -17,17 +17,7 @@ from math import inf
 from operator import add, mul, truediv
 from typing import Any
 
-from sim2reason.solutions.expressions import (
-    ONE,
-    Expression,
-    Number,
-    Product,
-    Quotient,
-    Sum,
-    Symbol,
-    multiplied,
-    ratio,
-)
+from sim2reason.solutions.expressions import ONE, Expression, Number, Product, Quotient, Sum, Symbol, multiplied, ratio
 from sim2reason.solutions.functions import Call, Pi, Power, Root
 from sim2reason.solutions.polynomials import Monomial, Polynomial, written_order
 

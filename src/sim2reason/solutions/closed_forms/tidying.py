@@ -59,7 +59,9 @@ def _upright(above: Expression, below: Expression) -> Expression:
 
 
 def _squared(base: Expression, exponent: int) -> Expression:
-    """An even power: of each factor where one is a root, which it takes away."""
+    """An even power: of each factor where one is a root, which it takes away; a number's is a number."""
+    if isinstance(base, Number):
+        return Number(base.x**exponent)
     if isinstance(base, Root):
         return base.inside if exponent == 2 else Power(base.inside, exponent // 2)
     if isinstance(base, Product) and any(isinstance(factor, Root) for factor in base.factors):

@@ -141,6 +141,10 @@ class Known(Protocol):
         """The parts of the motion, in order."""
         ...
 
+    def impulse(self, line: str) -> Symbol | None:
+        """That of a tension which changes all the while; None where it is constant, part by part."""
+        ...
+
     @property
     def impacts(self) -> Sequence[Struck]:
         """The collisions that the question is about, in order."""

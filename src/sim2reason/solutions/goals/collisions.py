@@ -8,9 +8,10 @@ from sim2reason.questions import Target
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.goals import GOALS, Goal, Known, Struck, VectorName, finish
-from sim2reason.solutions.goals.sums import IMPULSE
+from sim2reason.solutions.goals.sums import IMPULSES
+from sim2reason.solutions.unit_latex import JOULES
 
-LOSS = VectorName("Q", r"\ \text{J}", "energy")
+LOSS = VectorName("Q", JOULES, "energy")
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +63,6 @@ class CollisionGoal(Goal):
 
 GOALS.add("energy lost in a collision", CollisionGoal(LOSS, "pair", several=False))
 GOALS.add("energy lost in collisions", CollisionGoal(LOSS, "whole", several=True))
-GOALS.add("impulse of a collision", CollisionGoal(IMPULSE, "pair", several=False))
-GOALS.add("impulse of an impact", CollisionGoal(IMPULSE, "body", several=False))
-GOALS.add("total impulse of impacts", CollisionGoal(IMPULSE, "body", several=True))
+GOALS.add("impulse of a collision", CollisionGoal(IMPULSES, "pair", several=False))
+GOALS.add("impulse of an impact", CollisionGoal(IMPULSES, "body", several=False))
+GOALS.add("total impulse of impacts", CollisionGoal(IMPULSES, "body", several=True))

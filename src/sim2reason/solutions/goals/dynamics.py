@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
-from sim2reason.solutions.goals.kinematics import ACCELERATION, METRES, SPEED
+from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.goals.turning import squared
+from sim2reason.solutions.unit_latex import JOULES, MOMENTUM, NEWTONS
 
 UP = (0.0, 0.0, 1.0)
 
@@ -54,12 +55,12 @@ class KineticEnergyGoal(Goal):
     def write(self, target: Target, known: Known) -> Symbol:
         """The speed, then the energy."""
         body, rim = target.subject, known.rim("v", target.subject)
-        speed = magnitude(known.vector("v", body), known, SPEED, body)
+        speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
         formula = multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
         if rim:
             half = known.rim_inertia(body).scaled(0.5).expression()
             formula = added(formula, multiplied(half, squared(rim.expression())))
-        noun, mark = VectorName("K", r"\ \text{J}", "kinetic energy"), known.setting.mark(body)
+        noun, mark = VectorName("K", JOULES, "kinetic energy"), known.setting.mark(body)
         return finish(known, formula, noun, mark, f"the kinetic energy of {known.setting.called(body)}")
 
 
@@ -75,15 +76,15 @@ class PotentialEnergyGoal(Goal):
     def write(self, target: Target, known: Known) -> Symbol:
         """The rise, then the size of the change in energy."""
         body = target.subject
-        rise = known.component(METRES.base, body, UP)
+        rise = known.component(DISPLACEMENTS.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()
-        noun, mark = VectorName("U", r"\ \text{J}", "energy"), known.setting.mark(body)
+        noun, mark = VectorName("U", JOULES, "energy"), known.setting.mark(body)
         size = formula if known.book.value(formula) >= 0.0 else -formula
         what = f"the size of the change in the potential energy of {known.setting.called(body)}"
         return finish(known, size, noun, mark, what)
 
 
-GOALS.add("momentum", MassTimes(VectorName("p", r"\ \text{kg m/s}", "momentum"), SPEED))
-GOALS.add("net force", MassTimes(VectorName("F", r"\ \text{N}", "net force"), ACCELERATION))
+GOALS.add("momentum", MassTimes(VectorName("p", MOMENTUM, "momentum"), VELOCITIES))
+GOALS.add("net force", MassTimes(VectorName("F", NEWTONS, "net force"), ACCELERATIONS))
 GOALS.add("kinetic energy", KineticEnergyGoal())
 GOALS.add("potential energy", PotentialEnergyGoal())

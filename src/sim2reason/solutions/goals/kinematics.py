@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
+from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SPEED
 
-METRES = VectorName("s", r"\ \text{m}", "displacement")
-SPEED = VectorName("v", r"\ \text{m/s}", "velocity")
-ACCELERATION = VectorName("a", r"\ \text{m/s}^2", "acceleration")
+DISPLACEMENTS = VectorName("s", METRES, "displacement")
+VELOCITIES = VectorName("v", SPEED, "velocity")
+ACCELERATIONS = VectorName("a", ACCELERATION, "acceleration")
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,5 +35,5 @@ class VectorGoal(Goal):
         return finish(known, formula, self.noun, mark, f"so the size of the {whose} is")
 
 
-for _name, _noun in {"displacement": METRES, "velocity": SPEED, "acceleration": ACCELERATION}.items():
+for _name, _noun in {"displacement": DISPLACEMENTS, "velocity": VELOCITIES, "acceleration": ACCELERATIONS}.items():
     GOALS.add(_name, VectorGoal(_noun))

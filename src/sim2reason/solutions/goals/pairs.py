@@ -7,7 +7,7 @@ from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, VectorName, finish, magnitude
-from sim2reason.solutions.goals.kinematics import SPEED
+from sim2reason.solutions.goals.kinematics import VELOCITIES
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +28,8 @@ class RelativeSpeedGoal(Goal):
         one, other = members(target.subject)
         a, b = known.vector("v", one), known.vector("v", other)
         parts: Components = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
-        formula = magnitude(parts, known, VectorName(SPEED.base, SPEED.unit, "relative velocity"), other)
-        return finish(known, formula, SPEED, r"\text{rel}", "so the relative speed is")
+        formula = magnitude(parts, known, VectorName(VELOCITIES.base, VELOCITIES.unit, "relative velocity"), other)
+        return finish(known, formula, VELOCITIES, r"\text{rel}", "so the relative speed is")
 
 
 GOALS.add("relative speed", RelativeSpeedGoal())

@@ -7,13 +7,13 @@ from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Expression, Number, Symbol, multiplied
 from sim2reason.solutions.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import JOULES, METRES, NEWTONS, SPEED
 
-EXTENSION = VectorName("e", latex("m"), "extension")
-LENGTH = VectorName(r"\ell", latex("m"), "length")
-RATE = VectorName("u", latex("m/s"), "rate at which it grows")
-FORCE = VectorName("F", latex("N"), "force")
-ENERGY = VectorName("U", latex("J"), "energy")
+EXTENSION = VectorName("e", METRES, "extension")
+LENGTH = VectorName(r"\ell", METRES, "length")
+RATE = VectorName("u", SPEED, "rate at which it grows")
+FORCE = VectorName("F", NEWTONS, "force")
+ENERGY = VectorName("U", JOULES, "energy")
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,14 +8,14 @@ from sim2reason.questions import Target
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Stretch, VectorName, finish, magnitude
-from sim2reason.solutions.goals.kinematics import METRES, SPEED
+from sim2reason.solutions.goals.kinematics import DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.unit_latex import IMPULSE, JOULES
 
-NEWTON_SECONDS = r"\ \text{N s}"
-WORK = VectorName("W", r"\ \text{J}", "work")
-HEAT = VectorName("Q", r"\ \text{J}", "energy")
-IMPULSE = VectorName("J", NEWTON_SECONDS, "impulse")
+WORK = VectorName("W", JOULES, "work")
+HEAT = VectorName("Q", JOULES, "energy")
+IMPULSES = VectorName("J", IMPULSE, "impulse")
 
 
 class SumGoal(Goal):
@@ -61,7 +61,7 @@ def _gathered(whole: Expression) -> Expression:
 class TensionImpulse(SumGoal):
     """T t."""
 
-    noun = IMPULSE
+    noun = IMPULSES
 
     def bodies(self, target: Target) -> Sequence[str]:
         """None by themselves."""
@@ -77,9 +77,14 @@ class TensionImpulse(SumGoal):
         del setting
         return multiplied(part.force("T", target.subject).expression(), part.time)
 
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Part by part, or at once where a strategy has it so."""
+        return known.impulse(target.subject) or SumGoal.write(self, target, known)
+
     def said(self, target: Target, setting: Setting) -> str:
-        """Of a tension."""
-        return f"the impulse of the tension in {setting.lines.get(target.subject, 'the string')}"
+        """Of a tension, whose string the text has told."""
+        del target, setting
+        return "the impulse of this tension"
 
 
 class TensionWork(SumGoal):
@@ -154,7 +159,7 @@ class HandWork(SumGoal):
 class PathLength(SumGoal):
     """The distances between turning points."""
 
-    noun = VectorName("d", METRES.unit, "distance")
+    noun = VectorName("d", DISPLACEMENTS.unit, "distance")
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
         """How far it travels in a part."""
@@ -184,10 +189,10 @@ class NetImpulseGoal(Goal):
         else:
             end, begin = known.vector("v", body), known.vector("u", body)
             parts: Components = (end[0] - begin[0], end[1] - begin[1], end[2] - begin[2])
-            size = magnitude(parts, known, VectorName("w", SPEED.unit, "change in the velocity"), body)
+            size = magnitude(parts, known, VectorName("w", VELOCITIES.unit, "change in the velocity"), body)
         formula = multiplied(known.mass(body).expression(), size)
         return finish(
-            known, formula, IMPULSE, "", f"the impulse, by which the momentum of {known.setting.called(body)} changes"
+            known, formula, IMPULSES, "", f"the impulse, by which the momentum of {known.setting.called(body)} changes"
         )
 
 

@@ -6,7 +6,16 @@ from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Expression, Symbol, multiplied, ratio
 from sim2reason.solutions.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
-from sim2reason.solutions.goals.kinematics import SPEED
+from sim2reason.solutions.goals.kinematics import VELOCITIES
+from sim2reason.solutions.unit_latex import (
+    ANGULAR_ACCELERATION,
+    ANGULAR_MOMENTUM,
+    ANGULAR_SPEED,
+    INERTIA,
+    JOULES,
+    RADIANS,
+    TORQUE,
+)
 
 
 class AboutAxis(Goal):
@@ -94,7 +103,7 @@ class EnergyOfCenter(Goal):
     def write(self, target: Target, known: Known) -> Symbol:
         """Half of m v²."""
         body = target.subject
-        speed = magnitude(known.vector("v", body), known, SPEED, body)
+        speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
         formula = multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
         what = f"the {self.noun.said} of {known.setting.called(body)}"
         return finish(known, formula, self.noun, known.setting.mark(body), what)
@@ -112,13 +121,13 @@ def _size(held: Expression, known: Known) -> Expression:
     return held if known.book.value(held) >= 0.0 else -held
 
 
-PER_SECOND = VectorName(r"\omega", r"\ \text{rad/s}", "angular velocity")
-PER_SQUARE_SECOND = VectorName(r"\alpha", r"\ \text{rad/s}^2", "angular acceleration")
-GOALS.add("angular velocity", AngularGoal(PER_SECOND, "v"))
-GOALS.add("angular acceleration", AngularGoal(PER_SQUARE_SECOND, "a"))
-GOALS.add("angle rolled", AngularGoal(VectorName(r"\phi", r"\ \text{rad}", "angle"), "s"))
-GOALS.add("moment of inertia", InertiaTimes(VectorName("I", r"\ \text{kg m}^2", "moment of inertia"), ""))
-GOALS.add("angular momentum", InertiaTimes(VectorName("L", r"\ \text{kg m}^2\text{/s}", "angular momentum"), "v"))
-GOALS.add("torque", InertiaTimes(VectorName("M", r"\ \text{N m}", "torque"), "a"))
-GOALS.add("rotational kinetic energy", EnergyOfRim(VectorName("K", r"\ \text{J}", "energy of rotation")))
-GOALS.add("translational kinetic energy", EnergyOfCenter(VectorName("K", r"\ \text{J}", "energy of translation")))
+ANGULAR_VELOCITIES = VectorName(r"\omega", ANGULAR_SPEED, "angular velocity")
+ANGULAR_ACCELERATIONS = VectorName(r"\alpha", ANGULAR_ACCELERATION, "angular acceleration")
+GOALS.add("angular velocity", AngularGoal(ANGULAR_VELOCITIES, "v"))
+GOALS.add("angular acceleration", AngularGoal(ANGULAR_ACCELERATIONS, "a"))
+GOALS.add("angle rolled", AngularGoal(VectorName(r"\phi", RADIANS, "angle"), "s"))
+GOALS.add("moment of inertia", InertiaTimes(VectorName("I", INERTIA, "moment of inertia"), ""))
+GOALS.add("angular momentum", InertiaTimes(VectorName("L", ANGULAR_MOMENTUM, "angular momentum"), "v"))
+GOALS.add("torque", InertiaTimes(VectorName("M", TORQUE, "torque"), "a"))
+GOALS.add("rotational kinetic energy", EnergyOfRim(VectorName("K", JOULES, "energy of rotation")))
+GOALS.add("translational kinetic energy", EnergyOfCenter(VectorName("K", JOULES, "energy of translation")))

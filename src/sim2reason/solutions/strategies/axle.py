@@ -2,10 +2,8 @@
 
 from collections.abc import Mapping
 from functools import cached_property
-from math import atan2, cos, pi
+from math import cos
 from typing import ClassVar
-
-import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.at_start import AtStart
@@ -19,10 +17,23 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swept import swept
 from sim2reason.solutions.swing_angle import SMALL, SwingAngle, Way, unasked
-from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.unit_latex import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_MOMENTUM,
+    ANGULAR_SPEED,
+    DEGREES,
+    IMPULSE,
+    INERTIA,
+    JOULES,
+    METRES,
+    MOMENTUM,
+    NEWTONS,
+    SPEED,
+    TORQUE,
+)
 
 HALF, TWO = Number(0.5), Number(2.0)
-JOULES, RATE = latex("J"), latex("rad/s")
 
 
 @strategy
@@ -58,19 +69,8 @@ class _Turning(SwingAngle):
         self.first, self.launch, self.gravity = self.arm.first, self.arm.launch, self.arm.gravity
         self.began = book.value(self.first)
         moment = setting.query.moment
-        self.now, self.turned, self.turning = self._seen(moment.side(setting.time) if moment is not None else 0.0)
-        self.way = 1.0 if self._seen(0.0)[2] >= 0.0 else -1.0
-
-    def _seen(self, time: float) -> tuple[float, float, float]:
-        """The angle, that from the start, and its rate at a time, for signs alone."""
-        m = self.setting.mechanism
-        state = self.setting.study.trace.sample(np.array([time]))
-        way = self.arm.way(m)
-        side = 1.0 if way[0] >= 0.0 else -1.0
-        sense = -side * self.arm.axis[1]  # about y, what points to the right goes down
-        turned = sense * float(state.q[0, 0])
-        angle = side * atan2(way[0], -way[2]) + turned
-        return (angle + pi) % (2.0 * pi) - pi, turned, sense * float(state.v[0, 0])
+        self.now, self.turned, self.turning = self.arm.seen(moment.side(setting.time) if moment is not None else 0.0)
+        self.way = 1.0 if self.arm.seen(0.0)[2] >= 0.0 else -1.0
 
     # ---- what is asked
 
@@ -98,7 +98,7 @@ class _Turning(SwingAngle):
         moment = self.arm.moment
         size = moment if self.falls else -moment
         formula = Root(size * self.gravity / self.arm.inertia)
-        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, RATE)
+        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
 
     @cached_property
     def spin(self) -> Expression:
@@ -146,7 +146,7 @@ class _Turning(SwingAngle):
         law = step.law(HALF * inertia * Power(name, 2), self._energy(there))
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
         square = Power(self.launch, 2) + square if self.launch != ZERO else square
-        step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), RATE)}.")
+        step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
         step.close()
         return name
 
@@ -169,7 +169,7 @@ class _Turning(SwingAngle):
         size = moment if self.book.value(moment) > 0.0 else -moment
         formula = size * self.gravity * self.sine / self.arm.inertia
         said = "The torque of gravity over the moment of inertia is the angular acceleration"
-        return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, latex("rad/s^2"))
+        return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     def _period(self, query: PeriodQuery) -> Symbol:
         """Of small oscillations ω² = S g/I; of large ones by elliptic integrals."""
@@ -182,7 +182,7 @@ class _Turning(SwingAngle):
         )
         said += "with the angular frequency"
         formula = Root(size * self.gravity / self.arm.inertia)
-        rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, RATE)
+        rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(self.book, query, rate)
 
     # ---- quantities
@@ -252,7 +252,7 @@ class _Turning(SwingAngle):
 
     def _swept(self) -> Expression:
         def seen(time: float) -> tuple[float, float]:
-            angle, _, rate = self._seen(time)
+            angle, _, rate = self.arm.seen(time)
             return angle, rate
 
         return swept(self, seen)
@@ -266,34 +266,34 @@ class _Turning(SwingAngle):
         return self.piece.mass * self.change(begun, speed)
 
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "velocity": ("_velocity", "v", latex("m/s"), "The speed is the angular speed times the distance:"),
+        "velocity": ("_velocity", "v", SPEED, "The speed is the angular speed times the distance:"),
         "acceleration": (
             "_acceleration",
             "a",
-            latex("m/s^2"),
+            ACCELERATION,
             "Towards the axle and along the circle together,",
         ),
-        "net force": ("_force", "F", latex("N"), "Mass times acceleration, towards the axle and along the circle:"),
-        "momentum": ("_momentum", "p", latex("kg m/s"), "Mass times velocity is"),
+        "net force": ("_force", "F", NEWTONS, "Mass times acceleration, towards the axle and along the circle:"),
+        "momentum": ("_momentum", "p", MOMENTUM, "Mass times velocity is"),
         "kinetic energy": ("_kinetic", "K", JOULES, "The energy of the motion about the axle is"),
         "translational kinetic energy": ("_moving", "K", JOULES, "By the speed of its centre of mass that is"),
         "rotational kinetic energy": ("_spinning", "K", JOULES, "By its moment of inertia about its centre that is"),
-        "potential energy": ("_potential", "U", JOULES, "Its centre of mass is higher or lower than at first, so"),
-        "angular momentum": ("_angular_momentum", "L", latex("kg m^2/s"), "About its centre of mass that is"),
-        "moment of inertia": ("_own", "I", latex("kg m^2"), ""),
-        "torque": ("_torque", "M", latex("N m"), "About its centre of mass that is"),
-        "angular velocity": ("_rate", r"\omega", RATE, ""),
-        "angular acceleration": ("_growth", r"\alpha", latex("rad/s^2"), ""),
+        "potential energy": ("_potential", "U", JOULES, "It has risen or sunk, so"),
+        "angular momentum": ("_angular_momentum", "L", ANGULAR_MOMENTUM, "About its centre of mass that is"),
+        "moment of inertia": ("_own", "I", INERTIA, ""),
+        "torque": ("_torque", "M", TORQUE, "About its centre of mass that is"),
+        "angular velocity": ("_rate", r"\omega", ANGULAR_SPEED, ""),
+        "angular acceleration": ("_growth", r"\alpha", ANGULAR_ACCELERATION, ""),
         "deflection": ("_deflection", r"\phi", DEGREES, ""),
         "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
-        "total angle": ("_swept", r"\Phi", DEGREES, "From each place where it turns back to the next, that adds up to"),
+        "total angle": ("_swept", r"\Phi", DEGREES, "Added up between turning points, that is"),
         "impulse of the net force": (
             "_impulse",
             "J",
-            latex("N s"),
+            IMPULSE,
             "Mass times the change of the velocity,",
         ),
-        "distance travelled": ("_travelled", "d", latex("m"), "The arc is the radius times the sum of all angles:"),
-        "displacement": ("_chord", "s", latex("m"), "The chord between the two places is"),
-        "height": ("_rise", "h", latex("m"), "It is higher than at first by"),
+        "distance travelled": ("_travelled", "d", METRES, "The arc is the radius times the sum of all angles:"),
+        "displacement": ("_chord", "s", METRES, "The chord between the two places is"),
+        "height": ("_rise", "h", METRES, "It is higher than at first by"),
     }

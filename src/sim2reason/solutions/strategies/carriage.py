@@ -24,8 +24,23 @@ from sim2reason.solutions.functions import Power, Root, squares
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swing_angle import Way, asked
-from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.swing_angle import Way, quantity_of
+from sim2reason.solutions.unit_latex import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_MOMENTUM,
+    ANGULAR_SPEED,
+    DEGREES,
+    IMPULSE,
+    INERTIA,
+    JOULES,
+    KILOGRAMS,
+    METRES,
+    MOMENTUM,
+    NEWTONS,
+    SPEED,
+    TORQUE,
+)
 
 MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Moved, Stopped, TurnedThrough)
 STEADY = 1e-6  # relative: how well a path without turning back is as long as the way that it leads
@@ -49,8 +64,8 @@ class OnACarriage(Strategy):
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the time of a large swing"
-        if asked(setting) not in _Asked.WAYS:
-            return f"no way to the quantity {asked(setting)}"
+        if quantity_of(setting) not in _Asked.WAYS:
+            return f"no way to the quantity {quantity_of(setting)}"
         known = isinstance(query.moment, MOMENTS) or (isinstance(query, StretchQuery) and query.kind == "extremum")
         slack = any(event.kind == "slack" and event.time < setting.time for event in setting.motion.events)
         return "" if known and not slack else "a string goes slack" if slack else "only integration gives the angle"
@@ -97,16 +112,16 @@ class _Asked(CarriageLaws):
         book, c = self.book, self.carriage
         if self.lone:
             said = "Relative to each other they oscillate as a body would that has the reduced mass"
-            reduced = book.told("reduced", said, book.fresh(r"\mu"), c.own * self.mass / c.whole, latex("kg"))
+            reduced = book.told("reduced", said, book.fresh(r"\mu"), c.own * self.mass / c.whole, KILOGRAMS)
             said = "Near the lowest point weight drives it back in proportion to its distance from there, so"
             formula = Root(self.mass * self.gravity / (self.length * reduced))
         else:
             said = "As their momenta cancel, the carriage moves with the arm, whose moment of inertia counts as"
             formula = self.arm.inertia - Power(self.moment, 2) / c.whole
-            reduced = book.told("reduced", said, book.fresh("I", r"\text{r}"), formula, latex("kg m^2"))
+            reduced = book.told("reduced", said, book.fresh("I", r"\text{r}"), formula, INERTIA)
             said = "For small angles the torque of gravity drives it back in proportion to the angle, so that"
-            formula = Root(self.moment * self.gravity / reduced)
-        rate = book.told("oscillation", said, book.fresh(r"\omega"), formula, latex("rad/s"))
+            formula = Root((self.moment if book.value(self.moment) > 0.0 else -self.moment) * self.gravity / reduced)
+        rate = book.told("oscillation", said, book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(book, query, rate)
 
     # ---- how fast
@@ -115,6 +130,13 @@ class _Asked(CarriageLaws):
         """The velocity of what is on the arm along the rail, against the carriage."""
         return self._radius * self.rate * self.cosine - self.speed
 
+    def _rising(self) -> Expression:
+        """The velocity of what is on the arm upward."""
+        if self._rides:
+            raise UnsolvedError("what rides is asked along the rail")
+        up = self._radius * self.rate * self.sine if self.sine != ZERO else ZERO
+        return up if self.now * self.turning >= 0.0 else -up
+
     def _squared(self) -> Expression:
         if self._rides:
             return Power(self.speed, 2) if self.speed != ZERO else ZERO
@@ -122,6 +144,8 @@ class _Asked(CarriageLaws):
         return squares([self._ahead(), up])
 
     def _velocity(self) -> Expression:
+        if self.vertical:
+            return self._rising()
         if self._rides:
             return self.speed
         return self._ahead() if self.sine == ZERO else Root(self._squared())
@@ -149,6 +173,8 @@ class _Asked(CarriageLaws):
     # ---- where
 
     def _chord(self) -> Expression:
+        if self.vertical:
+            return self._height()
         if self._rides:
             return self.place
         r = self._radius
@@ -156,6 +182,8 @@ class _Asked(CarriageLaws):
         return across if self.angle == -self.first else Root(squares([across, up]))
 
     def _height(self) -> Expression:
+        if self._rides:
+            raise UnsolvedError("how high it is follows from no angle")
         return self._radius * (self.cosine_first - self.cosine)
 
     def _potential(self) -> Expression:
@@ -178,8 +206,10 @@ class _Asked(CarriageLaws):
     # ---- forces
 
     def _acceleration(self) -> Expression:
+        if self.vertical and not self._rides:
+            return self._parts()[1]
         if self._rides:
-            return self.rise
+            return self.carriage_acceleration
         if self.lone:
             return self._force() / self._weighs
         return Root(squares(self._parts())) if ZERO not in self._parts() else sum(self._parts(), ZERO)
@@ -191,12 +221,12 @@ class _Asked(CarriageLaws):
         turned = turned + bend * self.signed if self.sine != ZERO else turned
         up = bend * self.cosine
         up = up - self.growth * self.signed if ZERO not in (self.growth, self.sine) else up
-        along = self.rise - r * turned if turned != ZERO else self.rise
+        along = self.carriage_acceleration - r * turned if turned != ZERO else self.carriage_acceleration
         return along, r * up if up != ZERO else ZERO
 
     def _force(self) -> Expression:
         if self._rides:
-            return self._weighs * self.rise
+            return self._weighs * self.carriage_acceleration
         if not self.lone:
             return self._weighs * self._acceleration()
         weight, rod = self._weighs * self.gravity, self.rod
@@ -209,16 +239,17 @@ class _Asked(CarriageLaws):
         pull = next((pull for pull in self.carriage.riding.pulls if pull.line == self.subject), None)
         if pull is None or not pull.body:
             raise UnsolvedError("a hand says what the tension is")
-        rise = self.rise
-        down = rise if self.carriage.towards(pull.line) > 0.0 else -rise
+        a = self.carriage_acceleration
+        down = a if self.carriage.towards(pull.line) > 0.0 else -a
         mass = self.carriage.mass(pull.body)
-        return mass * self.gravity if rise == ZERO else mass * (self.gravity - down)
+        return mass * self.gravity if a == ZERO else mass * (self.gravity - down)
 
     def _rod(self) -> Expression:
         if self.lone:
             return self.rod
         pulled = self.gravity * self.cosine
-        pulled = pulled - self.rise * self.signed if ZERO not in (self.sine, self.rise) else pulled
+        if ZERO not in (self.sine, self.carriage_acceleration):
+            pulled = pulled - self.carriage_acceleration * self.signed
         bent = self.moment * Power(self.rate, 2) if self.rate != ZERO else ZERO
         return self.mass * pulled + bent
 
@@ -229,29 +260,29 @@ class _Asked(CarriageLaws):
         return self.arm.piece(self.subject).inertia * self.growth
 
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "velocity": ("_velocity", "v", latex("m/s"), "Along the rail and upward together, relative to the ground,"),
-        "momentum": ("_momentum", "p", latex("kg m/s"), "Mass times velocity is"),
-        "kinetic energy": ("_kinetic", "K", latex("J"), "The kinetic energy is"),
-        "translational kinetic energy": ("_moving_energy", "K", latex("J"), "By the speed of its centre that is"),
+        "velocity": ("_velocity", "v", SPEED, "Along the rail and upward together, relative to the ground,"),
+        "momentum": ("_momentum", "p", MOMENTUM, "Mass times velocity is"),
+        "kinetic energy": ("_kinetic", "K", JOULES, "The kinetic energy is"),
+        "translational kinetic energy": ("_moving_energy", "K", JOULES, "By the speed of its centre that is"),
         "rotational kinetic energy": (
             "_spinning",
             "K",
-            latex("J"),
+            JOULES,
             "By its moment of inertia about its centre that is",
         ),
-        "potential energy": ("_potential", "U", latex("J"), "It is higher or lower than at first, so"),
-        "angular velocity": ("_turning", r"\omega", latex("rad/s"), ""),
-        "angular momentum": ("_angular_momentum", "L", latex("kg m^2/s"), "About its centre of mass that is"),
-        "displacement": ("_chord", "s", latex("m"), "Along the rail and upward together, it is away from its place by"),
-        "height": ("_height", "h", latex("m"), "It is higher than at first by"),
+        "potential energy": ("_potential", "U", JOULES, "It has risen or sunk, so"),
+        "angular velocity": ("_turning", r"\omega", ANGULAR_SPEED, ""),
+        "angular momentum": ("_angular_momentum", "L", ANGULAR_MOMENTUM, "About its centre of mass that is"),
+        "displacement": ("_chord", "s", METRES, "Along the rail and upward together, it is away from its place by"),
+        "height": ("_height", "h", METRES, "It is higher than at first by"),
         "deflection": ("_deflection", r"\phi", DEGREES, ""),
         "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
-        "acceleration": ("_acceleration", "a", latex("m/s^2"), "Relative to the ground that is"),
-        "net force": ("_force", "F", latex("N"), "All forces on it together amount to"),
-        "tension": ("_pull", "T", latex("N"), "It holds what hangs from it, which is as fast as the carriage:"),
-        "rod force": ("_rod", "T", latex("N"), "It holds what it carries, which moves with the carriage:"),
-        "angular acceleration": ("_growing", r"\alpha", latex("rad/s^2"), ""),
-        "torque": ("_torque", "M", latex("N m"), "About its centre of mass that is"),
-        "distance travelled": ("_travelled", "d", latex("m"), ""),
-        "impulse of the net force": ("_impulse", "J", latex("N s"), "From rest, the change of the momentum is"),
+        "acceleration": ("_acceleration", "a", ACCELERATION, "Relative to the ground that is"),
+        "net force": ("_force", "F", NEWTONS, "All forces on it together amount to"),
+        "tension": ("_pull", "T", NEWTONS, "It holds what hangs from it, which is as fast as the carriage:"),
+        "rod force": ("_rod", "T", NEWTONS, "It holds what it carries, which moves with the carriage:"),
+        "angular acceleration": ("_growing", r"\alpha", ANGULAR_ACCELERATION, ""),
+        "torque": ("_torque", "M", TORQUE, "About its centre of mass that is"),
+        "distance travelled": ("_travelled", "d", METRES, ""),
+        "impulse of the net force": ("_impulse", "J", IMPULSE, "From rest, the change of the momentum is"),
     }

@@ -19,10 +19,10 @@ from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.shared import NEWTONS
-from sim2reason.solutions.stage import METRES, SECONDS, End, Stage
+from sim2reason.solutions.stage import End, Stage
 from sim2reason.solutions.stage_part import StagePart
 from sim2reason.solutions.strategies import Strategy, accelerates, no_goal, strategy
+from sim2reason.solutions.unit_latex import METRES, NEWTONS, SECONDS
 from sim2reason.solutions.way import STILL, Way
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping)
@@ -138,7 +138,7 @@ class _Staged(Way):
         timed = self.uses in ("v", "s")
         bodies = [moment.name] if timed and isinstance(moment, Moved | Stopped) else []
         slips = self._slipping(moment.name) if timed and isinstance(moment, StoppedSlipping) else []
-        return sorted({*self.asked(), *self.moving(bodies), *slips})
+        return sorted({*self.asked_coordinates(), *self.moving(bodies), *slips})
 
     def _slipping(self, body: str) -> list[int]:
         """The coordinates along which a body slides on its face."""

@@ -16,9 +16,9 @@ from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import Measure
-from sim2reason.solutions.stage import METRES
 from sim2reason.solutions.stage_part import StagePart
 from sim2reason.solutions.strategies import Strategy, accelerates, strategy
+from sim2reason.solutions.unit_latex import METRES
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.written_dynamics import WrittenDynamics
 
@@ -68,7 +68,7 @@ class _Proportions(Way):
         """The laws, then the goal."""
         assert self.target is not None
         assert self.goal is not None
-        self.dynamics.reach([f"q{k}" for k in self.asked()])
+        self.dynamics.reach([f"q{k}" for k in self.asked_coordinates()])
         force = self.goal.force(self.target, self.setting) if self.goal.throughout else ""
         if force:
             sliding = force[0] == "f" and self.loaded.newton.rough[int(force[1:])]
@@ -100,9 +100,12 @@ class _Proportions(Way):
         return self.dynamics.newton
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """Displacements alone."""
+        """Displacements alone; one that slip sets free no law without forces binds."""
         del kind
-        return self.dynamics.names[f"q{k}"]
+        found = self.dynamics.names.get(f"q{k}")
+        if found is None:
+            raise UnsolvedError("a displacement hangs on forces")
+        return found
 
     def force(self, kind: str, name: str) -> Symbol:
         """None."""

@@ -27,12 +27,11 @@ from sim2reason.solutions.linear_motion import fewest_free, nonlinear
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.single_way import SingleWay
-from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping, MostStretched, MostCompressed, NaturalLength)
-HALF, RISE = Number(0.5), latex("m/s^2")
+HALF = Number(0.5)
 STILL = 1e-6  # of the greatest speed
 
 
@@ -241,7 +240,7 @@ class EnergyWay(SingleWay):
         step, name = self.book.open("power"), self.book.fresh("a")
         law = step.law(self._mass * name, pulls)
         said = "The kinetic energy grows at the rate at which all forces do work; divided by the speed,"
-        step.say(f"{said} {law}, so {step.result(name, pulls / self._mass, RISE)}.")
+        step.say(f"{said} {law}, so {step.result(name, pulls / self._mass, ACCELERATION)}.")
         step.close()
         return name
 

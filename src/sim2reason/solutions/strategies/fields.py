@@ -22,19 +22,20 @@ from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, JOULES, METRES, SPEED
 from sim2reason.solutions.way import Way
 
-METRES, SECONDS = latex("m"), latex("s")
-UNITS = {"s": METRES, "v": latex("m/s"), "a": latex("m/s^2")}
+UNITS = {"s": METRES, "v": SPEED, "a": ACCELERATION}
 NOUNS = {"s": "displacement", "v": "velocity", "a": "acceleration"}
 MOMENTS = (AtStart, AtTime, Away, Stopped)
 QUANTITIES = (
     *("displacement", "velocity", "acceleration", "net force", "momentum", "kinetic energy"),
     "electric potential energy",
 )
-EXTREMES = ("greatest speed", "least speed", "greatest displacement", "greatest kinetic energy")
-SUMS = ("work of an electric field", "energy lost to drag", "impulse of the net force")
+FUNCTIONALS = (
+    *("greatest speed", "least speed", "greatest displacement", "greatest kinetic energy"),
+    *("work of an electric field", "energy lost to drag", "impulse of the net force"),
+)
 
 
 @strategy
@@ -73,7 +74,7 @@ def _unasked(setting: Setting) -> str:
     if isinstance(query, StretchQuery):
         if query.kind == "sum" and not isinstance(query.moment, MOMENTS):
             return f"no way to the moment {type(query.moment).__name__}"
-        return "" if query.functional in (*EXTREMES, *SUMS) else f"no way to the {query.functional}"
+        return "" if query.functional in FUNCTIONALS else f"no way to the {query.functional}"
     if not isinstance(query.moment, MOMENTS):
         return f"no way to the moment {type(query.moment).__name__}"
     quantity = query.target.quantity if query.target is not None else ""
@@ -142,7 +143,7 @@ class _InFields(Way):
         work = FieldEnergy(self, self.moment).potential()
         said = "The potential energy changes by minus the work of the electric force,"
         size = -work if self.book.value(work) <= 0.0 else work
-        return self.book.told("energy", f"{said} whose size is", self.book.fresh("U"), size, latex("J"))
+        return self.book.told("energy", f"{said} whose size is", self.book.fresh("U"), size, JOULES)
 
     # ---- for goals
 

@@ -16,9 +16,9 @@ from sim2reason.solutions.linear_motion import nonlinear
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND, gravitational_constant
-from sim2reason.solutions.stage import METRES, SPEED
+from sim2reason.solutions.shared import gravitational_constant
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import ACCELERATION, METRES, NEWTONS, SPEED
 from sim2reason.solutions.way import Way
 
 
@@ -162,7 +162,7 @@ class _AtStart(Way):
             mark = self.setting.mark(self._body)
             parts = [part for part in (mark, label if several else "") if part]
             found[k] = self.book.fresh("a", ",".join(parts))
-            said.append(step.result(found[k], whole, PER_SQUARE_SECOND, law=True))
+            said.append(step.result(found[k], whole, ACCELERATION, law=True))
         step.say(f"The sum of the forces over the mass: {joined(said)}.")
         step.close()
         return found
@@ -242,7 +242,7 @@ class _AtStart(Way):
             step, name = self.book.open("attraction"), self.book.fresh("g", self.setting.mark(other) or "1")
             heavy = self.mass(other).expression()
             formula = ratio(multiplied(constant, heavy), Power(r, 2))
-            step.say(f"It accelerates by {step.result(name, formula, PER_SQUARE_SECOND, law=True)}.")
+            step.say(f"It accelerates by {step.result(name, formula, ACCELERATION, law=True)}.")
             step.close()
             found.append((name, apart, r, True))
         return found

@@ -27,10 +27,10 @@ from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.oblique import Flights
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, accelerates, no_goal, strategy
 from sim2reason.solutions.struck import FlightPart, StruckBodies
 from sim2reason.solutions.told_root import told_root
+from sim2reason.solutions.unit_latex import METRES, SECONDS, SPEED
 from sim2reason.solutions.way import Way
 
 MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed, LastCollision)
@@ -213,7 +213,7 @@ class _Struck(Way):
         said = "The first time at which this holds, found numerically, is"
         step.say(told_root(self.book, step, time, residual, near, SECONDS, said))
         step.close()
-        return self._since(leg, time)
+        return self.flights.counted(self.flights.begins(leg), time)
 
     def _straight(self, speeds: list[Polynomial], distance: Symbol, body: str) -> Symbol:
         """The time for a distance at a constant velocity."""
@@ -243,7 +243,7 @@ class _Struck(Way):
             f"{capital(self.setting.called(body))} turns back when {law}, so {step.result(name, formula, SECONDS)}."
         )
         step.close()
-        return self._since(leg, name)
+        return self.flights.counted(self.flights.begins(leg), name)
 
     def _height(self, body: str, k: int) -> Polynomial:
         """How far it has come where it turns back: v² = 2 a s, without the time."""
@@ -272,16 +272,4 @@ class _Struck(Way):
             formula = ratio(gap.scaled(-1.0).expression(), speed.expression())
         step.say(f"{said} {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
-        return self._since(leg, name)
-
-    def _since(self, leg: Leg, name: Symbol) -> Symbol:
-        """The time since t = 0, of one since a flight began."""
-        begins = self.flights.begins(leg)
-        if begins is None:
-            return name
-        step, whole = self.book.open("time"), self.book.fresh("t")
-        formula = (Polynomial.of(begins) + Polynomial.of(name)).expression()
-        step.say(f"That is at {step.result(whole, formula, SECONDS, law=True)}.")
-        step.close()
-        self.flights.lasting(begins, whole, name)
-        return whole
+        return self.flights.counted(self.flights.begins(leg), name)

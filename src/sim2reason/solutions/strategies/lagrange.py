@@ -20,9 +20,8 @@ from sim2reason.solutions.linear_motion import nonlinear
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Moved)
 HALF = Number(0.5)
@@ -98,7 +97,7 @@ class _Together(LinearWay):
         for i, formula in zip(free, cramer(rows, loads), strict=True):
             step = self.book.open("solve")
             step.rest_on("equations")
-            step.say(f"By Cramer's rule {step.result(names[i], self.book.worked(formula), latex('m/s^2'))}.")
+            step.say(f"By Cramer's rule {step.result(names[i], self.book.worked(formula), ACCELERATION)}.")
             step.close()
         return names
 

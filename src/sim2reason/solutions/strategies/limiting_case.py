@@ -15,8 +15,8 @@ from sim2reason.solutions.expressions import ZERO
 from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.shared import PER_SQUARE_SECOND
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import ACCELERATION
 from sim2reason.solutions.written_dynamics import WrittenDynamics
 
 ASIDE = 1e-5  # relative: how far from the limit it is seen what moves
@@ -64,7 +64,7 @@ class LimitingCase(Strategy):
         symbol = rate.symbol
         if symbol is None:
             symbol = book.fresh("a", r"\text{rel}")
-            step.say(f"{step.result(symbol, rate.expression(), PER_SQUARE_SECOND, law=True)}, and")
+            step.say(f"{step.result(symbol, rate.expression(), ACCELERATION, law=True)}, and")
         step.say(f"{step.law(symbol, ZERO)}.")
         step.close()
         return Inversion(book, symbol.name, 0.0, book.sought).write()

@@ -3,8 +3,6 @@
 By energy: what goes round is at rest on top; a string is without tension there, or at its height of the fixed point.
 """
 
-from math import cos
-
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes.goes_round import GoesRound
@@ -18,9 +16,13 @@ from sim2reason.solutions.pendulum import geometry, pivot
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import JOULES, latex
 
 HALF, TWO, THREE = Number(0.5), Number(2.0), Number(3.0)
+TAUT = "The string stays taut if its body turns back below the fixed point."
+BELOW = f"{TAUT} By energy, the square of the speed at that height is"
+TENSE = "On top the string stays taut if its body is fast enough for more than its weight to bend the path."
+ON_TOP = f"{TENSE} By energy, the square of the speed exceeds the least that weight can bend by"
 
 
 @strategy
@@ -59,7 +61,7 @@ def _of_axle(setting: Setting, book: Book) -> Symbol:
     lift = arm.moment * (ONE + first) if book.value(arm.moment) > 0.0 else -arm.moment * (ONE - first)
     formula = HALF * arm.inertia * Power(arm.launch, 2) - lift * arm.gravity
     said = "Where the centre of mass is highest, there is left of the energy of its motion"
-    return book.told("energy", said, book.fresh("K"), formula, latex("J"))
+    return book.told("energy", said, book.fresh("K"), formula, JOULES)
 
 
 def _of_body(setting: Setting, book: Book) -> Symbol:
@@ -68,19 +70,11 @@ def _of_body(setting: Setting, book: Book) -> Symbol:
     pairs = zip(geometry(lexicon.mechanism), geometry(lexicon.twin), strict=True)
     length, angle, launch = (lexicon.read(Both(*pair)).expression() for pair in pairs)
     gravity = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2])).expression()
-    square = Power(launch, 2) if launch != ZERO else ZERO
-    fallen = TWO * gravity * length * Call("cos", angle)
+    level = (Power(launch, 2) if launch != ZERO else ZERO) - TWO * gravity * length * Call("cos", angle)
     assert isinstance(query, ThresholdQuery)
     if isinstance(query.outcome, GoesRound):
-        said, formula = "By energy, the square of the speed on top is", square - fallen - TWO * gravity * length
+        said, formula = "By energy, the square of the speed on top is", level - TWO * gravity * length
     else:
-        g, ell, v = (book.value(part) for part in (gravity, length, launch))
-        top = v**2 - g * ell * (THREE.x + TWO.x * cos(book.value(angle)))
-        level = v**2 - 2.0 * g * ell * cos(book.value(angle))
-        if abs(level) < abs(top):
-            formula = square - fallen
-            said = "The string stays taut if its body turns back below the fixed point. By energy, v² at that height is"
-        else:
-            formula = square - fallen - THREE * gravity * length
-            said = "On top weight alone may at most bend the path, g ≤ v²/ℓ. By energy, v² − g ℓ is there"
+        ways = (level, BELOW), (level - THREE * gravity * length, ON_TOP)
+        formula, said = min(ways, key=lambda way: abs(book.value(way[0])))
     return book.told("energy", said, book.fresh("w"), formula, latex("m^2/s^2"))

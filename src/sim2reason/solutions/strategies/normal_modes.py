@@ -27,12 +27,11 @@ from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, sp
 from sim2reason.solutions.normal_modes import NormalModes
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
-from sim2reason.solutions.strategies.oscillation import ACCELERATION, PAIR, not_driven_back
+from sim2reason.solutions.strategies.oscillation import PAIR, not_driven_back
 from sim2reason.solutions.told_root import told_root, told_roots
 from sim2reason.solutions.travelled import EARLY, Travelled
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_SPEED, METRES, SECONDS, SPEED
 
 SCAN = 2001
 Law = Callable[[list[Mode], int, Symbol], Expression]
@@ -92,7 +91,9 @@ class _Modal(LinearWay):
             parts.append(self._condition[1])
         if self.target is not None and self.goal is not None:
             lines = [*self.goal.lines(self.target)]
-            parts += [self._grows(lines[0])] if lines else [{k: 1.0} for k in self.asked()]
+            parts += (
+                [self._grows(lines[0])] if lines else [{k: 1.0} for k in (*self.asked_coordinates(), *self.gaining)]
+            )
         forms: list[Array] = []
         for part in parts:
             form = [sum(w * self.motion.ratio(k, i) for k, w in part.items()) for i in self.motion.free]
@@ -116,7 +117,7 @@ class _Modal(LinearWay):
             raise UnsolvedError("the motion as a whole has no period")
         mode = driven[query.rank if query.small else 0]
         said, name = "The angular frequency is", self.book.fresh(r"\omega")
-        rate = self.book.told("rate", said, name, Root(mode.square), latex("rad/s"))
+        rate = self.book.told("rate", said, name, Root(mode.square), ANGULAR_SPEED)
         return measured_period(self.book, query, rate)
 
     # ---- the moment
@@ -214,6 +215,10 @@ class _Modal(LinearWay):
         return time_of_greatest(self.setting) if self.greatest else self.setting.time
 
     # ---- what goals ask
+
+    def clock(self) -> Symbol:
+        """The time of the moment."""
+        return self._time
 
     @property
     def stretches(self) -> Sequence[Stretch]:

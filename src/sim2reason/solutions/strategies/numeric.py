@@ -15,14 +15,23 @@ from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.integrated_laws import IntegratedLaws
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.setting import LEVEL, Setting, capital, joined
-from sim2reason.solutions.stage import SECONDS
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.unit_latex import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_SPEED,
+    DEGREES,
+    METRES,
+    RADIANS,
+    SECONDS,
+    SPEED,
+    latex,
+)
 
 NONE = {"place": 1e-12, "rate": 1e-12, "acceleration": 1e-9}  # in SI units: what rounding has left of zero
 STATE = 8  # digits of a state: what is close to something else differs little from it
-SLIDES = {"place": r"\ \text{m}", "rate": r"\ \text{m/s}", "acceleration": r"\ \text{m/s}^2"}
-HINGES = {"place": r"\ \text{rad}", "rate": r"\ \text{rad/s}", "acceleration": r"\ \text{rad/s}^2"}
+SLIDES = {"place": METRES, "rate": SPEED, "acceleration": ACCELERATION}
+HINGES = {"place": RADIANS, "rate": ANGULAR_SPEED, "acceleration": ANGULAR_ACCELERATION}
 WHENCE = ("state", "event", "start", "time_to_event", "sum", "extremum", "count", "period")
 
 
@@ -123,8 +132,10 @@ class _Integrated:
                 (names.accelerations[number], state.a, "acceleration"),
             ):
                 value = float(values[0, number])
-                self.book.know(symbol.name, value if abs(value) > NONE[unit] else 0.0, self.book.spelled(units[unit]))
-        self.book.know(names.time.name, float(state.times[0]), self.book.spelled(SECONDS))
+                self.book.know(
+                    symbol.name, value if abs(value) > NONE[unit] else 0.0, self.book.unit_in_text(units[unit])
+                )
+        self.book.know(names.time.name, float(state.times[0]), self.book.unit_in_text(SECONDS))
 
     def _beginning(self) -> None:
         """How it begins, in words: each name has one value in the text, that of the moment."""
@@ -170,7 +181,7 @@ class _Integrated:
         else:
             measured = KINDS[setting.query.kind].measured(setting.query)
             time = setting.sought is not None
-            unit = SECONDS if time else book.spelled(latex(measured.unit))
+            unit = SECONDS if time else book.unit_in_text(latex(measured.unit))
             name = book.fresh("t" if time else "X")
             book.know(name.name, radians(setting.answer) if unit == DEGREES else setting.answer, unit)
             step.say(f"From this follows the {'time' if time else measured.name}:")

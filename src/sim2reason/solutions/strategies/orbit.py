@@ -15,12 +15,13 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.functions import PI
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.kepler import AREA, HALF, METRES, SECONDS, TWO, KeplerOrbit
+from sim2reason.solutions.kepler import AREA, HALF, TWO, KeplerOrbit
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.orbit_place import AtAnomaly, OrbitPlace, Turned
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import METRES, SECONDS
 from sim2reason.solutions.way import Way
 
 MOMENTS = (AtTime, Away, Closest, Farthest, Orbited)

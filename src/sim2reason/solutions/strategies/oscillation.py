@@ -21,7 +21,7 @@ from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.goals import GOALS, Stretch
 from sim2reason.solutions.greatest import greatest_target
-from sim2reason.solutions.harmonic import METRES, SECONDS, SPEED, Harmonic
+from sim2reason.solutions.harmonic import Harmonic
 from sim2reason.solutions.linear_motion import fewest_free, nonlinear
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.pair_way import PairWay
@@ -30,10 +30,9 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.single_way import SingleWay
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.travelled import EARLY, Travelled
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
-SUMS = ("distance travelled", "impulse of the net force", "energy dissipated by friction")
-ACCELERATION = latex("m/s^2")
+SUMS = ("distance travelled", "impulse of the net force", "impulse of a tension", "energy dissipated by friction")
 PAIR = 2  # free coordinates, of which one mode is left where a momentum is kept
 
 

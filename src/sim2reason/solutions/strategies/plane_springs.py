@@ -22,16 +22,15 @@ from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
-from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.setting import LEVEL, Setting, joined
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.unit_latex import ANGULAR_SPEED, DEGREES, METRES, STIFFNESS
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.worked import NumericRoot
 
-METRES, PER_METRE = latex("m"), latex("N/m")
 HALF, TWO = Number(0.5), Number(2.0)
-LEVEL = 1e-9
+STEEP = 0.01  # a run of so little of the rise: five digits of it are too few for the tangent
 PLANE = 2  # coordinates
 
 
@@ -198,7 +197,7 @@ class _Held(Way):
         """In numbers, or, where something in it is unknown, as its formula has it."""
         if self.book.is_hidden(formula):
             return step.result(name, formula, METRES)
-        self.book.know(name.name, self.book.value(formula), self.book.spelled(METRES))
+        self.book.know(name.name, self.book.value(formula), self.book.unit_in_text(METRES))
         step.label(name.name)
         return step.stated(name, METRES)
 
@@ -213,11 +212,11 @@ class _Held(Way):
             across = held.stiffness - weight
             whole = whole + across + weight * Power(Call("cos", bearing - turn), 2)
         said = "A spring resists across itself by its pull over its length, so that in this direction the stiffness is"
-        step.say(f"{said} {step.result(stiff, whole, PER_METRE, law=True)}.")
+        step.say(f"{said} {step.result(stiff, whole, STIFFNESS, law=True)}.")
         step.close()
         mass = self.mass(self.mechanism.bodies[0].name).expression()
         rate = self.book.fresh(r"\omega")
-        self.book.told("rate", "The angular frequency is", rate, Root(stiff / mass), latex("rad/s"))
+        self.book.told("rate", "The angular frequency is", rate, Root(stiff / mass), ANGULAR_SPEED)
         return measured_period(self.book, query, rate)
 
     @cached_property
@@ -229,13 +228,17 @@ class _Held(Way):
             mark = str(number) if len(self.springs) > 1 else ""
             weight, bearing = self.book.fresh("w", mark), self.book.fresh(r"\beta", mark)
             step = self.book.open("bearing")
-            slope = Call("arctan", (place[1] - held.end[1]) / (place[0] - held.end[0]))
-            told = step.result(bearing, slope, DEGREES, law=True)
-            part = step.result(weight, held.stiffness * held.natural / held.length, PER_METRE, law=True)
+            told = step.result(bearing, self._slope(place[1] - held.end[1], place[0] - held.end[0]), DEGREES, law=True)
+            part = step.result(weight, held.stiffness * held.natural / held.length, STIFFNESS, law=True)
             step.say(f"Spring {mark} is at {told} to the x axis; let {part}.")
             step.close()
             found[held.name] = weight, bearing
         return found
+
+    def _slope(self, rise: Expression, run: Expression) -> Expression:
+        """The angle whose tangent is rise over run; of a steep line by the cotangent, which then is what is small."""
+        steep = abs(self.book.value(run)) < STEEP * abs(self.book.value(rise))
+        return PI / TWO - Call("arctan", run / rise) if steep else Call("arctan", rise / run)
 
     def _direction(self, rank: int) -> Expression:
         """Of a mode, as an angle with the x axis: tan 2α = Σ w sin 2β / Σ w cos 2β."""
@@ -246,7 +249,7 @@ class _Held(Way):
         angle = self.book.fresh(r"\alpha")
         # along 2α the weights add up to the most: there it is stiffest
         stiffest = atan2(self.book.value(sine), self.book.value(cosine)) / 2.0
-        formula = HALF * Call("arctan", sine / cosine)
+        formula = HALF * self._slope(sine, cosine)
         wanted = stiffest + (0.0 if rank else pi / 2.0)
         if abs(sin(self.book.value(formula) - wanted)) > HALF.x:
             formula = formula + PI / TWO

@@ -13,14 +13,13 @@ from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.burning import KILOGRAMS, Burning
+from sim2reason.solutions.burning import Burning
 from sim2reason.solutions.expressions import Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
-from sim2reason.solutions.stage import METRES, SECONDS, SPEED
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
+from sim2reason.solutions.unit_latex import ACCELERATION, KILOGRAMS, METRES, NEWTONS, SECONDS, SPEED
 from sim2reason.solutions.worked import NumericRoot
 
 MOMENTS = (AtStart, AtTime, BurnedOut, Moved, Stopped)
@@ -196,14 +195,14 @@ class _Burning(Burning):
     def _a(self) -> Symbol:
         if self.out:
             said, formula = "With its engine off it falls freely:", -self.gravity.expression()
-            return self.book.told("newton", said, self.book.fresh("a"), formula, PER_SQUARE_SECOND)
+            return self.book.told("newton", said, self.book.fresh("a"), formula, ACCELERATION)
         thrust, name = self.book.fresh("F"), self.book.fresh("a")
         force = multiplied(self.rate_of_burning, self.exhaust)
         left = self.left
         step = self.book.open("newton")
         step.say(f"The thrust is {step.result(thrust, force, NEWTONS, law=True)}.")
         formula = added(ratio(thrust, left), -self.gravity.expression())
-        step.say(f"So {step.result(name, formula, PER_SQUARE_SECOND, law=True)}.")
+        step.say(f"So {step.result(name, formula, ACCELERATION, law=True)}.")
         step.close()
         return name
 

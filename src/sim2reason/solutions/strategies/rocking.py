@@ -17,7 +17,16 @@ from sim2reason.solutions.mass_spread import candidates, mass_spread
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import DEGREES, latex
+from sim2reason.solutions.unit_latex import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_SPEED,
+    DEGREES,
+    INERTIA,
+    METRES,
+    NEWTONS,
+    TORQUE,
+)
 
 SAME = 1e-9
 TWO = Number(2.0)
@@ -103,14 +112,14 @@ class _Rocking:
     def offset(self) -> Symbol:
         """Of the centre of mass from the axis."""
         said = "As the hole lacks on one side, the centre of mass lies on the other, from the axis at a distance of"
-        return self.book.told("table", said, self.book.fresh("c"), self._spread[0], latex("m"))
+        return self.book.told("table", said, self.book.fresh("c"), self._spread[0], METRES)
 
     @cached_property
     def own(self) -> Symbol:
         """The moment of inertia about the centre of mass."""
         _ = self.offset
         said = "About its centre of mass the moment of inertia is, the whole body less the hole,"
-        return self.book.told("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], latex("kg m^2"))
+        return self.book.told("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], INERTIA)
 
     @cached_property
     def about(self) -> Symbol:
@@ -119,7 +128,7 @@ class _Rocking:
         across = ez * ux - ex * uz
         square = Power(self.radius, 2) + Power(self.offset, 2) + TWO * self.radius * self.offset * across
         said = "About the line of contact it is, by the parallel-axis theorem and the cosine rule,"
-        return self.book.told("inertia", said, self.book.fresh("I"), self.own + self.mass * square, latex("kg m^2"))
+        return self.book.told("inertia", said, self.book.fresh("I"), self.own + self.mass * square, INERTIA)
 
     @cached_property
     def growth(self) -> Symbol:
@@ -136,7 +145,7 @@ class _Rocking:
                 "The torque about the line of contact, clockwise, with what the circling of the centre of mass adds, "
             )
             said += "over that is the angular acceleration"
-        return self.book.told("torque", said, self.book.fresh(r"\alpha"), torque / self.about, latex("rad/s^2"))
+        return self.book.told("torque", said, self.book.fresh(r"\alpha"), torque / self.about, ANGULAR_ACCELERATION)
 
     @cached_property
     def acceleration(self) -> list[Expression]:
@@ -149,7 +158,7 @@ class _Rocking:
             formula = self.radius * grown * along + self.offset * grown * turned - self.offset * square * inward
             way = "to the right" if label == "x" else "upward"
             said = f"The centre of mass is accelerated {way} with the axis and by the turning:"
-            found.append(self.book.told("acceleration", said, self.book.fresh("a", label), formula, latex("m/s^2")))
+            found.append(self.book.told("acceleration", said, self.book.fresh("a", label), formula, ACCELERATION))
         return found
 
     # ---- what is asked
@@ -169,9 +178,9 @@ class _Rocking:
             size = self.growth if self.book.value(self.growth) > 0.0 else -self.growth
             if quantity == "torque":
                 return self.book.told(
-                    "answer", "About its centre that is", self.book.fresh("M"), self.own * size, latex("N m")
+                    "answer", "About its centre that is", self.book.fresh("M"), self.own * size, TORQUE
                 )
-            return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", latex("rad/s^2"))
+            return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", ANGULAR_ACCELERATION)
         return self._contact(quantity)
 
     def _sized(self, formula: Expression, base: str, unit: str) -> Symbol:
@@ -189,9 +198,9 @@ class _Rocking:
             formula = part if way[found[0]] > 0.0 else -part
         if quantity == "net force":
             return self.book.told(
-                "answer", "Mass times acceleration:", self.book.fresh("F"), self.mass * formula, latex("N")
+                "answer", "Mass times acceleration:", self.book.fresh("F"), self.mass * formula, NEWTONS
             )
-        return formula if isinstance(formula, Symbol) else self._sized(formula, "a", latex("m/s^2"))
+        return formula if isinstance(formula, Symbol) else self._sized(formula, "a", ACCELERATION)
 
     def _contact(self, quantity: str) -> Symbol:
         """Friction along the plane or the normal force: what is left of mass times acceleration without the weight."""
@@ -201,7 +210,7 @@ class _Rocking:
         formula = self.mass * part
         formula = formula if self.book.value(formula) > 0.0 else -formula
         said = f"Newton's second law {'along' if along else 'square to'} the plane gives the {quantity}"
-        return self.book.told("newton", said, self.book.fresh("f" if along else "N"), formula, latex("N"))
+        return self.book.told("newton", said, self.book.fresh("f" if along else "N"), formula, NEWTONS)
 
     def _period(self, query: PeriodQuery) -> Symbol:
         """About where the centre of mass is above the contact: ω² = m g c cos ψ/I."""
@@ -221,15 +230,13 @@ class _Rocking:
         deep = self.offset if level else self.offset * Call("cos", tilt)
         high = self.radius - deep if level else self.radius * cosine - deep
         said = f"{capital(self.setting.called(self.body))} then has about the line of contact the moment of inertia"
-        about = self.book.told(
-            "inertia", said, self.book.fresh("I"), self.own + self.mass * Power(high, 2), latex("kg m^2")
-        )
+        about = self.book.told("inertia", said, self.book.fresh("I"), self.own + self.mass * Power(high, 2), INERTIA)
         said = (
             "Turned by a small angle from there it feels a torque in proportion to that angle, and oscillates with the "
         )
         said += "angular frequency"
         formula = Root(self.mass * self.gravity * deep / about)
-        rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
+        rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(self.book, query, rate)
 
 

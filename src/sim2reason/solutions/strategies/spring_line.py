@@ -21,10 +21,19 @@ from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.unit_latex import (
+    ACCELERATION,
+    ANGULAR_SPEED,
+    JOULES,
+    METRES,
+    MOMENTUM,
+    NEWTONS,
+    RADIANS,
+    SECONDS,
+    SPEED,
+)
 
 HALF, TWO = Number(0.5), Number(2.0)
-METRES, SECONDS, RADIANS = latex("m"), latex("s"), latex("rad")
 MOMENTS = (AtTime, Away, MostCompressed, MostStretched, NaturalLength, Stopped)
 
 
@@ -141,7 +150,7 @@ class _Oscillating:
         """ω = √(k/m)."""
         said = "Along the spring the force is in proportion to its extension; the angular frequency is"
         formula = Root(self.stiffness / self.mass)
-        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, latex("rad/s"))
+        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
     def phase(self) -> Expression:
@@ -259,28 +268,28 @@ class _Oscillating:
         return HALF * self.stiffness * Power(self.strain, 2)
 
     GREATEST = {  # noqa: RUF012 - by functional: which formula, its letter, its unit, what is said
-        "greatest speed": ("_fastest", "v", latex("m/s"), "It is fastest at the natural length:"),
+        "greatest speed": ("_fastest", "v", SPEED, "It is fastest at the natural length:"),
         "greatest kinetic energy": (
             "_whole",
             "K",
-            latex("J"),
+            JOULES,
             "It has all the energy of the spring at its natural length:",
         ),
         "greatest extension": ("_amplitude", "x", METRES, "That is the amplitude,"),
         "greatest compression": ("_amplitude", "x", METRES, "That is the amplitude,"),
-        "greatest spring energy": ("_whole", "U", latex("J"), "At either end of the oscillation it is the same:"),
+        "greatest spring energy": ("_whole", "U", JOULES, "At either end of the oscillation it is the same:"),
         "greatest displacement": ("_farthest", "d", METRES, "The other end of the oscillation is away by"),
     }
     WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit, what is said
         "extension": ("_extension", "x", METRES, "It is longer or shorter than when relaxed by"),
         "spring length": ("_current_length", r"\ell", METRES, "The natural length and the extension are"),
-        "spring force": ("_pull", "F", latex("N"), "The spring pulls or pushes with"),
-        "spring energy": ("_stored", "U", latex("J"), "It stores"),
-        "extension rate": ("_speed", "v", latex("m/s"), "The extension changes at the rate"),
-        "velocity": ("_speed", "v", latex("m/s"), "The velocity is the rate of change of the extension:"),
-        "momentum": ("_momentum", "p", latex("kg m/s"), "Mass times velocity:"),
-        "kinetic energy": ("_kinetic", "K", latex("J"), "The kinetic energy is"),
-        "net force": ("_force", "F", latex("N"), "The force of the spring is"),
-        "acceleration": ("_acceleration", "a", latex("m/s^2"), "The force of the spring over the mass:"),
+        "spring force": ("_pull", "F", NEWTONS, "The spring pulls or pushes with"),
+        "spring energy": ("_stored", "U", JOULES, "It stores"),
+        "extension rate": ("_speed", "v", SPEED, "The extension changes at the rate"),
+        "velocity": ("_speed", "v", SPEED, "The velocity is the rate of change of the extension:"),
+        "momentum": ("_momentum", "p", MOMENTUM, "Mass times velocity:"),
+        "kinetic energy": ("_kinetic", "K", JOULES, "The kinetic energy is"),
+        "net force": ("_force", "F", NEWTONS, "The force of the spring is"),
+        "acceleration": ("_acceleration", "a", ACCELERATION, "The force of the spring over the mass:"),
         "displacement": ("_moved", "s", METRES, "It has come as far as the extension has changed:"),
     }

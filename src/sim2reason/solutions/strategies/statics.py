@@ -16,8 +16,8 @@ from sim2reason.solutions.linear_motion import nonlinear
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.stage import METRES
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.unit_latex import METRES
 
 
 @strategy

@@ -9,15 +9,22 @@ from sim2reason.solutions.expressions import ZERO, Expression, Number, added, mu
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.pendulum import pivot
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.shared import NEWTONS, PER_SQUARE_SECOND
-from sim2reason.solutions.stage import METRES, SPEED
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swept import swept
 from sim2reason.solutions.swing_angle import Way, unasked
 from sim2reason.solutions.swing_state import SwingState
-from sim2reason.solutions.unit_latex import DEGREES
-
-JOULES = r"\ \text{J}"
+from sim2reason.solutions.unit_latex import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_SPEED,
+    DEGREES,
+    IMPULSE,
+    JOULES,
+    METRES,
+    MOMENTUM,
+    NEWTONS,
+    SPEED,
+)
 
 
 @strategy
@@ -110,8 +117,8 @@ class _Angular(SwingState):
     WAYS: ClassVar[Mapping[str, Way]] = {
         "velocity": ("_velocity", "v", SPEED, ""),
         "kinetic energy": ("_kinetic", "K", JOULES, "Its kinetic energy is"),
-        "potential energy": ("_potential", "U", JOULES, "It is higher or lower than at first, so"),
-        "momentum": ("_momentum", "p", r"\ \text{kg m/s}", "Its momentum is"),
+        "potential energy": ("_potential", "U", JOULES, "It has risen or sunk, so"),
+        "momentum": ("_momentum", "p", MOMENTUM, "Its momentum is"),
         "tension": (
             "_pull",
             "T",
@@ -127,7 +134,7 @@ class _Angular(SwingState):
         "acceleration": (
             "_acceleration",
             "a",
-            PER_SQUARE_SECOND,
+            ACCELERATION,
             "Towards the fixed point and along the arc together,",
         ),
         "net force": (
@@ -136,20 +143,20 @@ class _Angular(SwingState):
             NEWTONS,
             "Mass times acceleration, towards the fixed point and along the arc:",
         ),
-        "angular velocity": ("_spin", r"\omega", r"\ \text{rad/s}", "The speed over the radius is"),
+        "angular velocity": ("_spin", r"\omega", ANGULAR_SPEED, "The speed over the radius is"),
         "angular acceleration": (
             "_spin_up",
             r"\alpha",
-            r"\ \text{rad/s}^2",
+            ANGULAR_ACCELERATION,
             "The acceleration along the arc over the radius is",
         ),
         "deflection": ("_deflection", r"\phi", DEGREES, ""),
         "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
-        "total angle": ("_swept", r"\Phi", DEGREES, "From each place where it turns back to the next, that adds up to"),
+        "total angle": ("_swept", r"\Phi", DEGREES, "Added up between turning points, that is"),
         "impulse of the net force": (
             "_impulse",
             "J",
-            r"\ \text{N s}",
+            IMPULSE,
             "Mass times the change of the velocity,",
         ),
         "distance travelled": ("_travelled", "d", METRES, "The arc is the radius times the sum of all angles:"),

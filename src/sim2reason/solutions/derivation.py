@@ -1,0 +1,23 @@
+"""The derivation of the answer to a query, whatever of it a text asks for."""
+
+from dataclasses import replace
+
+from sim2reason.questions import Query, Study, Words
+from sim2reason.solutions.reverse import forward
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solution import Solution
+from sim2reason.solutions.solve import solve
+
+
+def derivation(query: Query, study: Study, words: Words) -> Solution:
+    """The cheapest worked solution that leads to formulas, worked out when it is first needed; it may have no answer.
+
+    The query is answered even where the text gives its answer and asks for a number; of *when is the speed 2.1 m/s?* it
+    is the speed at that time.
+    """
+    return study.once(("derivation", query), lambda: _derived(query, study, words))
+
+
+def _derived(query: Query, study: Study, words: Words) -> Solution:
+    setting = forward(Setting(study.scene, words, words.symbols, study, query))
+    return solve(replace(setting, unknown="", stated=None, sought=None), derived=True)

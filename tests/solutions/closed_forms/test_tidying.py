@@ -1,0 +1,10 @@
+from sim2reason.solutions.closed_forms.tidying import tidied
+from sim2reason.solutions.expressions import Number, Symbol
+from sim2reason.solutions.functions import Power, Root
+
+
+def test_no_square_of_a_number_is_left_of_that_of_a_product_with_a_root() -> None:
+    """(-ℓ √(k/m))² = ℓ² k/m."""
+    length, stiffness, mass = map(Symbol, ("l", "k", "m"))
+    found = tidied(Power(Number(-1.0) * length * Root(stiffness / mass), 2))
+    assert found.latex() == (Power(length, 2) * (stiffness / mass)).latex()
