@@ -14,7 +14,7 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
-from sim2reason.modes.reverse import another
+from sim2reason.modes.reverse import unfixed
 from sim2reason.prose.voices import hiding
 from sim2reason.prose.writer import describe
 from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
@@ -156,7 +156,6 @@ def test_the_answer_gives_just_what_is_said() -> None:
         about = mode.study(question, search.study)
         assert KINDS[question.query.kind].answer(question.query, about) == pytest.approx(question.result, rel=1e-8)
         assert question.answer == pytest.approx(search.study.scene.value(question.unknown), rel=0.01)
-        assert another(question, about) is None or another(question, about) != question.answer
 
 
 def test_the_elasticity_is_that_of_a_power_where_there_is_one() -> None:
@@ -227,11 +226,12 @@ def test_an_unknown_that_fits_beyond_its_range_only_is_found() -> None:
     """A sphere must have room for its hole, and may well be larger than spheres are as a rule."""
     read = parse_prompt(
         "On a stationary plane inclined at 12° to the horizontal there is a sphere of radius $R$ and mass 6.9 kg with "
-        "a spherical hole of radius 0.060 m whose centre is 0.094 m from its own, which can roll straight up or down "
-        "the slope. To begin with, the line from its centre to the hole makes 121° with the upward vertical, on the "
-        "downhill side. It rolls without slipping. The motion begins from rest. Use g = 9.8 m/s². For which value of "
-        "$R$ is the magnitude of the friction force exerted on the sphere by the plane just after release equal to "
-        r"4.89 N? Write the final answer, in m and to three significant figures, in \boxed{}."
+        "a spherical hole of radius 0.060 m whose centre lies 0.094 m from that of the sphere; it can roll "
+        "straight up or down the slope. To begin with, the line from its centre to the hole makes 121° with the "
+        "upward vertical, on the downhill side. It rolls without slipping. The motion begins from rest. Use g = "
+        "9.8 m/s². For which value of $R$ is the magnitude of the friction force exerted on the sphere by the "
+        "plane just after release equal to 4.89 N? Write the final answer, in m and to three significant figures, "
+        r"in \boxed{}."
     )
     assert read.answer == pytest.approx(0.180246, rel=1e-5)
 
@@ -318,6 +318,6 @@ def test_a_root_is_seen_although_short_strings_would_end_the_motion_before() -> 
     query, study = asked.query, asked.study.scene.having(unknown, 7.713)
     given = StatedResult("2.86", "m/s")
     question = Question("reverse", query, "", 7.713, "kg", unknown=unknown, given=given)
-    found = another(question, Study(study, simulate(study)))
-    assert found is not None
-    assert found < 1.5
+    found = unfixed(question, Study(study, simulate(study)))
+    assert found.endswith(" kg is not excluded")
+    assert float(found.split()[1]) < 1.5

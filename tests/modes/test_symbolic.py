@@ -2,7 +2,7 @@
 
 from collections import Counter
 from dataclasses import replace
-from math import cos, exp, radians, sin
+from math import cos, exp, radians, sin, tan
 
 import numpy as np
 import pytest
@@ -87,6 +87,26 @@ def test_on_the_way_up_is_assumed() -> None:
     assert found is not None
     assert found.text.startswith("Assume that the block moves up the slope. ")
     assert "at t = $t_1$" in found.text or "t = $t_1$" in found.text
+
+
+def test_what_begins_otherwise_and_then_has_no_answer_is_excluded() -> None:
+    """With µ > tan θ it stays where it is: then there is no √(2d/(g (sin θ − µ cos θ)))."""
+    found = completed(ramp(friction=0.5), Query("time_to_event", None, Moved(BLOCK, 0.5)), "s")
+    assert found is not None
+    assert found.text.startswith(("Assume that the block slides", "Assume that the block moves down the slope."))
+    assert found.assumed
+
+
+def test_motions_without_an_answer_are_kept_apart() -> None:
+    """What is steeper than its angle of friction slides; all else has no answer."""
+    barren: list[Study] = []
+    seen = QuestionSearch(ramp(friction=0.5), 0).study
+    symbols = [ProblemSymbol(r"\mu", "", 0.5, "ramp.plane.friction"), ProblemSymbol("d", "m", 0.5)]
+    varied = Variations(seen, Query("time_to_event", None, Moved(BLOCK, 0.5)), symbols)
+    answered = list(varied.drawn(np.random.default_rng(0), 1.1, 24, barren))
+    assert answered
+    assert barren
+    assert all(other.mechanism.contacts[BLOCK].friction > tan(radians(30.0)) for other in barren)
 
 
 def test_among_several_who_meets_first_is_assumed_whatever_their_numbers() -> None:

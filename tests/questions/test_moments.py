@@ -147,13 +147,13 @@ ROCKS = (
     "plane about a horizontal axle. Rigidly attached to the arm is a small ball of mass $m$, a distance $d$ from the "
     "axle. At first the line from the axle to the ball points an angle $\\theta$ to the right of the downward "
     "vertical. "
-    "The slider carries a frictionless hinge, to which the arm is fixed. A light string tied to the slider runs along "
+    "The arm is attached to the slider by a frictionless hinge. A light string tied to the slider runs along "
     "the rail to the left and ends in a hand that pulls with a steady force of $F_1$. A second light string tied to "
     "the slider runs along the rail to the right and ends in a hand that pulls with a steady force of $F_2$. Until "
     "t = 0 everything is held at rest. Take g = 9.8 m/s². Numerical values: $M$ = 5.6 kg, $m$ = 5.5 kg, $d$ = 0.50 m, "
-    "$\\theta$ = 13°, $F_1$ = PULL N and $F_2$ = 37 N. Calculate the greatest angular speed of the arm before the ball "
-    "first passes through the lowest point of its path. State the answer in rad/s to three significant figures, inside "
-    "\\boxed{}."
+    "$\\theta$ = 13°, $F_1$ = PULL N and $F_2$ = 37 N. Calculate the greatest angular speed of the arm from "
+    "release until the ball first passes through the lowest point of its path. State the answer in rad/s to "
+    "three significant figures, inside \\boxed{}."
 )
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 import pytest
@@ -25,9 +26,10 @@ class Known:
 
     result: Callable[[float], float]
     hits: tuple[float, ...] = ()  # numbers from which on one thing more happens
+    ends: tuple[float, float] = (-inf, inf)  # beyond which there is no result
 
     def __call__(self, value: float) -> float | None:
-        return self.result(value)
+        return self.result(value) if self.ends[0] <= value <= self.ends[1] else None
 
     def course(self, value: float) -> tuple[int, ...]:
         return tuple(number for number, hit in enumerate(self.hits) if value > hit)
@@ -117,3 +119,32 @@ def test_which_way_coordinates_have_gone_belongs_to_what_happens() -> None:
     dependence = Dependence(query, Study(scene, simulate(scene)), "one.system.blocks.0.mass")
     heavier, heaviest, lighter = (dependence.course(mass) for mass in (2.5, 4.0, 1.5))
     assert heavier == heaviest != lighter
+
+
+@pytest.mark.parametrize(
+    ("ends", "edge"),
+    [((0.5, 9.0), None), ((1.995, 9.0), 1.98), ((0.5, 2.005), 2.02), ((1.9, 2.1), None), ((-inf, inf), None)],
+)
+def test_where_results_end_close_to_the_root_is_told(ends: tuple[float, float], edge: float | None) -> None:
+    scan = Scan(Known(lambda value: value, ends=ends), ROOT, ROOT, MARGIN)  # type: ignore[arg-type]
+    assert scan.edge(VALUES) == (edge if edge is None else pytest.approx(edge))
+
+
+def test_the_end_of_a_range_is_no_edge() -> None:
+    """Whoever looks for the root begins and ends there."""
+    scan = Scan(Known(lambda value: value, ends=(0.0, ROOT)), ROOT, ROOT, MARGIN)  # type: ignore[arg-type]
+    assert scan.edge([0.2, 1.0, 2.001]) is None
+
+
+@pytest.mark.parametrize(
+    ("turn", "fall", "end"), [(90.0, 0.15, 100.0), (60.0, 0.8, 100.0), (20.0, 40.0, None), (200.0, 1.0, None)]
+)
+def test_a_root_just_behind_the_range_is_foreseen(turn: float, fall: float, end: float | None) -> None:
+    """It rises from 1 at the root up to a turn, from which it is back at 1 by `fall` turns later."""
+
+    def result(value: float) -> float:
+        peak = 1.0 + (turn - ROOT) / 10.0
+        return 1.0 + (value - ROOT) / 10.0 if value < turn else peak - (peak - 1.0) * (value / turn - 1.0) / fall
+
+    scan = Scan(Known(result), ROOT, 1.0, MARGIN)  # type: ignore[arg-type]
+    assert scan.end(VALUES) == (end if end is None else pytest.approx(end))

@@ -30,6 +30,7 @@ from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import prompt, words_of
+from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.questions.trial import Trial
 from sim2reason.simulation.scenes import simulate
 
@@ -98,11 +99,11 @@ def test_one_of_two_changes_is_doubted() -> None:
     assert "other values" in KINDS["threshold"].doubt(query, study(scene), None)
 
 
-def lifted(mass: float = 2.0, friction: float = 0.0) -> Scene:
-    """A block on a slope of 30° whose string over a pulley at the top holds a hanging one of 1.5 kg."""
+def lifted(mass: float = 2.0, friction: float = 0.0, disc: float = 0.0) -> Scene:
+    """A block on a slope of 30° whose string over a pulley at the top, maybe a disc, holds a hanging one of 1.5 kg."""
     slope = OnPlane(plane=Plane(angle=30.0, friction=friction), blocks=(Block(mass=mass),))
     ends = (
-        Named(name="one", entity=MassWithFixedPulley(system=slope, pulley=FixedPulley())),
+        Named(name="one", entity=MassWithFixedPulley(system=slope, pulley=FixedPulley(mass=disc))),
         Named(
             name="other", entity=MassWithFixedPulley(system=Hanging(blocks=(Block(mass=1.5),)), pulley=FixedPulley())
         ),
@@ -212,3 +213,37 @@ def test_a_prompt_leads_back_to_its_threshold() -> None:
         read = parse_prompt(prompt(described, question, np.random.default_rng(1)))
         assert read.query.kind == "threshold"
         assert read.answer == pytest.approx(question.answer, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("friction", "slip", "kept"),
+    [
+        (0.02, "no friction", sin(radians(30.0))),
+        (0.2, "no friction", None),
+        (0.2, "massless pulley", sin(radians(30.0)) - 0.2 * cos(radians(30.0))),
+    ],
+)
+def test_a_wrong_idea_is_tried_on_the_mechanism_of_every_value(friction: float, slip: str, kept: float | None) -> None:
+    """The hanging block rises if m < M (sin θ − µ cos θ): of wrong thresholds only a close one is looked for."""
+    name = "other.system.blocks.0"
+    seen, path = study(lifted(3.0, friction, disc=0.5)), f"{name}.mass"
+    about = 3.0 * (sin(radians(30.0)) - friction * cos(radians(30.0)))
+    query = ThresholdQuery("threshold", None, None, OUTCOMES["rises"](name), path, "kg", about=about)
+    assert KINDS["threshold"].answer(query, seen) == pytest.approx(about)
+    (subject,) = SIMPLIFICATIONS[slip].subjects(query, seen)
+    wrong = SIMPLIFICATIONS[slip].simplified(seen, subject, 0.0)
+    assert wrong is not None
+    found = KINDS["threshold"].answer(query, wrong)
+    assert found == (None if kept is None else pytest.approx(3.0 * kept, rel=1e-4))
+
+
+def test_how_strong_gravity_is_is_no_matter() -> None:
+    seen = study(lifted(3.0, 0.2))
+    query = ThresholdQuery("threshold", None, None, OUTCOMES["rises"]("other.system.blocks.0"), "", "kg")
+    weightless, smooth = (
+        SIMPLIFICATIONS[name].simplified(seen, "", 0.0) for name in ("gravity left out", "no friction")
+    )
+    assert weightless is not None
+    assert smooth is not None
+    assert KINDS["threshold"].indifferent(query, seen, weightless)
+    assert not KINDS["threshold"].indifferent(query, seen, smooth)

@@ -1,7 +1,5 @@
 """What hangs on a mass that the text does not say is not asked."""
 
-from collections import Counter
-
 import numpy as np
 import pytest
 
@@ -13,6 +11,7 @@ from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import either
+from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.writer import describe
 from sim2reason.questions import MODES
 from sim2reason.questions.prompt import words_of
@@ -55,10 +54,12 @@ SLOPE = Scene(
 
 
 def asked(scene: Scene) -> set[str]:
-    """Questions that pass every filter."""
+    """Questions that hang on nothing unsaid."""
     search = QuestionSearch(scene, 1)
-    found = (search.ask(MODES["numeric"], np.random.default_rng(seed), Counter()) for seed in range(60))
-    return {certified.question.text for certified in found if certified is not None}
+    study, words = search.study, search.words
+    drawn = (MODES["numeric"].ask(study, words, "", np.random.default_rng(seed)) for seed in range(60))
+    found = (Candidate(study, question, question.text, words=words) for question in drawn if question is not None)
+    return {candidate.question.text for candidate in found if not FILTERS["unsaid"].reason(candidate)}
 
 
 def test_no_question_needs_a_mass_that_is_not_said() -> None:

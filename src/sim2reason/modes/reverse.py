@@ -113,16 +113,25 @@ class Reverse(QuestionMode):
         return None
 
 
-def another(question: Question, study: Study) -> float | None:
-    """A value of a question's unknown, beside the answer, that the result does not exclude; None if none is seen.
+def unfixed(question: Question, study: Study) -> str:
+    """Why a result does not fix a question's unknown: another value that it does not exclude, or an edge beside it.
 
-    With other values bodies may go farther; how far strings let them, no text tells.
+    Empty where nothing of the kind is seen. With other values bodies may go farther; how far strings let them, no text
+    tells.
     """
     if question.given is None or not question.unknown:
-        return None
+        return ""
     fine = Dependence(question.query, study, question.unknown, ENOUGH, roomy(study.scene))
     scan = Scan(fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE))
-    return scan.another(range_of(study.scene, question.unknown))
+    values = range_of(study.scene, question.unknown)
+    edge = scan.edge(values)
+    if edge is not None:
+        return f"edge: at {edge:.3g} {question.unit} there is no result"
+    other = scan.another(values)
+    if other is not None:
+        return f"another: {other:.3g} {question.unit} is not excluded"
+    end = scan.end(values)
+    return f"end: behind {end:.3g} {question.unit} there may be another number" if end is not None else ""
 
 
 def _noun(query: Query, words: Words) -> Noun | None:

@@ -19,8 +19,9 @@ from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.regimes import FEW, Regime, possible, regimes
 from sim2reason.questions.spoken import OwnSymbol, symbol_for
 from sim2reason.questions.targets import targets
-from sim2reason.solutions import STRATEGIES, Setting, solve
+from sim2reason.solutions import STRATEGIES, Setting
 from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, put_together, shortened
+from sim2reason.solutions.derivation import derivation
 from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.strategies import Strategy
 
@@ -91,7 +92,7 @@ class Symbolic(QuestionMode):
         noun = targets(words)[query.target] if query.target is not None else None
         asked = sentence(chosen(KINDS[query.kind].shapes(query, spoken, noun), rng))
         text = f"{_assuming(assumed, words)} {asked}" if assumed else asked
-        return replace(question, text=text, formula=varied.formula(found, symbols))
+        return replace(question, text=text, formula=varied.formula(found, symbols), assumed=assumed)
 
     def described(self, question: Question, description: Description) -> Description:
         """Every number but zero as a symbol, each with its name."""
@@ -147,7 +148,7 @@ def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
     tried = [held for held in _fitting(study) if query.kind in held.formulas(study.mechanism)]
     if all(strategy.refusal(setting) for strategy in tried):
         return None
-    solution = solve(setting, derived=True)
+    solution = derivation(query, study, words)
     try:
         return put_together(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
     except ClosedFormError:
@@ -163,6 +164,7 @@ class _Varied:
         self._near: list[Variation] = []
         self._wide: list[Variation] = []
         self._more: Iterator[Variation] | None = None
+        self._barren: list[Study] = []  # motions far from the scene's own in which there is no answer
 
     def of_scene(self, whole: Expression) -> bool:
         """Whether a formula holds with the scene's own numbers, which are those that cost least."""
@@ -197,7 +199,8 @@ class _Varied:
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
         """The fewest regimes that leave no scene in which the formula does not hold; None if no few do.
 
-        And those that are told always, first of all.
+        And those that are told always, first of all. Where some few do, they also leave none that begins in another way
+        and then has no answer: a text that does not say how it begins seems to ask for that, too.
         """
         kept = self._shared(words)
         told = {held for held in kept if held.always_told(self._near[0].study)}
@@ -208,9 +211,15 @@ class _Varied:
             excluding.append({held for held in kept if not held.holds(other.study, other.until)})
             if not excluding[-1]:
                 return None
-        fitting = (some for some in _some(kept) if told.issubset(some))
-        options = (some for some in fitting if all(not held.isdisjoint(some) for held in excluding))
-        return next(options, None) if excluding or told else ()
+        begun = [*excluding, *self._begun_otherwise(kept)]
+        fitting = [some for some in _some(kept) if told.issubset(some)]
+        for left in (begun, excluding):
+            if not left and not told:
+                return ()
+            chosen = next((some for some in fitting if all(not held.isdisjoint(some) for held in left)), None)
+            if chosen is not None:
+                return chosen
+        return None
 
     @property
     def beyond(self) -> list[Mapping[str, float]]:
@@ -220,7 +229,7 @@ class _Varied:
     def _widely(self, rng: np.random.Generator) -> Iterator[Variation]:
         """With numbers far from the scene's own."""
         yield from self._wide
-        self._more = self._more or self._variations.drawn(rng, WIDE, WIDELY)
+        self._more = self._more or self._variations.drawn(rng, WIDE, WIDELY, self._barren)
         for other in self._more:
             self._wide.append(other)
             yield other
@@ -230,6 +239,13 @@ class _Varied:
         own, *others = self._near
         found = regimes(own.study, words, own.until)
         return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
+
+    def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
+        """For each scene without an answer, the regimes that it is not in from the very start on, if there are any."""
+        own = self._near[0].study
+        first = [held for held in kept if held.holds(own, 0.0)]
+        found = ({held for held in first if not held.holds(other, 0.0)} for other in self._barren)
+        yield from filter(None, found)
 
     def _agrees(self, formula: Expression, other: Variation) -> bool:
         try:

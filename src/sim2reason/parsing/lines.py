@@ -6,7 +6,7 @@ from functools import partial
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part, inside
 from sim2reason.dsl.model import FieldType, field_types
-from sim2reason.dsl.template import Each, PartLines, Saying, Wordings, slots, wordings
+from sim2reason.dsl.template import Each, PartLines, Saying, Wordings, slots, topic_of, wordings
 from sim2reason.parsing.declarations import thing_at
 from sim2reason.parsing.matcher import Matcher
 from sim2reason.parsing.parse_state import MANY, ParseState
@@ -106,6 +106,8 @@ def _saying(
             yield place + 1, then
     if one is not None:
         yield place, one
+    if topic := topic_of(saying):
+        yield place, state._replace(without=state.without | {topic})
     for then in _unsaid(wordings(saying)[0], address, state):
         yield place, then
 

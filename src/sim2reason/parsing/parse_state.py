@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection, Link, Told
 from sim2reason.dsl.model import M, Model
+from sim2reason.dsl.template import Topic
 from sim2reason.prose.naming import Names, called, letter_at
 
 MANY = 8  # members of a variable-length part that a text can count
@@ -38,6 +39,7 @@ class ParseState(NamedTuple):
     waiting: tuple[str, ...] = ()  # entities whose lines were read and that no string has reached
     joined: tuple[ParsedConnection, ...] = ()
     closings: tuple[str, ...] = ()
+    without: frozenset[Topic] = frozenset()  # topics on which lines were left out
 
     @property
     def unknowns(self) -> dict[str, str]:

@@ -11,7 +11,7 @@ import numpy as np
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import Each, PartLines, Saying, wordings
+from sim2reason.dsl.template import Each, PartLines, Saying, Topic, topic_of, wordings
 from sim2reason.errors import TextError
 from sim2reason.parsing.matcher import NONE_GIVEN
 from sim2reason.parsing.parse_state import ParseState
@@ -35,14 +35,18 @@ class ScriptedWriter(Writer):
         given: Mapping[str, str] = NONE_GIVEN,
         order: tuple[str, ...] = (),
         unknown: Collection[str] = (),
+        without: Collection[Topic] = (),
     ) -> None:
         """`script` holds the choices for what is said; lines that stay unsaid take none. Symbols in `given` stand."""
-        super().__init__(scene, names, np.random.default_rng(0), _voice(given, unknown), order)
+        super().__init__(scene, names, np.random.default_rng(0), _voice(given, unknown), order, without)
         self._script = iter(script)
 
     def choose(self, options: tuple[str, ...]) -> str:
         """The wording that the script demands."""
         return options[min(next(self._script, 0), len(options) - 1)]
+
+    def pass_over(self, options: tuple[str, ...]) -> None:
+        """What is left out has no place in the script."""
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
         if isinstance(saying, PartLines):
@@ -50,7 +54,8 @@ class ScriptedWriter(Writer):
         if isinstance(saying, Each):
             said = bool(getattr(part, saying.field))
         else:
-            said = self.says_line(saying, wordings(saying)[0], part)
+            told = topic_of(saying) not in self._without
+            said = told and self.says_line(saying, wordings(saying)[0], part)
         return super()._say(saying, part, address) if said else []
 
 
@@ -64,24 +69,27 @@ def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
 
 
 def unsaid(scene: Scene, state: ParseState) -> list[str]:
-    """What matters in the scene and of which a reading says nothing."""
-    return [closing.name for closing in closings(scene) if closing.name not in state.closings]
+    """What matters in the scene, whatever is asked, and of which a reading says nothing."""
+    lacking = [closing for closing in closings(scene) if closing.name not in state.closings]
+    return [closing.name for closing in lacking if not closing.topic]
 
 
 def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
     """Return if the scene has this text; TextError names what should have been said or said otherwise."""
-    needed = [closing.name for closing in closings(scene)]
+    needed: dict[str, Topic | None] = {closing.name: closing.topic for closing in closings(scene)}
     if lacking := unsaid(scene, state):
         raise TextError("text", f"nothing is said of {lacking[0]!r}, which matters here", "say it at the end")
     for name in state.closings:
         if name not in needed:
             raise TextError("text", f"it speaks of {name!r}, which does not matter here", "leave it out")
+    left_out: set[Topic] = {topic for name, topic in needed.items() if topic and name not in state.closings}
+    without = state.without | left_out
     order: tuple[str, ...] = ()
     if given:
-        first = ScriptedWriter(scene, state.names, state.script)
+        first = ScriptedWriter(scene, state.names, state.script, without=without)
         first.sentences()
         order = tuple(first.told)
-    echo = ScriptedWriter(scene, state.names, state.script, given, order, state.unknowns)
+    echo = ScriptedWriter(scene, state.names, state.script, given, order, state.unknowns, without)
     told = Description(scene, tuple(echo.sentences()), state.names, {})
     if spare := given.keys() - {echo.symbols.get(path) for path in echo.told}:
         raise TextError("text", f"it gives ${min(spare)}$, of which it does not speak", "leave it out")

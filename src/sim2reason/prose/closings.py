@@ -8,14 +8,15 @@ from functools import cache
 from sim2reason.dsl.mechanism import Drawn, Inextensible
 from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import Role
+from sim2reason.dsl.template import Role, Topic
 
 
 @dataclass(frozen=True, slots=True)
 class Closing:
     """A sentence in its wordings, and the scenes that need it.
 
-    `of_symbol` is the wording where its number is a symbol, which none of the others would then define.
+    `of_symbol` is the wording where its number is a symbol, which none of the others would then define. One with a
+    `topic` is told only for a question that it matters to.
     """
 
     name: str
@@ -23,6 +24,7 @@ class Closing:
     wordings: tuple[str, ...]
     role: Role = "assumption"
     of_symbol: str = ""
+    topic: Topic | None = None
 
     @property
     def spoken(self) -> tuple[str, ...]:
@@ -150,12 +152,16 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
     ),
 }
 ROOM = {  # by whether there are several pulleys, and whether there are edges
-    (False, False): ("no body reaches it", "every string is long enough", "there is string enough"),
-    (True, False): ("no body reaches a pulley", "every string is long enough", "no pulley is reached"),
-    (False, True): ("no body reaches it or an edge", "there is room enough", "no body gets to an edge or to it"),
+    (False, False): ("no body reaches it", "every string is long enough", "strings are long enough"),
+    (True, False): ("no body reaches a pulley", "every string is long enough", "nothing reaches a pulley"),
+    (False, True): (
+        "no body reaches it or an edge",
+        "there is room to move",
+        "nothing reaches it or an edge",
+    ),
     (True, True): (
         "nothing reaches a pulley or an edge",
-        "there is room enough",
+        "there is room to move",
         "no body gets to an edge or a pulley",
     ),
 }
@@ -183,14 +189,15 @@ CLOSINGS: tuple[Closing, ...] = (
         (
             "whenever the string becomes taut again, the velocity along it is lost.",
             "each time the slack string becomes taut, the velocity along it is lost.",
-            "the string does not bounce: where it becomes taut again, the velocity along it is lost.",
+            "if the string goes slack and becomes taut again, the velocity along it is lost at that moment.",
         ),
+        topic="slack",
     ),
     *(_pulleys(several, massive, edges) for several in _EITHER for massive in _EITHER for edges in _EITHER),
     Closing(
         "room on faces",
         _has_faces,
-        ("no edge is reached.", "no body gets to an edge.", "there is room for the motion."),
+        ("nothing reaches an edge.", "no body gets to an edge.", "there is room to move."),
     ),
     Closing(
         "g",

@@ -1,6 +1,6 @@
 """From a scene to its text: which wording, in which order, in whose voice."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -12,7 +12,20 @@ from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part, parts_at
 from sim2reason.dsl.model import field_types, lookup
 from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import COUNT_WORDS, Each, PartLines, Role, Saying, Slot, Wordings, role_of, slots, wordings
+from sim2reason.dsl.template import (
+    COUNT_WORDS,
+    Each,
+    PartLines,
+    Role,
+    Saying,
+    Slot,
+    Topic,
+    Wordings,
+    role_of,
+    slots,
+    topic_of,
+    wordings,
+)
 from sim2reason.errors import SceneError
 from sim2reason.prose.closings import closings
 from sim2reason.prose.naming import Names, letters
@@ -36,6 +49,7 @@ class Description:
     told: tuple[str, ...] = ()  # the addresses of all numbers that are told, in the order of telling
     seed: int = 0
     voice: Voice = numeric
+    without: frozenset[Topic] = frozenset()  # topics on which it says nothing
 
     @property
     def text(self) -> str:
@@ -48,7 +62,11 @@ class Description:
 
     def voiced(self, voice: Voice) -> "Description":
         """The same sentences in another voice."""
-        return describe(self.scene, self.seed, voice)
+        return describe(self.scene, self.seed, voice, self.without)
+
+    def leaving_out(self, topics: Collection[Topic]) -> "Description":
+        """The same sentences without those on some topics."""
+        return describe(self.scene, self.seed, self.voice, topics) if topics else self
 
     def mention(self, address: str) -> str:
         """How the text speaks of a body; SceneError for one that it does not mention."""
@@ -57,21 +75,22 @@ class Description:
         return self.names.mention(address, self.scene.bodies[address])
 
 
-def describe(scene: Scene, seed: int = 0, voice: Voice = numeric) -> Description:
+def describe(scene: Scene, seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()) -> Description:
     """The text of a scene; wordings depend on `seed` alone, so that all voices say the same sentences.
 
-    A first pass finds the order of mention, from which follow the letters; a second one writes.
+    A first pass finds the order of mention, from which follow the letters; a second one writes, `without` what it is
+    to leave out.
     """
-    return written(draft(scene, seed)[1], seed, voice)
+    return written(draft(scene, seed)[1], seed, voice, without)
 
 
-def written(dry: "Writer", seed: int = 0, voice: Voice = numeric) -> Description:
+def written(dry: "Writer", seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()) -> Description:
     """The second pass, after one by `dry`."""
     scene = dry.scene
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
-    final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told))
-    sentences = tuple(final.sentences())
-    return Description(scene, sentences, names, final.symbols, final.roles, tuple(final.told), seed, voice)
+    final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told), without)
+    said, order, left_out = tuple(final.sentences()), tuple(final.told), frozenset(without)
+    return Description(scene, said, names, final.symbols, final.roles, order, seed, voice, left_out)
 
 
 def draft(scene: Scene, seed: int = 0) -> "tuple[list[str], Writer]":
@@ -91,11 +110,20 @@ class Writer(Terms):
     """Renders the sentences of one scene in one voice, remembering who was introduced."""
 
     def __init__(
-        self, scene: Scene, names: Names, rng: np.random.Generator, voice: Voice, order: tuple[str, ...] = ()
+        self,
+        scene: Scene,
+        names: Names,
+        rng: np.random.Generator,
+        voice: Voice,
+        order: tuple[str, ...] = (),
+        without: Collection[Topic] = (),
     ) -> None:
-        """Nothing is introduced yet; `order` is that in which a first pass told the numbers."""
+        """Nothing is introduced yet; `order` is that in which a first pass told the numbers.
+
+        Sentences on topics that it is `without` stay unsaid.
+        """
         super().__init__(scene, names, voice, order)
-        self._rng = rng
+        self._rng, self._without = rng, without
         self.roles: dict[str, Role] = {}
         self._finished: list[str] = []
 
@@ -156,7 +184,7 @@ class Writer(Terms):
             return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
         template = self.choose(wordings(saying))
         if not isinstance(saying, Each):
-            said = self.says_line(saying, template, part)
+            said = topic_of(saying) not in self._without and self.says_line(saying, template, part)
             return [self._as(role_of(saying), self.finish(self.render(template, address)))] if said else []
         members = getattr(part, saying.field)
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
@@ -193,6 +221,9 @@ class Writer(Terms):
         """What holds for all; a g that is a symbol is named, not said to equal itself."""
         told: list[str] = []
         for found in closings(self.scene):
+            if found.topic in self._without:
+                self.pass_over(found.wordings)
+                continue
             sentence = self.render(self.choose(found.wordings), "")
             said = self.render(found.of_symbol, "") if "g = $g$" in sentence else sentence
             told.append(self._as(found.role, self.finish(said)))
@@ -207,6 +238,10 @@ class Writer(Terms):
     def choose(self, options: tuple[str, ...]) -> str:
         """One of several wordings; always one draw, so that all voices stay in step."""
         return options[int(self._rng.random() * len(options))]
+
+    def pass_over(self, options: tuple[str, ...]) -> None:
+        """A sentence that is left out; one draw all the same, so that what follows is said as it is with it."""
+        self.choose(options)
 
     def finish(self, sentence: str) -> str:
         """A rendered sentence with its capital."""

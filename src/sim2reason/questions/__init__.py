@@ -47,7 +47,8 @@ class Question:
     `sign` is the sense that counts as positive, in words; empty for a magnitude. `unknown` is the address of the number
     that the text must leave open, empty for none. Where the query's answer R is not what is asked for, `given` is what
     the question says that it is, and `elasticity` is d ln R/d ln p, p being the answer to the question. Where the
-    numbers of the text are symbols, the answer is a `formula`, and `answer` its value in the scene.
+    numbers of the text are symbols, the answer is a `formula`, and `answer` its value in the scene; `assumed` is what
+    it says of the motion.
     """
 
     mode: str
@@ -60,6 +61,7 @@ class Question:
     given: StatedResult | None = None
     elasticity: float = 1.0
     formula: Formula | None = None
+    assumed: tuple[Regime, ...] = ()
 
     @property
     def result(self) -> float:

@@ -13,6 +13,8 @@ DIP = 3  # guesses for the bottom of a dip
 SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into,
 NEARLY = 10.0  # margins: unless it is as low as this already; then halving finds the tip of a kink
 KINK = 10  # halvings
+EDGE = 0.01  # relative: where there is no answer this close to the root, who looks for it may pass it by
+BEHIND = 3.0  # steps of the scan: how far behind an end of the range another root is foreseen
 CLOSER = 3  # halvings between numbers for which different things happen
 
 
@@ -37,6 +39,22 @@ class Scan:
         Looked for at all `values`, towards the borders of where there is an answer, and at the bottom of each dip.
         """
         return next((at for at in self._tried(values) if self._could_be(at)), None)
+
+    def edge(self, values: Sequence[float]) -> float | None:
+        """A number beside the root, within the range of `values`, where there is no answer; None if there is none."""
+        beside = sorted(self._root + side * EDGE * abs(self._root) for side in (-1.0, 1.0))
+        return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
+
+    def end(self, values: Sequence[float]) -> float | None:
+        """An end of the range of `values` where answers come back so fast that there may be another root behind it.
+
+        Where a range ends no text says, and who looks a little farther finds that root, too.
+        """
+        for last, before in ((values[0], values[1]), (values[-1], values[-2])):
+            here, inside = self._clear(last), self._clear(before)
+            if here is not None and inside is not None and isfinite(inside) and here <= BEHIND * (inside - here):
+                return last
+        return None
 
     def _tried(self, values: Sequence[float]) -> Iterator[float]:
         for stride in STRIDES:

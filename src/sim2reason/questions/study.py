@@ -1,6 +1,6 @@
 """A scene under study: its recorded motion, and those of scenes like it."""
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Mapping
 from typing import Protocol, Self, TypeVar, cast
 
 import numpy as np
@@ -21,6 +21,12 @@ BEYOND = 1.1  # times the moment that is asked about, to which variants and the 
 T = TypeVar("T")
 
 
+Change = Callable[[Mechanism], Mechanism]
+"""Of a mechanism, for any scene of the kind."""
+Made = tuple[Scene, Mechanism, Change | None]
+"""A scene, what moves in it, and how that was changed, if it was."""
+
+
 class Timed(Hashable, Protocol):
     """What comes at some time of a motion."""
 
@@ -32,9 +38,9 @@ class Timed(Hashable, Protocol):
 class Study:
     """A scene with its motion, which all questions and filters about it share; nothing is worked out twice."""
 
-    def __init__(self, scene: Scene, trace: Trace) -> None:
-        """`trace` is the motion of `scene`, as the recorded engine has it."""
-        self.scene, self.trace = scene, trace
+    def __init__(self, scene: Scene, trace: Trace, change: Change | None = None) -> None:
+        """`trace` is the motion of `scene`, as the recorded engine has it, or of its mechanism after a `change`."""
+        self.scene, self.trace, self.change = scene, trace, change
         self._times: dict[Timed, float | None] = {}
         self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
         self._readings: dict[str, Study | None] = {}
@@ -65,11 +71,20 @@ class Study:
 
         `error` is what a step may err by, relative.
         """
-        return self._followed((scene, error), lambda: (scene, scene.mechanism), until, error)
+        return self._followed((scene, error), lambda: (scene, scene.mechanism, None), until, error)
 
-    def changed(self, change: Hashable, make: Callable[[], Mechanism], until: float | None = None) -> "Study | None":
-        """The scene with a changed mechanism, as `make` gives it, and its motion; `change` names it among all."""
-        return self._followed(change, lambda: (self.scene, make()), until)
+    def with_values(self, values: Mapping[str, float], until: float | None = None) -> "Study | None":
+        """The motion with other values at some addresses of the scene, until a time, s; None if there is none."""
+        try:
+            scene = self.scene.having_all(values)
+        except (SceneError, ValueError):
+            return None
+        return self.variant(scene, until)
+
+    def changed(self, name: Hashable, change: Change, until: float | None = None) -> "Study | None":
+        """The scene with its mechanism changed, and the motion of that; `name` is that of the change among all."""
+        whole = change if self.change is None else _one_after(self.change, change)
+        return self._followed(name, lambda: (self.scene, change(self.mechanism), whole), until)
 
     def read_as(self, reading: str, make: "Callable[[], Study | None]") -> "Study | None":
         """What `make` gives, for a reading of this motion by that name."""
@@ -84,7 +99,11 @@ class Study:
         return cast("T", self._known[name])
 
     def _followed(
-        self, key: object, make: Callable[[], tuple[Scene, Mechanism]], until: float | None, error: float = COARSE
+        self,
+        key: object,
+        make: Callable[[], Made],
+        until: float | None,
+        error: float = COARSE,
     ) -> "Study | None":
         end = float(self.trace.state.times[-1])
         until = end if until is None else min(max(until, SHORTEST * end), end)
@@ -92,14 +111,19 @@ class Study:
         if reaches < until:
             until = until if reaches < 0.0 else end  # who asks again will ask once more
             try:
-                known = _made(*make(), until, error)
+                known = _made(make(), until, error)
             except (SceneError, SimulationError, UnsupportedError):
                 known = None
             self._variants[key] = known, until
         return known
 
 
-def _made(scene: Scene, mechanism: Mechanism, until: float, error: float) -> Study | None:
+def _one_after(first: Change, then: Change) -> Change:
+    return lambda mechanism: then(first(mechanism))
+
+
+def _made(made: Made, until: float, error: float) -> Study | None:
+    scene, mechanism, change = made
     if not mechanism.coordinates:
         return None
-    return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), error))
+    return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), error), change)

@@ -37,6 +37,7 @@ class Trial:
     def __init__(self, study: Study, outcome: PossibleOutcome, path: str, engine: str = RECORDED) -> None:
         """`study` is that of a scene in which that number has any value."""
         self._scene, self._outcome, self._path, self._engine = study.scene, outcome, path, engine
+        self._change = study.change
         self._known: dict[tuple[float, float], _Found | None] = {}
 
     def __call__(self, value: float, error: float = FINEST) -> bool | None:
@@ -55,8 +56,9 @@ class Trial:
     def _followed(self, scene: Scene, error: float) -> _Found | None:
         """Whether it does in one scene, which is followed for ever longer until that is clear."""
         duration = self._outcome.duration(scene)
+        mechanism = scene.mechanism if self._change is None else self._change(scene.mechanism)
         for _ in range(LONGER):
-            trace = ENGINES[self._engine](scene.mechanism, np.linspace(0.0, duration, SAMPLES), error)
+            trace = ENGINES[self._engine](mechanism, np.linspace(0.0, duration, SAMPLES), error)
             found = self._outcome.happens(trace)
             if found is not None:
                 return _Found(found, self._outcome.excess(trace) if found is self._outcome.tells else None)
@@ -111,6 +113,11 @@ class Trial:
         """Whether any number between two is not far from those that are drawn."""
         least, most = usual_range(self._scene, self._path)
         return low <= most and high >= least
+
+    def close_to(self, about: float, within: float) -> float | None:
+        """Where it changes within a share of a number to its sides, if it does between them; no more is looked at."""
+        sides = {self(about * (1.0 - within), COARSE), self(about * (1.0 + within), COARSE)}
+        return self.near(about) if sides == {True, False} else None
 
     def near(self, about: float) -> float | None:
         """Where it changes, looked for ever farther from a number: just there, if that is where it does."""

@@ -4,7 +4,12 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp, squeezed
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.spring import Spring
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.spring_mass_incline import SpringMassIncline
 from sim2reason.prose.writer import describe
 from sim2reason.questions import Study
 from sim2reason.questions.prompt import words_of
@@ -14,6 +19,13 @@ from sim2reason.questions.regimes.collisions import CollideInTurn
 
 def study(scene: Scene, until: float = 1.0) -> Study:
     return Study.of(scene, np.linspace(0.0, until, 11))
+
+
+def sprung() -> Scene:
+    """A block on a slope, on a spring that is compressed by 0.3 m: by its weight it would be by 0.1 m."""
+    plane, spring = Plane(angle=30.0, friction=0.0), Spring(stiffness=100.0, length=0.8)
+    entity = SpringMassIncline(plane=plane, block=Block(mass=2.0), spring=spring, start=0.5)
+    return Scene(entities=(Named(name="spring", entity=entity),))
 
 
 def said(scene: Scene, until: float) -> set[str]:
@@ -28,6 +40,17 @@ def test_a_block_slides_down_what_is_steep_enough() -> None:
     assert said(ramp(friction=0.7), 0.5) == {"the block does not slide on the plane"}
 
 
+def test_what_swings_back_moves_one_way_first() -> None:
+    """A block let go on a compressed spring goes up the slope, and comes back after half a period π √(m/k)."""
+    found = said(sprung(), 3.0)
+    assert "the block first moves up the slope" in found
+    assert "the block moves up the slope" not in found
+
+
+def test_what_is_launched_is_told_how() -> None:
+    assert not any("first" in clause for clause in said(ramp(speed=2.0), 0.3))
+
+
 def test_on_its_way_up_and_back_it_moves_no_one_way() -> None:
     """At 2 m/s up a smooth slope of 30° it turns after 2/(9.8 · 0.5) = 0.41 s."""
     assert said(ramp(speed=2.0), 0.3) == {"the block moves up the slope"}
@@ -38,6 +61,7 @@ def test_on_its_way_up_and_back_it_moves_no_one_way() -> None:
 def test_the_heavier_side_goes_down(left: float, way: str) -> None:
     found = said(atwood(left, 2.0), 0.5)
     assert f"block A moves {way}" in found
+    assert f"block A first moves {way}" in found
     assert any("stays taut" in clause for clause in found)
 
 

@@ -75,8 +75,13 @@ class Variations:
         found = _answered(self.query, self.study)
         return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
 
-    def drawn(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
-        """With every number times a factor whose logarithm is at most `width`; those that have an answer."""
+    def drawn(
+        self, rng: np.random.Generator, width: float, tries: int, barren: list[Study] | None = None
+    ) -> Iterator[Variation]:
+        """With every number times a factor whose logarithm is at most `width`; those that have an answer.
+
+        The motions of those that have none are added to `barren`.
+        """
         for _ in range(tries):
             factors = np.exp(rng.uniform(-width, width, len(self.symbols))).tolist()
             values = [held.value * factor for held, factor in zip(self.symbols, factors, strict=True)]
@@ -84,21 +89,25 @@ class Variations:
                 held.unit == "deg" and abs(value) > STEEPEST >= abs(held.value)
                 for held, value in zip(self.symbols, values, strict=True)
             )
-            found = None if any(steep) else self._at(values)
+            found = None if any(steep) else self._at(values, barren)
             if found is not None:
                 yield found
 
-    def _at(self, values: Sequence[float]) -> Variation | None:
+    def _at(self, values: Sequence[float], barren: list[Study] | None) -> Variation | None:
         said = dict(zip(self.symbols, values, strict=True))
-        query = self._asking([value for held, value in said.items() if not held.path])
+        query, seen = self._asking([value for held, value in said.items() if not held.path]), None
         try:
             scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
-            followed = (ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])) for end in self._ends(query))
-            answered = (_answered(query, Study(scene, trace)) for trace in followed)
-            found = next((held for held in answered if held is not None), None)
+            for end in self._ends(query):
+                seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])))
+                found = _answered(query, seen)
+                if found is not None:
+                    return Variation(self._counted(values), *found)
         except (SceneError, SimulationError, UnsupportedError, ValueError):
             return None
-        return None if found is None else Variation(self._counted(values), *found)
+        if barren is not None and seen is not None:
+            barren.append(seen)
+        return None
 
     def _counted(self, values: Sequence[float]) -> dict[str, float]:
         return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}

@@ -12,5 +12,4 @@ class GreatestAngularSpeed(Extreme):
     name = "greatest angular speed"
     quantity = AngularVelocity
     phrase = "the greatest angular speed of {body}"
-    how = "with what angular speed does {body} turn at most {when}?"
     weight = 2.0

@@ -14,7 +14,6 @@ class GreatestDisplacement(Extreme):
     name = "greatest displacement"
     quantity = Displacement
     phrase = "the greatest distance{aside} between {body} and its starting point"
-    how = "how far{aside} does {body} get at most from its starting point {when}?"
     weight = 1.0
 
     def present(self, words: Words, name: str) -> bool:

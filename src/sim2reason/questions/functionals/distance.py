@@ -12,7 +12,6 @@ class GreatestDistance(Extreme):
     name = "greatest distance"
     quantity = DistanceBetween
     phrase = "the greatest distance between {pair}"
-    how = "how far apart do {pair} get at most {when}?"
     weight = 2.0
 
 

@@ -13,7 +13,6 @@ class GreatestExtension(Extreme):
     name = "greatest extension"
     quantity = Extension
     phrase = "the greatest extension of {spring}"
-    how = "by how much is {spring} stretched at most {when}?"
     weight = 3.0
 
     def height(self, state: State, name: str) -> Array:
@@ -28,7 +27,6 @@ class GreatestCompression(Extreme):
     name = "greatest compression"
     quantity = Extension
     phrase = "the greatest compression of {spring}"
-    how = "by how much is {spring} compressed at most {when}?"
     weight = 3.0
 
     def height(self, state: State, name: str) -> Array:

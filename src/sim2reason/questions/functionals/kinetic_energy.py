@@ -12,4 +12,3 @@ class GreatestKineticEnergy(Extreme):
     name = "greatest kinetic energy"
     quantity = KineticEnergy
     phrase = "the greatest kinetic energy of {body}"
-    how = "how much kinetic energy does {body} have at most {when}?"

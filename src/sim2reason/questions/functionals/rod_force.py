@@ -12,5 +12,4 @@ class GreatestRodForce(Extreme):
     name = "greatest rod force"
     quantity = RodForce
     phrase = "the greatest magnitude of the force in {rod}"
-    how = "how large does the force in {rod} become at most {when}?"
     weight = 5.0

@@ -12,7 +12,6 @@ class GreatestSpeed(Extreme):
     name = "greatest speed"
     quantity = Velocity
     phrase = "the greatest speed of {body}{ground}"
-    how = "how fast does {body} move at most{ground} {when}?"
     weight = 2.0
 
 

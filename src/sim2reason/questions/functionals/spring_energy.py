@@ -12,4 +12,3 @@ class GreatestSpringEnergy(Extreme):
     name = "greatest spring energy"
     quantity = SpringEnergy
     phrase = "the greatest energy stored in {spring}"
-    how = "how much energy is stored in {spring} at most {when}?"

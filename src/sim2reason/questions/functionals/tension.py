@@ -12,7 +12,6 @@ class GreatestTension(Extreme):
     name = "greatest tension"
     quantity = Tension
     phrase = "the greatest tension in {string}"
-    how = "how large does the tension in {string} become at most {when}?"
     weight = 5.0
 
 

@@ -1,7 +1,7 @@
 """At which value of a number does an outcome change?"""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import product
 
 import numpy as np
@@ -17,6 +17,7 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import WITNESS, Certificate
 from sim2reason.simulation.channels import Channel
 
+CLOSE = 0.08  # relative: how far from it one of a changed mechanism is looked for, beyond which none is paid
 SIDE = 5e-3  # relative: how far to either side of it the second engine is asked
 
 
@@ -76,18 +77,24 @@ class ThresholdKind(Kind):
     def answer(self, query: Query, study: Study) -> float | None:
         """Where the outcome changes: looked for near where that is known to be, else everywhere.
 
-        None for a mechanism that is not its scene's: no other value of the number can be tried in it.
+        Of a changed mechanism only where it is close to that: there other values are tried with the same change. None
+        for another one that is not its scene's.
         """
         assert isinstance(query, ThresholdQuery)
-        if study.mechanism is not study.scene.mechanism:
-            return None
         trial = query.trial(study)
+        if study.mechanism is not study.scene.mechanism:
+            return trial.close_to(query.about, CLOSE) if study.change is not None and query.about else None
         return trial.near(query.about) if query.about else trial.change()
 
     def time(self, query: Query, study: Study) -> float | None:
         """The start: the motion that is recorded, with the number as it was drawn, tells nothing."""
         del query, study
         return 0.0
+
+    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+        """To how strong gravity is, where its size alone differs: without any, nothing would turn over at all."""
+        del query
+        return replace(other.mechanism, gravity=study.mechanism.gravity) == study.mechanism
 
     def measured(self, query: Query) -> Measured:
         """The number."""

@@ -45,7 +45,7 @@ class TimeToEventKind(Kind):
         clause, since = query.moment.clause(words), words.since
         if clause is None:
             return ()
-        takes = f"from {since} on, how long does {clause.subject} take {clause.takes}?"
+        takes = f"how long does {clause.subject} take {clause.takes}, counted from {since}?"
         return (
             takes if clause.takes else f"how long after {since} {clause.question}?",
             f"what time passes from {since} until {clause.statement}?",
@@ -67,7 +67,7 @@ class TimeToEventKind(Kind):
         clause, since = query.moment.clause(words), words.since
         if clause is None:
             return ()
-        takes = f"from {since} on, {clause.subject} takes {value} {clause.takes}"
+        takes = f"counted from {since}, {clause.subject} takes {value} {clause.takes}"
         other = takes if clause.takes else f"{clause.statement} {value} after {since}"
         return (*super().told(query, words, noun, value), other)
 

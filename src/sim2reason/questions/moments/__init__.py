@@ -132,13 +132,12 @@ class Happening(Moment):
         """What happens; None if when it comes is not to be asked."""
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """As in: before A first stops."""
+        """As in: from release until A first stops."""
         clause = self.clause(words)
         if clause is None:
             return ()
         since, told = words.since, clause.statement
         return (
-            f"before {told}",
             f"from {since} until {told}",
             f"between {since} and the moment when {told}",
         )

@@ -63,7 +63,9 @@ class AtTime(Moment):
 
     def stretches(self, words: Words) -> tuple[str, ...]:
         """As in: in the first 0.80 s after release."""
-        time = words.say(self.after, "s")
+        time, later = words.say(self.after, "s"), words.amount(self.after, "s")
+        if words.released and later != time:
+            return (f"between release and {later} later", f"from release until {later} later")
         if words.released:
             return (
                 f"in the first {time} after release",

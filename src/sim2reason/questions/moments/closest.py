@@ -15,7 +15,7 @@ class Closest(Apsis):
     """The first time that two bodies are closest to each other."""
 
     label = "closest approach"
-    verb = Verb("come closest to each other", "come closest to each other", "do")
+    verb = Verb("reach a minimum distance from each other", "reach a minimum distance from each other", "do")
 
     def extent(self, state: State) -> Array:
         """Their distance, with a minus sign."""

@@ -18,7 +18,7 @@ FEW = 2  # that one question assumes, at most
 
 @dataclass(frozen=True, slots=True)
 class Regime(ABC):
-    """Something that one subject does throughout, from the start to the time that a question is about.
+    """Something that one subject does from the start to the time that a question is about, or as it starts.
 
     Class data:
         of: the kind of subject.

@@ -45,10 +45,15 @@ class MovesOneWay(Regime):
 
     def clause(self, words: Words) -> str:
         """As in: block A moves down the slope."""
+        return f"{words.called(self.of)[self.name]} {self.motion}"
+
+    @property
+    def motion(self) -> str:
+        """As in: moves down the slope."""
         first, space, rest = self.positive.partition(" ")
         way = first if self.ahead else OPPOSITE[first]
         towards = f"to the {way}" if first == RIGHT else way
-        return f"{words.called(self.of)[self.name]} moves {towards}{space}{rest}"
+        return f"moves {towards}{space}{rest}"
 
 
 def _senses(study: Study, name: str) -> list[Sense]:

@@ -22,7 +22,7 @@ from sim2reason.questions.shapes.parts.units import (
 CLAUSES = (
     "If the motion starts from rest{taut}, ",
     "After a release from rest{taut}, ",
-    "Given that the motion begins from rest{taut}, ",
+    "Given a release from rest{taut}, ",
 )
 ALL = "If everything is released from rest{taut}, "
 _TAUT = "|".join(re.escape(taut) for taut in sorted(TAUT, key=len, reverse=True))

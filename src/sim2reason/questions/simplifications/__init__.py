@@ -54,7 +54,7 @@ class ChangedMechanism(Simplification):
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
         """The motion of that mechanism."""
-        return study.changed((self.name, subject), lambda: self.changed(study.mechanism, subject), until)
+        return study.changed((self.name, subject), lambda mechanism: self.changed(mechanism, subject), until)
 
 
 class OtherReading(Simplification):

@@ -26,5 +26,5 @@ class BodyHeld(ChangedMechanism):
         return [name for name in massive(study.mechanism) if name in movable]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With it welded to what carries it."""
+        """With it held on what carries it."""
         return held(mechanism, subject)

@@ -1,4 +1,4 @@
-"""How questions speak of one collision of two bodies that they name."""
+"""How questions speak of one collision, of two bodies that they name or of one with what is fixed."""
 
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounced import Bounced
@@ -8,10 +8,14 @@ from sim2reason.questions.words import Words
 
 
 def encounter(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-    """As in: in their second collision; empty for a moment that is not just after one of `name`."""
-    del words
+    """As in: in their second collision, when A hits the ground for the second time.
+
+    Empty for a moment that is not just after one of `name`.
+    """
     if not (isinstance(moment, Collided | Bounced) and moment.after and moment.name == name):
         return ()
+    if isinstance(moment, Bounced):
+        return moment.does(words).phrases(moment.subject(words), moment.number)
     which = ordinal(moment.number)
     return (
         f"in their {which} collision",

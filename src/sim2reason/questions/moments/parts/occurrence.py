@@ -138,10 +138,10 @@ class VelocityJump(Occurrence):
         return self.does(words).clause(self.subject(words), self._count) if self.after else None
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """As in: up to the moment just after the ball hits the ground for the second time."""
+        """As in: from release until just after the ball hits the ground for the second time."""
         after = self.phrases(words)[1]
         return (
             f"from {words.since} until {after}",
             f"between {words.since} and the moment {after}",
-            f"up to the moment {after}",
+            f"in the time from {words.since} to the moment {after}",
         )

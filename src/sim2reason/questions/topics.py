@@ -1,0 +1,62 @@
+"""Which sentences of a text matter to some questions only, and whether they do to one."""
+
+import re
+from collections.abc import Callable, Iterator
+from math import inf
+
+from sim2reason.dsl.template import Topic
+from sim2reason.questions import KINDS, Question, Study
+from sim2reason.questions.choices import AT_ONCE
+from sim2reason.questions.regimes.taut import StaysTaut
+from sim2reason.questions.study import BEYOND
+from sim2reason.questions.unknown import range_of
+
+STRIDE = 6  # every sixth point of an unknown's range is looked at
+_AXIS = re.compile(r"\b[xyz][ -](?:component|axis|direction)\b")
+
+
+def irrelevant(question: Question, study: Study) -> frozenset[Topic]:
+    """The topics that do not matter to a question, on which a text need say nothing.
+
+    Of what the text leaves open, only what is so for all that its numbers could be counts.
+    """
+    return frozenset(topic for topic, matters in MATTERS.items() if not matters(question, study))
+
+
+def _uses_axes(question: Question, study: Study) -> bool:
+    """Whether a question speaks of one."""
+    del study
+    return _AXIS.search(question.text) is not None
+
+
+def _slackens(question: Question, study: Study) -> bool:
+    """Whether a string goes slack before what is asked about, or may with other numbers than the text tells."""
+    query = question.query
+    if query.hides:
+        return True
+    time = KINDS[query.kind].time(query, study)
+    ends = any(event.kind == "slack" and event.time == time for event in study.trace.events)
+    if time == 0.0 or ends or any(isinstance(held, StaysTaut) for held in question.assumed):
+        return _has_slackened(question, study)
+    if question.formula is not None:
+        return True
+    return any(_has_slackened(question, held) for held in (study, *_others(question, study)))
+
+
+def _others(question: Question, study: Study) -> Iterator[Study]:
+    """Motions with other values of the number that a text leaves unknown, as long as what is asked about may take."""
+    time = KINDS[question.query.kind].time(question.query, study)
+    until = time * BEYOND if time is not None else None
+    values = range_of(study.scene, question.unknown)[::STRIDE] if question.unknown else ()
+    yield from filter(None, (study.with_values({question.unknown: value}, until) for value in values))
+
+
+def _has_slackened(question: Question, study: Study) -> bool:
+    """Whether some string goes slack before what is asked about, or before the end where that does not come."""
+    time = KINDS[question.query.kind].time(question.query, study)
+    end = inf if time is None else time * (1.0 - AT_ONCE)
+    return any(event.kind == "slack" and event.time < end for event in study.trace.events)
+
+
+MATTERS: dict[Topic, Callable[[Question, Study], bool]] = {"axes": _uses_axes, "slack": _slackens}
+"""By topic, whether a question has to do with it, given the motion that it is about."""

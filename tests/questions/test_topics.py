@@ -1,0 +1,116 @@
+"""Sentences that matter to some questions only are told to those, and prompts without them lead to their answers."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.hanger import Cord
+from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.projectile import Projectile
+from sim2reason.prose.writer import describe
+from sim2reason.questions import MODES, Query, Question, Study, Target
+from sim2reason.questions.given import StatedResult
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.went_slack import WentSlack
+from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.regimes.taut import StaysTaut
+from sim2reason.questions.topics import irrelevant
+from sim2reason.simulation.scenes import simulate
+
+G = 9.8
+LENGTH = 1.0
+SPEED = Target("velocity", "swing.bob")
+LOST = "velocity along it is lost"
+
+
+def swing(speed: float) -> Scene:
+    """A bob that hangs straight down and is launched: it leaves its circle if 2gl < v² < 5gl."""
+    entity = Pendulum(bob=Ball(mass=0.5), hanger=Cord(length=LENGTH), angle=0.0, speed=speed)
+    return Scene(entities=(Named(name="swing", entity=entity),))
+
+
+def throw() -> Scene:
+    entity = Projectile(ball=Ball(mass=0.5), height=1.0, speed=5.0, angle=40.0)
+    return Scene(entities=(Named(name="throw", entity=entity),))
+
+
+def study(scene: Scene) -> Study:
+    return Study(scene, simulate(scene))
+
+
+def asked(query: Query, text: str = "", unknown: str = "", given: StatedResult | None = None) -> Question:
+    return Question("numeric", query, text, 1.0, "m/s", unknown=unknown, given=given)
+
+
+@pytest.mark.parametrize(
+    ("squared", "slackens"), [(1.5 * G, False), (3.0 * G, True), (4.5 * G, True), (6.0 * G, False)]
+)
+def test_a_bob_that_leaves_its_circle_matters_from_then_on(squared: float, slackens: bool) -> None:
+    """The tension m(v² − 2gl − 3gl cos φ)/l vanishes on the way up only if 2gl < v² < 5gl."""
+    seen = study(swing(squared**0.5))
+    late, early = (Query("state", SPEED, AtTime(time)) for time in (1.2, 0.05))
+    assert ("slack" not in irrelevant(asked(late), seen)) is slackens
+    assert "slack" in irrelevant(asked(early), seen)
+    assert "slack" in irrelevant(asked(Query("start", SPEED, AtStart())), seen)
+
+
+def test_what_ends_as_the_string_goes_slack_has_not_to_do_with_what_follows() -> None:
+    seen = study(swing((3.5 * G) ** 0.5))
+    words = words_of(describe(seen.scene))
+    (moment,) = WentSlack.found(seen, words, np.random.default_rng(0))
+    assert seen.time(moment) is not None
+    assert "slack" in irrelevant(asked(Query("event", SPEED, moment)), seen)
+
+
+@pytest.mark.parametrize(
+    ("unknown", "told"), [("swing.speed", True), ("swing.hanger.length", True), ("swing.bob.mass", False)]
+)
+def test_the_text_does_not_hang_on_what_it_hides(unknown: str, told: bool) -> None:
+    """With other speeds or lengths the bob leaves its circle; its mass changes nothing."""
+    given, query = StatedResult("1.0", "m/s"), Query("state", SPEED, AtTime(1.2))
+    seen = study(swing((1.5 * G) ** 0.5))
+    assert ("slack" not in irrelevant(asked(query, unknown=unknown, given=given), seen)) is told
+
+
+def test_what_is_assumed_need_not_be_told() -> None:
+    seen, query = study(swing(2.0)), Query("state", SPEED, AtTime(0.5))
+    name = next(line.name for line in seen.mechanism.strings)
+    taut = Question("symbolic", query, "", 1.0, "m/s", assumed=(StaysTaut(name),))
+    assert "slack" in irrelevant(taut, seen)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [("What is the x component of the velocity?", True), ("What is the speed?", False)],
+)
+def test_axes_are_told_where_one_is_used(text: str, told: bool) -> None:
+    query = Query("state", Target("velocity", "throw.ball"), AtTime(0.2))
+    assert ("axes" not in irrelevant(asked(query, text), study(throw()))) is told
+
+
+def _prompts(scene: Scene, mode: str) -> list[CertifiedQuestion]:
+    """Some questions about a scene, in several wordings."""
+    found: list[CertifiedQuestion] = []
+    for seed in range(6):
+        rng = np.random.default_rng(seed)
+        search = QuestionSearch(scene, seed)
+        question = search.ask(MODES[mode], rng, Counter())
+        found.extend([question] if question is not None else [])
+    assert found
+    return found
+
+
+@pytest.mark.parametrize("mode", ["numeric", "reverse"])
+@pytest.mark.parametrize("scene", [swing(2.0), throw()])
+def test_prompts_without_them_lead_to_their_answers(scene: Scene, mode: str) -> None:
+    for found in _prompts(scene, mode):
+        if mode == "numeric" and not found.question.query.hides:
+            assert LOST not in found.prompt
+        assert parse_prompt(found.prompt).answer == pytest.approx(found.question.answer, rel=1e-2), found.prompt
