@@ -34,7 +34,7 @@ demo: .venv/core ## 100 problems over all recipes, one figure, three problems wi
 	$(BIN)/sim2reason figure $(DEMO)/scene.yaml -o $(DEMO)/scene.svg
 	$(BIN)/sim2reason figure $(DEMO)/scene.yaml -o $(DEMO)/scene.png
 	@$(BIN)/sim2reason show $(DEMO) -n 3
-	@echo "All 100 problems: $(DEMO)/items-*.parquet, their counts: $(DEMO)/README.md, a figure: $(DEMO)/scene.svg and .png"
+	@echo "All 100 problems: $(DEMO)/data/*.parquet, their counts: $(DEMO)/README.md, a figure: $(DEMO)/scene.svg and .png"
 
 test: .venv/dev ## all tests, in parallel
 	$(BIN)/pytest --numprocesses auto --dist worksteal

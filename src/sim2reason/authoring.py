@@ -31,7 +31,7 @@ from sim2reason.dsl.measures import (
 )
 from sim2reason.dsl.mechanism import GRAVITY, ZERO, X, Y, Z
 from sim2reason.dsl.ports import Base, Chain, End, Mount, Pass, StringEnd
-from sim2reason.dsl.template import Word, among, assuming, each, either, lines_of, starting
+from sim2reason.dsl.template import Word, among, assuming, defining_axes, each, either, lines_of, starting
 from sim2reason.dsl.vectors import Vector, add, inner, outer, scale
 
 __all__ = [
@@ -84,6 +84,7 @@ __all__ = [
     "add",
     "among",
     "assuming",
+    "defining_axes",
     "each",
     "either",
     "entity",

@@ -95,7 +95,9 @@ def test_words_that_tell_of_forces_stand_only_where_they_belong(batch: list[Samp
         assert text.count("g = 9.8") <= 1
         if recipe in MACHINES:
             assert "g = " in text, text
-            told = re.search(r"coefficient of friction|friction (?:on|between)", text, re.IGNORECASE) is not None
+            told = (
+                re.search(r"coefficient of friction|friction (?:on|between|have|has)", text, re.IGNORECASE) is not None
+            )
             assert told == ("rough" in text or bool(RUB.search(text))), text
             assert "air resistance" not in text
 

@@ -39,7 +39,7 @@ def digest(folder: Path) -> str:
 
 
 def shards(out: Path) -> int:
-    return len(list(out.glob("items-*.parquet")))
+    return len(list(out.glob("data/*.parquet")))
 
 
 def killed(out: Path, rng: random.Random) -> None:

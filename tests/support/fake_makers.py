@@ -89,3 +89,9 @@ def impostor(request: Request) -> Made:
     """An item that bears another's id."""
     made = steady(request)
     return Made(made.item and made.item.model_copy(update={"id": "other"}), made.rejected)
+
+
+def one_scene(request: Request) -> Made:
+    """Steady, but of one scene, about which each asks something else."""
+    made = steady(request)
+    return Made(made.item and made.item.model_copy(update={"scene": "scene: {}\n"}), made.rejected)

@@ -27,7 +27,7 @@ FORBIDDEN = (
     "pty.",
     "shutil.",
 )
-LIMITS = {"number": 0.050, "formula": 0.200}  # seconds of CPU
+LIMITS = {"number": 0.050, "formula": 0.050}  # seconds of CPU
 GRADES = {
     "number": lambda text: number(text, 73219.456, "m/s^2", tolerance=1e-9),
     "unit-blind number": lambda text: number(text, 73219.456, tolerance=1e-9),

@@ -34,6 +34,6 @@ class Pivot(Carried):
 
     says: ClassVar[Wordings] = either(
         "{b} is hinged without friction to {a}.",
-        "{a} carries a frictionless hinge, to which {b} is fixed.",
+        "{b} is attached to {a} by a frictionless hinge.",
         "a frictionless hinge joins {b} to {a}.",
     )

@@ -24,7 +24,7 @@ class Rod(Straight):
     leads: ClassVar[Wordings] = either(
         "from {a} a light rigid rod, hinged at both ends, {way} to {b}.",
         "a light rigid rod is hinged to {a} and {way} to {b}, to which it is hinged as well.",
-        "to {a} is hinged a light rigid rod, which {way} to {b} and is hinged there, too.",
+        "a light rigid rod, hinged to {a}, {way} to {b} and is hinged there, too.",
     )
 
     def build(self, joint: Joint, builder: Builder) -> None:

@@ -39,7 +39,7 @@ class SpringConnection(Straight):
     leads: ClassVar[Wordings] = either(
         "from {a} a light spring of stiffness {stiffness}{dashpot}, at first {strain}, {way} to {b}.",
         "a light spring of stiffness {stiffness} is fastened to {a}; {strain} at first, it {way} to {b}{damped}.",
-        "to {a} is fastened a light spring of stiffness {stiffness}{dashpot}; it {way} to {b} and is {strain} at the start.",
+        "a light spring of stiffness {stiffness}{dashpot}, fastened to {a}, {way} to {b} and is {strain} at the start.",
     )
 
     @model_validator(mode="after")

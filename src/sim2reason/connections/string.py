@@ -53,10 +53,10 @@ WAYS = (OVER, UNDER, ROUND)
 LEVEL = 1e-9  # of a pull's direction: less is rounding
 ONWARD = {
     (OVER, OVER): "then over ",
-    (ROUND, OVER): "goes straight up, over ",
-    (UNDER, OVER): "goes straight up, over ",
-    (OVER, ROUND): "goes straight down, round ",
-    (OVER, UNDER): "goes straight down, under ",
+    (ROUND, OVER): "goes straight up and over ",
+    (UNDER, OVER): "goes straight up and over ",
+    (OVER, ROUND): "goes straight down and round ",
+    (OVER, UNDER): "goes straight down and under ",
 }
 """How it goes on from one pulley to the next: above the one that turns it hangs another, on which it pulls straight."""
 

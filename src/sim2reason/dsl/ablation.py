@@ -9,7 +9,10 @@ NEARLY_NOTHING = 1e-6  # of a mass: what is left of a body that is left out, so 
 
 
 def held(mechanism: Mechanism, name: str) -> Mechanism:
-    """A body welded to what carries it; the wheels that it turned as it moved stand still."""
+    """A body held where it is on what carries it; a wheel that it turned, or that it is, holds strings fast with it.
+
+    What a scene has `glued` was never let move; only of a pulley that is something else: one that is glued is smooth.
+    """
     gone = {coordinate.name for coordinate in mechanism.body[name].coordinates}
     body = replace(mechanism.body[name], coordinates=())
     return replace(

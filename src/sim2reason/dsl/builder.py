@@ -157,7 +157,7 @@ class Frame:
         """Fix a pulley's axle to this body; a mass makes it a uniform disc that the string turns.
 
         Its two rim points lie `radius` to the left and right of the axle; strings leave them towards
-        `faces`. Gluing it stops the wheel.
+        `faces`. One that is glued is a smooth peg, over which strings slide; a wheel that is held holds them, too.
         """
         address, left, right = self.address(name), self.address(f"{name}.left"), self.address(f"{name}.right")
         self._builder.add_site(left, self.name, add(self.at, at, (-radius, 0.0, 0.0)), faces)

@@ -133,7 +133,7 @@ class Collector:
         self._sites[name] = Site(name, body, self.relative(body, where))
 
     def add_pulley(self, name: str, pulley: Rim) -> Rim:
-        """Enter a pulley, so that strings that pass its rim points turn it, unless it is glued."""
+        """Enter a pulley, so that strings that pass its rim points turn it; over one that is glued they slide."""
         kept = replace(pulley, coordinate=None) if name in self._glued else pulley
         self._rims[pulley.left, pulley.right] = kept
         return kept

@@ -24,6 +24,8 @@ COUNT_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eig
 Kind = Literal["text", "path", "agree", "some", "count", "plural", "member"]
 Role = Literal["fact", "start", "assumption"]
 """What a sentence does in a text: how the motion begins and what holds throughout may stand elsewhere in a prompt."""
+Topic = Literal["axes", "slack"]
+"""What a sentence is on that tells no number and matters to some questions only: others leave it out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,12 +66,14 @@ class Word:
 class Wordings:
     """One sentence in its wordings, of which a seed chooses one.
 
-    With `several`, a variable-length part, it is said only where that has two members or more.
+    With `several`, a variable-length part, it is said only where that has two members or more; with a `topic`, only
+    for a question that it matters to.
     """
 
     wordings: tuple[str, ...]
     role: Role = "fact"
     several: str = ""
+    topic: Topic | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +113,11 @@ def starting(*wordings: str) -> Wordings:
     return Wordings(wordings, "start")
 
 
+def defining_axes(*wordings: str) -> Wordings:
+    """A sentence on which way axes point along which no other sentence says anything."""
+    return Wordings(wordings, topic="axes")
+
+
 def assuming(*wordings: str) -> Wordings:
     """A sentence on what holds throughout and names nothing new; a prompt may say it after the question."""
     return Wordings(wordings, "assumption")
@@ -117,6 +126,11 @@ def assuming(*wordings: str) -> Wordings:
 def role_of(saying: Saying) -> Role:
     """What a line does in a text."""
     return saying.role if isinstance(saying, Wordings) else "fact"
+
+
+def topic_of(saying: Saying) -> Topic | None:
+    """What a line is on that matters to some questions only; None for one that matters to all."""
+    return saying.topic if isinstance(saying, Wordings) else None
 
 
 def each(field: str, *wordings: str, table: tuple[str, ...] = ()) -> Each:

@@ -70,11 +70,16 @@ class ComplexCollisionPlane(Entity):
             {1.0: "rebound elastically", 0.0: "stick together"},
             "rebound with the coefficient of restitution {restitution}",
         ),
+        "there": Word(
+            "restitution",
+            {1.0: "no kinetic energy is lost", 0.0: "those that meet stick together"},
+            "the coefficient of restitution is {restitution}",
+        ),
     }
     says = (
         either(
             "{gliders:#} small {gliders:s} move along {track}; x is measured along it, {track.ahead}.",
-            "along {track} move {gliders:#} small {gliders:s}; x is counted along it, {track.ahead}.",
+            "on {track} there are {gliders:#} small {gliders:s}; x is counted along it, {track.ahead}.",
             "{track}, along which x is measured {track.ahead}, carries {gliders:#} small {gliders:s}.",
         ),
         each(
@@ -96,7 +101,7 @@ class ComplexCollisionPlane(Entity):
         assuming(
             "{hits}.",
             "{pairs?bodies/other bodies} that collide {they}.",
-            "{pairs?in a collision/in any other collision} the two bodies {they}.",
+            "in every {pairs?/other }collision {there}.",
         ),
     )
 

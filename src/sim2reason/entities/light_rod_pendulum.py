@@ -30,7 +30,7 @@ class LightRodPendulum(Entity):
     says = (
         either(
             "{bob} is fixed to one end of {rod}.",
-            "at one end of {rod} sits {bob}.",
+            "{bob} sits at one end of {rod}.",
             "{rod} carries {bob} at one of its ends.",
         ),
         AT_FIRST,

@@ -33,17 +33,17 @@ class MassBoxPlane(Entity):
         either(
             "the coefficient of friction (static and kinetic) on the top is {box.friction}.",
             "on the top the coefficient of friction, static and kinetic, is {box.friction}.",
-            "friction on the top, static and kinetic, has the coefficient {box.friction}.",
+            "static and kinetic friction on the top have the same coefficient, {box.friction}.",
         ),
         either(
             "a light string from {blocks.first} runs to the left, over a light pulley at the edge and down to {left}, which slides in a smooth vertical guide on that side.",
             "over a light pulley at the left edge a light string joins {blocks.first} to {left}, which can only slide in a smooth vertical guide on that side.",
-            "in a smooth vertical guide on the left side slides {left}, from which a light string runs up and over a light pulley at the edge to {blocks.first}.",
+            "{left} slides in a smooth vertical guide on the left side of {box}; from it a light string runs up and over a light pulley at the edge to {blocks.first}.",
         ),
         either(
             "a light string from {blocks.last} runs to the right, over a light pulley at the edge and down to {right}, which slides in a smooth vertical guide on that side.",
             "over a light pulley at the right edge a light string joins {blocks.last} to {right}, which can only slide in a smooth vertical guide on that side.",
-            "in a smooth vertical guide on the right side slides {right}, from which a light string runs up and over a light pulley at the edge to {blocks.last}.",
+            "{right} slides in a smooth vertical guide on the right side of {box}; from it a light string runs up and over a light pulley at the edge to {blocks.last}.",
         ),
     )
     left_end = End(

@@ -33,7 +33,7 @@ class MassPrismPlane(Entity):
         either(
             "{left_blocks} {left_blocks:rests/rest, the lower one first,/rest, in this order from the lowest up,} on the left face, and {right_blocks}{right_blocks:/, the lower one first,/, in this order from the lowest up,} on the right.",
             "on the left face {left_blocks:lies/lie, the lower one first,/lie, from the lowest up,} {left_blocks}, and on the right face{right_blocks:/, the lower one first,/, from the lowest up,} {right_blocks}.",
-            "the left face carries {left_blocks}{left_blocks:/, the lower one first/, from the lowest up}, and the right one {right_blocks}{right_blocks:/, the lower one first/, from the lowest up}.",
+            "the left face carries {left_blocks}{left_blocks:/, the lower one first/, from the lowest up}, and the right face {right_blocks}{right_blocks:/, the lower one first/, from the lowest up}.",
         ),
         either(
             "a light string over a light pulley at the apex joins {left_blocks.last} to {right_blocks.last}{left_blocks:/; another joins {left_blocks.last} to {left_blocks.first} below it/; light strings join the others on the left face, each to the next}{right_blocks:/; one more joins {right_blocks.last} to {right_blocks.first} below it/; light strings join the others on the right face, each to the next}.",
@@ -43,7 +43,7 @@ class MassPrismPlane(Entity):
         either(
             "the coefficient of friction (static and kinetic) on both faces is {prism.friction}.",
             "on both faces the coefficient of friction, static and kinetic, is {prism.friction}.",
-            "friction on either face, static and kinetic, has the coefficient {prism.friction}.",
+            "static and kinetic friction have the same coefficient on both faces, {prism.friction}.",
         ),
     )
     left = StringEnd(

@@ -18,8 +18,8 @@ class MassWithReverseMovablePulley(Entity):
     says = (
         either(
             "{load} hangs by a light string from the axle of {pulley}.",
-            "from the axle of {pulley} {load} hangs on a light string.",
-            "on a light string from the axle of {pulley} hangs {load}.",
+            "{load} is tied by a light string to the axle of {pulley}.",
+            "a light string from the axle of {pulley} carries {load}.",
         ),
     )
     under = Pass(

@@ -20,6 +20,7 @@ from sim2reason.authoring import (
     X,
     Z,
     assuming,
+    defining_axes,
     either,
     entity,
 )
@@ -54,9 +55,14 @@ class Projectile(Entity):
     }
     says = (
         either(
-            "from a point {height} above level ground {ball} is thrown at speed {speed} {way}; x points forward, y straight up.",
-            "{ball} is thrown with a speed of {speed} {way} from a point {height} above level ground; x points forward, y straight up.",
-            "at a height of {height} above level ground {ball} is launched {way} at speed {speed}; x points forward and y straight up.",
+            "from a point {height} above level ground {ball} is thrown at speed {speed} {way}.",
+            "{ball} is thrown with a speed of {speed} {way} from a point {height} above level ground.",
+            "at a height of {height} above level ground {ball} is launched {way} at speed {speed}.",
+        ),
+        defining_axes(
+            "the x axis points forward, the y axis straight up.",
+            "let the x axis point forward and the y axis straight up.",
+            "take the x axis forward and the y axis straight up.",
         ),
         either(
             "each time it lands, it keeps its horizontal velocity and rebounds with {bounce}.",

@@ -14,7 +14,7 @@ class SliderMass(Entity):
         either(
             "{carriage} slides freely along a straight horizontal rail.",
             "a straight horizontal rail carries {carriage}, which slides on it without friction.",
-            "along a smooth, straight and horizontal rail slides {carriage}.",
+            "{carriage} is free to slide along a smooth, straight and horizontal rail.",
         ),
     )
     pivot = Mount(sites=("hub",), place="{carriage}")

@@ -39,7 +39,7 @@ class SolarSystem(Entity):
         either(
             "in units of the astronomical unit (au), the year (yr) and the solar mass (Msun), in which G = 4π² au³/(Msun yr²), {star} is fixed at the origin of the x-y plane.",
             "{star} is fixed at the origin of the x-y plane; with lengths in au, times in years (yr) and masses in solar masses (Msun), G = 4π² au³/(Msun yr²).",
-            "let lengths be in au, times in years (yr) and masses in solar masses (Msun), so that G = 4π² au³/(Msun yr²), and let {star} be fixed at the origin of the x-y plane.",
+            "lengths are in au, times in years (yr) and masses in solar masses (Msun), so that G = 4π² au³/(Msun yr²); {star} is fixed at the origin of the x-y plane.",
         ),
         each(
             "planets",

@@ -61,8 +61,8 @@ class SpringBlock(Entity):
         each(
             "springs",
             "{springs.*} joins {block} to a nail at ({springs.*.x}, {springs.*.y}).",
-            "from {block} {springs.*} runs to a fixed point at ({springs.*.x}, {springs.*.y}).",
-            "between {block} and a fixed point at ({springs.*.x}, {springs.*.y}) runs {springs.*}.",
+            "{springs.*} runs from {block} to a fixed point at ({springs.*.x}, {springs.*.y}).",
+            "{springs.*} ties {block} to a fixed point at ({springs.*.x}, {springs.*.y}).",
             table=(
                 "light {noun}s run from {block} to fixed points; each {noun}'s {columns} are listed below.",
                 "{block} is tied to fixed points by light {noun}s, and the list below gives the {columns} of each.",
@@ -74,7 +74,7 @@ class SpringBlock(Entity):
         either(
             "at first {block} is at the point ({x}, {y}).",
             "the starting point of {block} is ({x}, {y}).",
-            "at the start {block} is held at ({x}, {y}).",
+            "at the start {block} is at ({x}, {y}).",
         ),
         starting(
             "from there it is launched with the velocity ({launch.x}, {launch.y}).",

@@ -49,10 +49,10 @@ class SpringMassChain(Entity):
         "where": Word(
             "ends",
             {
-                "free": "from {carts:/{carts.first} to {carts.last}/each of them to the next}",
-                "left": "from a fixed wall {track.left} to {carts.first}{carts:/ and from {carts.first} to {carts.last}/ and from each of them to the next}",
-                "right": "from {carts:/{carts.first} to {carts.last} and from /each of them to the next and from }{carts.last} to a fixed wall {track.right}",
-                "both": "from a fixed wall {track.left} to {carts.first}{carts:/, from {carts.first} to {carts.last}/, from each of them to the next} and from {carts.last} to a fixed wall {track.right}",
+                "free": "from {carts:/{carts.first} to {carts.last}/each of the {carts:s} to the next}",
+                "left": "from a fixed wall {track.left} to {carts.first}{carts:/ and from {carts.first} to {carts.last}/ and from each of the {carts:s} to the next}",
+                "right": "from {carts:/{carts.first} to {carts.last} and from /each of the {carts:s} to the next and from }{carts.last} to a fixed wall {track.right}",
+                "both": "from a fixed wall {track.left} to {carts.first}{carts:/, from {carts.first} to {carts.last}/, from each of the {carts:s} to the next} and from {carts.last} to a fixed wall {track.right}",
             },
         ),
         "strained": STRAINED,
@@ -66,7 +66,7 @@ class SpringMassChain(Entity):
         ),
         either(
             "the coefficient of friction (static and kinetic) on this track is {track.friction}.",
-            "friction on the track, static and kinetic, has the coefficient {track.friction}.",
+            "static and kinetic friction on the track have the same coefficient, {track.friction}.",
             "the coefficients of static and of kinetic friction on the track are both {track.friction}.",
         ),
         either(
@@ -79,7 +79,7 @@ class SpringMassChain(Entity):
         starting(
             "{blow.cart>carts} is struck and starts off {toward} at speed {blow.speed}{carts:/, the other being at rest/, the others being at rest}.",
             "at t = 0 a blow sends {blow.cart>carts} off {toward} at speed {blow.speed}{carts:/, while the other is at rest/, while the others are at rest}.",
-            "at t = 0 {blow.cart>carts} moves {toward} with a speed of {blow.speed}{carts:/ and the other is at rest/ and all others are at rest}.",
+            "{blow.cart>carts} is set moving {toward} at t = 0 with a speed of {blow.speed}{carts:/, while the other is at rest/, while all others are at rest}.",
         ),
     )
 

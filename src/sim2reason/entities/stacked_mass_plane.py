@@ -29,7 +29,7 @@ def frictions(number: str, below: str, above: str) -> dict[str, Word]:
         f"{number}3": Word(
             number,
             {0.0: f"{{{below}}} and {{{above}}} touch each other at smooth faces"},
-            f"friction {pair}, static and kinetic, has the coefficient {given}",
+            f"static and kinetic friction {pair} have the same coefficient, {given}",
         ),
     }
 
@@ -51,9 +51,9 @@ class StackedMassPlane(Entity):
         either(
             "{lower} lies on {plane} and carries {upper}.",
             "on {plane} lies {lower}, with {upper} on top of it.",
-            "{upper} rests on {lower}, which lies on {plane}.",
+            "{upper} is on top of {lower}, which lies on {plane}.",
         ),
-        either("on {upper} lies {top}.", "{top} rests on {upper}.", "{upper} in turn carries {top}."),
+        either("on {upper} lies {top}.", "{top} is on top of {upper}.", "{upper} in turn carries {top}."),
         FRICTION_ON_PLANE,
         either("{friction1}.", "{friction2}.", "{friction3}."),
         either("{top_friction1}.", "{top_friction2}.", "{top_friction3}."),

@@ -67,7 +67,7 @@ class TwoDCollisionPlane(Entity):
         "of_any": Word(
             "restitution",
             {1.0: "all {pairs?/other }collisions are elastic"},
-            "all {pairs?/other }collisions have the coefficient of restitution {restitution}",
+            "the coefficient of restitution is {pairs?always/otherwise} {restitution}",
         ),
         "of_two": Word(
             "restitution",
@@ -78,7 +78,7 @@ class TwoDCollisionPlane(Entity):
     says = (
         either(
             "{pucks:#} smooth {pucks:s} of radius {radius} slide on {table}; {table.axes}.",
-            "on {table} slide {pucks:#} smooth {pucks:s}, each of radius {radius}; {table.axes}.",
+            "on {table} there are {pucks:#} smooth {pucks:s}, each of radius {radius}; {table.axes}.",
             "{table} carries {pucks:#} smooth {pucks:s} of radius {radius}; {table.axes}.",
         ),
         each(

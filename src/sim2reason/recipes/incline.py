@@ -49,7 +49,7 @@ PAIR = replace(
 )
 
 
-@recipe("incline")
+@recipe("incline", weights={"start": 0.5, "threshold": 0.5})  # of a lone block no more than its forces
 def draw_incline(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     """One to three entities with faces, joined by strings."""
     pulled = difficulty == "easy" and rng.random() < PULLED

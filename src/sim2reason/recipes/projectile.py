@@ -12,11 +12,11 @@ THROWN = {"height": Range(1.0, 5.0), "speed": Range(3.0, 12.0), "angle": Range(1
 BOUNCING = {**THROWN, "restitution?": 1.0, "restitution": Range(0.3, 0.85)}
 FLYING = {**THROWN, "restitution?": 0.0}
 IDEAS = {
-    "easy": (Idea(KIND, {**FLYING, "side": ("above",)}, 2.0), Idea(KIND, {**FLYING, "angle": 0.0})),
-    "medium": (  # one flight after another
-        Idea(KIND, BOUNCING, 3.0),
+    "easy": (  # thrown horizontally it would only fall, were it not to bounce
+        Idea(KIND, {**FLYING, "side": ("above",)}, 2.0),
         Idea(KIND, {**BOUNCING, "angle": 0.0}),
     ),
+    "medium": (Idea(KIND, BOUNCING),),  # one flight after another
     "hard": (  # so lively that the flights add up, or thrown at the ground
         Idea(KIND, {**BOUNCING, "speed": Range(4.0, 10.0), "restitution": Range(0.6, 0.95)}),
         Idea(KIND, {**BOUNCING, "speed": Range(3.0, 10.0), "side": ("below",), "angle": Range(15.0, 75.0)}),

@@ -10,8 +10,8 @@ from sim2reason.recipes.parts.ideas import Idea, one_of
 KIND = "SpringBlock"
 EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
 IDEAS = {
-    "easy": (  # one spring, or two, released
-        Idea(KIND, {"springs": Count(1, 1), "damping?": 0.0, "launch?": 0.3}),
+    "easy": (  # two springs, released, or one, of which energy alone says much
+        Idea(KIND, {"springs": Count(1, 1), "damping?": 0.0, "launch?": 0.3}, 0.5),
         Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}),
     ),
     "medium": (Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}),),

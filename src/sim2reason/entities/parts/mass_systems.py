@@ -17,7 +17,7 @@ Blocks = Annotated[tuple[Block, ...], Len(1, MAX_BLOCKS), Count(1, 2)]
 FRICTION_ON_PLANE = either(
     "the coefficient of friction (static and kinetic) on this plane is {plane.friction}.",
     "on this plane the coefficient of friction, static and kinetic, is {plane.friction}.",
-    "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
+    "static and kinetic friction on this plane have the same coefficient, {plane.friction}.",
     "the coefficient of friction, static and kinetic, is {plane.friction} on this plane.",
     "take {plane.friction} as the coefficient of friction, static and kinetic, on this plane.",
     "for this plane the coefficient of friction is {plane.friction}, whether static or kinetic.",
@@ -113,7 +113,7 @@ class OnWedge(MassSystem):
         either(
             "the coefficient of friction (static and kinetic) on this face is {wedge.friction}.",
             "on this face the coefficient of friction, static and kinetic, is {wedge.friction}.",
-            "friction on this face, static and kinetic, has the coefficient {wedge.friction}.",
+            "static and kinetic friction on this face have the same coefficient, {wedge.friction}.",
         ),
     )
     tail = StringEnd(

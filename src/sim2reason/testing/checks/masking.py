@@ -1,12 +1,14 @@
 """Nothing can be left out of a text."""
 
 from collections.abc import Iterator
+from typing import get_args
 
+from sim2reason.dsl.template import Topic
 from sim2reason.errors import TextError
 from sim2reason.parsing import parse_scene
 from sim2reason.parsing.tokens import pieces
 from sim2reason.prose.voices import hiding
-from sim2reason.prose.writer import describe
+from sim2reason.prose.writer import Description, describe
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.checks.round_trip import meaning, meant
 from sim2reason.testing.report import Finding
@@ -46,9 +48,11 @@ class MaskingCheck(Check):
                 yield found.finding(self.name, expected, f"the text is read back all the same: {text}", remedy)
 
     def _sentences(self, found: Specimen) -> Iterator[Finding]:
-        """Each sentence and each row matters."""
-        for cut, text in without_one(list(pieces(found.description.text))):
-            if _understood(text) == meaning(found.description):
+        """Each sentence and each row matters, but for those on what matters to some questions only."""
+        told = found.description
+        spared = spare(told)
+        for cut, text in without_one(list(pieces(told.text))):
+            if cut not in spared and _understood(text) == meaning(told):
                 yield found.finding(
                     self.name,
                     "every sentence is needed",
@@ -71,6 +75,11 @@ def _understood(text: str) -> object:
         return meant(parse_scene(text))
     except TextError:
         return None
+
+
+def spare(description: Description) -> set[str]:
+    """The sentences of a text that matter to some questions only: a text without them means the same."""
+    return set(description.sentences).difference(description.leaving_out(get_args(Topic)).sentences)
 
 
 def without_one(parts: list[str]) -> Iterator[tuple[str, str]]:

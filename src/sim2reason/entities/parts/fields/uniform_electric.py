@@ -14,7 +14,7 @@ class UniformElectric(ElectricField):
     says = (
         either(
             "a uniform electric field of strength {strength} points in the {way} direction.",
-            "in the {way} direction points a uniform electric field of strength {strength}.",
+            "a uniform electric field, whose strength is {strength}, is directed along the {way} direction.",
             "there is a uniform electric field of strength {strength} in the {way} direction.",
         ),
     )

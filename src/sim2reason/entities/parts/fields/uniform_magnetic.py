@@ -16,7 +16,7 @@ class UniformMagnetic(MagneticField):
     says = (
         either(
             "a uniform magnetic field of strength {strength} points in the {way} direction.",
-            "in the {way} direction points a uniform magnetic field of strength {strength}.",
+            "a uniform magnetic field, whose strength is {strength}, is directed along the {way} direction.",
             "there is a uniform magnetic field of strength {strength} in the {way} direction.",
         ),
     )
