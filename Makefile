@@ -57,6 +57,7 @@ docs: .venv/dev ## write anew what the docs show: outputs, tables and pictures
 	$(BIN)/sim2reason plot docs/images/scene.yaml -o docs/images/traces.png
 	$(BIN)/sim2reason schema --page -o docs/scene-format.md
 	$(BIN)/python docs/grading_examples.py
+	$(BIN)/python docs/gallery.py
 	$(BIN)/python tests/support/readme.py README.md --write
 
 format: .venv/dev ## mend what can be mended by itself

@@ -15,7 +15,7 @@ $ echo one > here
 $ test -f here
 ```
 
-```python
+```text
 $ not a command
 ```
 """
@@ -54,3 +54,19 @@ def test_a_page_that_shows_something_else_fails_and_can_be_written_anew(tmp_path
     assert readme.main(str(page), write=True) == 0
     assert page.read_text(encoding="utf-8").splitlines()[1:3] == ["$ echo new", "new"]
     assert readme.main(str(page)) == 0
+
+
+@pytest.mark.parametrize(
+    ("block", "code"),
+    [
+        ("x = 1\nassert x == 1", 0),
+        ("assert 1 == 2", 1),
+        (">>> 1 + 1\n2", 0),
+        (">>> 1 + 1\n3", 1),
+        ("import no_such_library\nassert 1 == 2", 0),
+    ],
+)
+def test_python_blocks_run_where_their_libraries_are(tmp_path: Path, block: str, code: int) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(f"```python\n{block}\n```\n", encoding="utf-8")
+    assert readme.main(str(page)) == code

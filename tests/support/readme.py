@@ -1,16 +1,20 @@
-"""Run the commands that a Markdown file shows, in order, in one new folder, and hold its output to what they print.
+"""Run what a Markdown file shows, in order, in one new folder, and hold its output to what is printed.
 
     python tests/support/readme.py README.md            fails where the page shows something else
-    python tests/support/readme.py README.md --write    writes what they print into the page
+    python tests/support/readme.py README.md --write    writes what commands print into the page
 
 A command is a line that begins with ``$ `` inside a block fenced as ``console``; what follows it is output, where
 ``…`` stands for anything, on a line of its own for any lines. A command without output is only run.
 Lines of set-up (pip, git, make, cd) are left out: whoever runs this has done them.
+A block fenced as ``python`` is run as a program, or held to what it prints where it has lines with ``>>>``. One whose
+libraries are not all installed is left out, and said so.
 """
 
 import argparse
+import importlib.util
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -19,6 +23,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 SET_UP = ("pip", "git", "make", "cd", "python3 -m venv", "source")
+EXAMPLES = """
+import doctest, sys
+examples = doctest.DocTestParser().get_doctest(sys.argv[1], {}, "page", None, 0)
+sys.exit(doctest.DocTestRunner().run(examples).failed)
+"""
+IMPORTED = re.compile(r"^\s*(?:>>> )?(?:from|import) (\w+)", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -32,21 +42,41 @@ class Shown:
 
 
 def shown(text: str) -> Iterator[Shown]:
-    """The commands of `text` in order."""
-    lines, inside, found = text.splitlines(), False, list[tuple[str, int]]()
-    for number, line in enumerate([*lines, "```"]):
-        if line.startswith("```") or (inside and line.startswith("$ ")):
-            for command, start in found:
-                yield Shown(command, tuple(lines[start:number]), start, number)
-            found = []
-        if line.startswith("```"):
-            inside = line == "```console"
-        elif inside and line.startswith("$ ") and not line[2:].startswith(SET_UP):
-            found = [(line[2:], number + 1)]
+    """What is to be run of `text`, in order."""
+    for language, lines, start in _blocks(text):
+        if language == "console":
+            yield from _commands(lines, start)
+        elif language == "python":
+            yield Shown(_program("\n".join(lines)), (), start, start)
+
+
+def _blocks(text: str) -> Iterator[tuple[str, list[str], int]]:
+    """The fenced blocks: language, lines, and the number of the first line."""
+    lines = text.splitlines()
+    fences = [number for number, line in enumerate(lines) if line.startswith("```")]
+    for begin, end in zip(fences[::2], fences[1::2], strict=False):
+        yield lines[begin].removeprefix("```"), lines[begin + 1 : end], begin + 1
+
+
+def _commands(lines: list[str], start: int) -> Iterator[Shown]:
+    begins = [number for number, line in enumerate(lines) if line.startswith("$ ")]
+    for begin, end in zip(begins, [*begins[1:], len(lines)], strict=True):
+        command = lines[begin][2:]
+        if not command.startswith(SET_UP):
+            yield Shown(command, tuple(lines[begin + 1 : end]), start + begin + 1, start + end)
+
+
+def _program(source: str) -> str:
+    """The command that runs a block in Python."""
+    missing = sorted({name for name in IMPORTED.findall(source) if importlib.util.find_spec(name) is None})
+    if missing:
+        return f"echo left out, for want of {' and '.join(missing)}"
+    arguments = (EXAMPLES, source) if ">>> " in source else (source,)
+    return shlex.join(("python", "-c", *arguments))
 
 
 def commands(text: str) -> Iterator[str]:
-    """The commands of `text` in order, without what they print."""
+    """What is to be run of `text`, in order, without what it prints."""
     return (found.command for found in shown(text))
 
 
@@ -73,7 +103,7 @@ def main(path: str, *, write: bool = False) -> int:
             sys.stdout.write(f"$ {seen.command}\n")
             sys.stdout.flush()
             if code:
-                sys.stdout.write(f"{printed}{path}: this command failed with exit code {code}: {seen.command}\n")
+                sys.stdout.write(f"{printed}{path}: this failed with exit code {code}: {seen.command}\n")
                 return code
             if write and seen.output and "…" not in "".join(seen.output):
                 lines[seen.start : seen.stop] = [line.rstrip() for line in printed.splitlines()]
