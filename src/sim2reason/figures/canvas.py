@@ -37,7 +37,13 @@ ITALIC: dict[str, Any] = {"style": "italic", "family": "DejaVu Serif"}
 SYMBOL = re.compile(r"([^\W\d_]{1,2})( [(=].*)")  # a letter and a number: *P (2 kg)*, *F = 3 N*
 FORMATS = ("svg", "png", "pdf")
 # Bytes must not change from run to run, and labels must stay text.
-SETTINGS = {"svg.hashsalt": "sim2reason", "svg.fonttype": "none", "font.family": "DejaVu Sans", "pdf.fonttype": 42}
+SETTINGS = {
+    "svg.hashsalt": "sim2reason",
+    "svg.fonttype": "none",
+    "font.family": "DejaVu Sans",
+    "mathtext.fontset": "dejavuserif",
+    "pdf.fonttype": 42,
+}
 METADATA: dict[str, dict[str, Any]] = {
     "svg": {"Date": None},
     "png": {"Software": None},

@@ -9,16 +9,15 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
 from sim2reason.dsl.looks import Small as SmallBody
-from sim2reason.dsl.measures import Speed
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import FigureWarning
 from sim2reason.figures import faces
 from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.components import Component, components
-from sim2reason.figures.hanging import HandPiece, HookPiece, PulleyPiece, plate, said
+from sim2reason.figures.hanging import HandPiece, HookPiece, PulleyPiece, plate
 from sim2reason.figures.labels import placed
 from sim2reason.figures.layout_cost import Layout
-from sim2reason.figures.paths import Paths, Strand, flat, has_faces, is_pulley, whole
+from sim2reason.figures.paths import Paths, Strand, flat, has_faces, is_pulley, owner_of, whole
 from sim2reason.figures.pieces import PIECES, DrawingPlan, Piece, Sizes
 from sim2reason.figures.scaled.piece import ScaledPiece
 from sim2reason.figures.shapes import SMALL, Drawing, LineShape, Shape, Sketch, Wanted, outline, width
@@ -146,7 +145,7 @@ def _speeds(layout: Layout, plan: DrawingPlan, found: Sketch) -> None:
         out = way * 1j if (way * 1j).imag > 0.0 or abs(way.imag) > 0.999 else way * -1j
         start = layout.at[carrier] + piece.center(block) + out * (0.5 * plan.sizes.height + 0.22) - 0.45 * way
         found.shapes.append(LineShape((start, start + 0.9 * way), "thin", arrow=True))
-        text = said(Speed, abs(moving[0].speed))
+        text = plan.stated(owner_of(block), "m/s", abs(moving[0].speed))
         wide = 0.5 * width(text, SMALL)
         spots = [
             start + along * way + complex(out.real * (wide + 0.1), out.imag * 0.36) for along in (0.45, 0.0, 0.9, 1.4)

@@ -239,7 +239,9 @@ class FacePiece(Piece):
         """The angle at the foot of a face, with its value."""
         foot, side = face.at(face.length), 1.0 if face.uphill.real > 0.0 else -1.0
         value = to_degrees(atan2(face.uphill.imag, abs(face.uphill.real)))
-        text = f"{round(value, 9):g}°"
+        text = self.plan.stated(owner_of(self.name), "deg", value)
+        if not text:
+            return
         wide, half = width(text, SMALL), radians(0.5 * value)
         room = (0.5 * SMALL + 0.09) / tan(half) - 0.1  # where a text of this height fits in
         radius = min(max(0.75, room), max(0.3, 0.9 * face.length * abs(face.uphill.real) - wide))
@@ -260,18 +262,19 @@ class FacePiece(Piece):
             return
         for face in self.faces:
             found.shapes.append(rough(face.at(face.length), 0j, face.normal))
-        said = [p for p in self.plan.scene.parameters if p.path.startswith(f"{owner_of(self.name)}.") and not p.hidden]
-        text = next((p.measure.say(p.value) for p in said if p.measure.unit == "" and p.value in friction), "")
-        if text:
+        owner = owner_of(self.name)
+        said = next((text for value in sorted(friction) if (text := self.plan.stated(owner, "", value))), "")
+        if said:
+            text = self.plan.equated("µ", said)
             solid = self.outline()
             left, low, right, _ = box(solid)
-            middle, wide = sum(solid) / len(solid), 0.5 * width(f"µ = {text}", SMALL)
+            middle, wide = sum(solid) / len(solid), 0.5 * width(text, SMALL)
             inside = tuple(
                 middle + complex(dx, dy) for dy in (-0.15, 0.2, -0.45) for dx in (0.0, 0.35, -0.35, 0.7, -0.7)
             )
             outside = tuple(complex(x, low + dy) for dy in (0.3, 0.6) for x in (right + 0.3 + wide, left - 0.3 - wide))
             below = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
-            found.labels.append(Wanted(f"µ = {text}", (*inside, *below, *outside), self.name, SMALL, name=False))
+            found.labels.append(Wanted(text, (*inside, *below, *outside), self.name, SMALL, name=False))
 
     def _name(self) -> Wanted:
         """Its name near the middle of the solid."""

@@ -1,13 +1,11 @@
 """Pieces that hang, hold or pull: blocks in the air, pulleys, hooks and hands."""
 
 from collections.abc import Iterator
-from typing import get_args
 
 from sim2reason.dsl.looks import PulleyWheel
 from sim2reason.dsl.looks import Small as SmallBody
-from sim2reason.dsl.measures import Force, Measure, Speed
-from sim2reason.dsl.mechanism import Drawn, Inextensible
-from sim2reason.figures.paths import PathKnot, has_faces, is_pulley
+from sim2reason.dsl.mechanism import Drawn
+from sim2reason.figures.paths import PathKnot, has_faces, is_pulley, owner_of
 from sim2reason.figures.pieces import DrawingPlan, Piece, around, draws
 from sim2reason.figures.shapes import (
     LETTER,
@@ -225,16 +223,6 @@ def pull_text(plan: DrawingPlan, hand: str) -> str:
     drawing = plan.scene.builder.drawing
     law = drawing[hand]
     alone = sum(type(other) is type(law) for other in drawing.values()) == 1
-    letter = ("F = " if isinstance(law, Drawn) else "v = ") if alone else ""
-    return letter + pulled(law)
-
-
-def pulled(law: Drawn | Inextensible) -> str:
-    """How strongly or how fast a string is drawn in, as prose has it."""
-    return said(Force, law.force) if isinstance(law, Drawn) else said(Speed, law.reel)
-
-
-def said(alias: object, value: float) -> str:
-    """A number as prose has it, by the alias that declares such numbers."""
-    measure = next(mark for mark in get_args(alias) if isinstance(mark, Measure))
-    return measure.say(value)
+    letter, unit, value = ("F", "N", law.force) if isinstance(law, Drawn) else ("v", "m/s", law.reel)
+    text = plan.stated(owner_of(hand), unit, value)
+    return plan.equated(letter, text) if alone else text

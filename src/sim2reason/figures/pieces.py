@@ -4,16 +4,20 @@ A piece is made for a body by its look, see `PIECES`; so an entity made of bodie
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from math import isclose
 from typing import TypeVar
 
 from sim2reason.dsl.looks import BodyLook
+from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.figures.paths import PathKnot, Paths
 from sim2reason.figures.shapes import Sketch
 from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
 from sim2reason.prose.writer import Description
+
+LIKE = 1e-9  # SI units, between numbers that are one
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,9 +86,31 @@ class DrawingPlan:
     def mass(self, address: str) -> str:
         """The mass of a body as the text has it, if numbers are wanted and it has one."""
         parameter = next((p for p in self.scene.parameters if p.path == f"{address}.mass"), None)
-        if not self.numbers or parameter is None or not parameter.value:
-            return ""
-        return parameter.measure.say(parameter.value)
+        return self.told(parameter) if self.numbers and parameter is not None and parameter.value else ""
+
+    def told(self, parameter: Parameter) -> str:
+        """A number in the voice of the text: one that it leaves open is its symbol."""
+        symbol = self.description.symbols.get(parameter.path, parameter.measure.symbol)
+        return self.description.voice(parameter, symbol)
+
+    def stated(self, owner: str, unit: str, value: float) -> str:
+        """The same for a number of an entity or a body, if one of that size and unit is stated; else nothing."""
+        said = self._numbers(owner, unit)
+        return next((self.told(p) for p in said if isclose(p.value or 0.0, value, rel_tol=1e-6, abs_tol=LIKE)), "")
+
+    def equated(self, letter: str, said: str) -> str:
+        """A number with its letter, *F = 3 N*; a symbol needs none."""
+        return said if said.startswith("$") else f"{letter} = {said}"
+
+    def leaves_open(self, owner: str, unit: str) -> bool:
+        """Whether the text leaves a number of an entity or a body open, so that no drawing may show it to scale."""
+        return any(self.told(p).startswith("$") for p in self._numbers(owner, unit))
+
+    def _numbers(self, owner: str, unit: str) -> Iterator[Parameter]:
+        for parameter in self.scene.parameters:
+            inside = parameter.path.startswith(f"{owner}.") and not parameter.hidden
+            if inside and parameter.value is not None and parameter.measure.unit == unit:
+                yield parameter
 
     def caption(self, address: str) -> str:
         """The name of a body, with its mass if that is wanted: *W (8.1 kg)*."""

@@ -1,5 +1,6 @@
 """What a drawing is made of: a few frozen shapes, and labels that still look for their place."""
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -12,6 +13,10 @@ HATCH, STEP = 0.2, 0.22  # length and distance of the strokes that mark what is 
 SLANT = complex(-0.7071, -0.7071)
 SIZE, SMALL, TINY = 0.42, 0.34, 0.28  # heights of names, of numbers, and of numbers inside blocks
 LETTER = 2  # characters; longer names are nouns
+NAMED, LATEX = (
+    re.compile(r"\\[a-zA-Z]+"),
+    re.compile(r"[${}_^\\]"),
+)  # what stands in a formula for one letter, or for none
 WIDE = {"m": 0.98, "w": 0.82, "M": 0.87, "W": 0.99, "i": 0.3, "l": 0.3, ".": 0.34, " ": 0.34, "j": 0.3, "°": 0.5}
 
 
@@ -116,8 +121,8 @@ class Sketch:
 
 
 def width(text: str, size: float) -> float:
-    """About how wide a text is; a little more rather than less."""
-    return size * sum(WIDE.get(letter, 0.66) for letter in text)
+    """About how wide a text is; a little more rather than less. Between dollars it is a formula in LaTeX."""
+    return size * sum(WIDE.get(letter, 0.66) for letter in LATEX.sub("", NAMED.sub("x", text)))
 
 
 def outline(shape: Shape) -> Polygon:

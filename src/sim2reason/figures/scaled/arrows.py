@@ -9,6 +9,7 @@ from sim2reason.dsl.looks import Small as SmallBody
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.dsl.vectors import inner
+from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import OBLONG, Setting, vector
 from sim2reason.figures.shapes import SMALL, Arc, LineShape, Shape, Sketch, Wanted, width
@@ -33,7 +34,7 @@ def speeds(setting: Setting) -> Sketch:
         long = max(SHORTEST, longest * abs(velocity) / fastest)
         end = start + long * way
         found.shapes.append(LineShape((start, end), "thin", arrow=True))
-        text = setting.stated(name.split(".", maxsplit=1)[0], unit_of_speed, abs(velocity))
+        text = setting.stated(owner_of(name), unit_of_speed, abs(velocity))
         unsaid |= not text
         if text:
             tip = end + way * (0.15 + 0.5 * width(text, SMALL) * abs(way.real) + 0.2 * abs(way.imag))
@@ -46,11 +47,15 @@ def speeds(setting: Setting) -> Sketch:
 
 
 def _shown(setting: Setting, body: RigidBody, velocity: complex) -> bool:
-    """Whether a body gets an arrow: what is fixed to something that turns only if its own speed is stated."""
+    """Whether a body gets an arrow: one of stated speed, else one whose velocity the text gives, so that it has scale.
+
+    What is fixed to something that turns gets one only if its own speed is stated.
+    """
     if abs(velocity) <= STILL or body.name not in setting.bodies:
         return False
     unit_of_speed = setting.mechanism.units.spell("m/s")
-    return bool(body.coordinates or setting.stated(_owner(body.name), unit_of_speed, abs(velocity)))
+    stated = setting.stated(owner_of(body.name), unit_of_speed, abs(velocity))
+    return bool(stated or (body.coordinates and not setting.plan.leaves_open(body.name, unit_of_speed)))
 
 
 def _tail(setting: Setting, name: str, way: complex) -> complex:
@@ -122,7 +127,7 @@ def spins(setting: Setting) -> Sketch:
         for hinge in body.coordinates:
             rate = setting.mechanism.units.spell("rad/s")
             if hinge.kind == "hinge" and abs(hinge.speed) > STILL:
-                text = setting.stated(_owner(body.name), rate, abs(hinge.speed))
+                text = setting.stated(owner_of(body.name), rate, abs(hinge.speed))
                 if text:
                     sense = 1.0 if inner(hinge.axis, setting.view.towards) * hinge.speed > 0.0 else -1.0
                     _curved(text, setting, body, sense, found)
@@ -203,11 +208,11 @@ def _hanging(setting: Setting) -> list[tuple[complex, complex, str]]:
         if len(line.through) == 2:
             ends = line.through if setting.mechanism.site[line.through[0]].body is None else line.through[::-1]
             if setting.mechanism.site[ends[0]].body is None:
-                found.append((setting.site(ends[0]), setting.site(ends[1]), _owner(line.whole)))
+                found.append((setting.site(ends[0]), setting.site(ends[1]), owner_of(line.whole)))
     for body in setting.members:
         if any(c.kind == "hinge" for c in body.coordinates) and body.name not in setting.mechanism.contacts:
             pivot = setting.view.at(vector(setting.frames[body.name].origin))
-            found.append((pivot, _tip(setting, body, pivot), _owner(body.name)))
+            found.append((pivot, _tip(setting, body, pivot), owner_of(body.name)))
     return found
 
 
@@ -220,10 +225,6 @@ def _tip(setting: Setting, body: RigidBody, pivot: complex) -> complex:
     return next((setting.view.at(vector(setting.frames[other.name].origin)) for other in carried), at)
 
 
-def _owner(address: str) -> str:
-    return address.split(".", maxsplit=1)[0]
-
-
 def heights(setting: Setting) -> Sketch:
     """How high a body is above the ground that it can fall to, where the text states it."""
     found = Sketch()
@@ -233,7 +234,7 @@ def heights(setting: Setting) -> Sketch:
             continue
         at, scale = setting.at(body.name), setting.view.scale
         height = setting.place(body.name)[2] - floor
-        text = setting.stated(_owner(body.name), setting.mechanism.units.length, height)
+        text = setting.stated(owner_of(body.name), setting.mechanism.units.length, height)
         if text:
             top, low = at - 0.6 * RIGHT, at - 0.6 * RIGHT - height * scale * UP
             found.shapes += _dimension(low, top, at)

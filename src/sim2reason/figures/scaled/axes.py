@@ -43,7 +43,8 @@ def _placed(setting: Setting) -> bool:
 
 
 def _full(setting: Setting, found: Sketch, area: Box, origin: complex) -> None:
-    """Both axes through the origin, with numbers."""
+    """Both axes through the origin, with numbers if the text gives all lengths."""
+    scaled = not any(setting.plan.leaves_open(owner, setting.mechanism.units.length) for owner in setting.owners)
     left, low, right, high = area
     unit = show_unit(setting.mechanism.units.length)
     covered = [(setting.at(body.name), setting.radius(body.name) + 0.15) for body in setting.members]
@@ -54,8 +55,9 @@ def _full(setting: Setting, found: Sketch, area: Box, origin: complex) -> None:
     for name, way, start, stop, beyond in ends:
         found.shapes.append(LineShape((origin + (start + 0.15) * way, origin + (stop + 0.5) * way), "thin", arrow=True))
         place = origin + (stop + 0.5) * way + beyond
-        found.labels.append(Wanted(f"{name} ({unit})", (place,), "", SMALL, name=False))
-        _ticks(setting, found, (origin, way, start + 0.2, stop - 0.2), covered)
+        found.labels.append(Wanted(f"{name} ({unit})" if scaled else name, (place,), "", SMALL, name=False))
+        if scaled:
+            _ticks(setting, found, (origin, way, start + 0.2, stop - 0.2), covered)
 
 
 def _ticks(

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from math import acos, degrees, radians, tan
 
 from sim2reason.dsl.looks import BigBox, Globe, MovingSlope, Tabletop
-from sim2reason.dsl.measures import Angle
 from sim2reason.dsl.mechanism import Face, Prop
-from sim2reason.figures.hanging import said
+from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.rails import rails, walls
 from sim2reason.figures.scaled.setting import Setting, corners, vector
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Sketch, Wanted, hatched, rough, width
@@ -146,7 +145,7 @@ def _rough(setting: Setting, surface: Surface, found: Sketch) -> None:
     values = (text for owner in setting.owners if (text := setting.stated(owner, "", surface.friction)))
     if (value := next(values, "")) != "":
         left, low, right, _ = box((a, b))
-        text = f"µ = {value}"
+        text = setting.plan.equated("µ", value)
         wide = 0.5 * width(text, SMALL)
         spots = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
         inside = complex(right - wide - 0.2, low + 0.3)
@@ -161,9 +160,11 @@ def _angle(low: complex, high: complex, found: Sketch, setting: Setting) -> None
     if value % 90.0 == 0.0:
         return
     start, stop = (0.0, value) if side > 0.0 else (180.0 - value, 180.0)
+    said = [text for owner in setting.owners if (text := setting.stated(owner, "deg", value))]
     for owner in setting.owners:
         setting.once(owner, "deg", value)
-    found.extend(corner_angle(low, (start, stop), said(Angle, value), next(iter(setting.owners))))
+    if said:
+        found.extend(corner_angle(low, (start, stop), said[0], next(iter(setting.owners))))
 
 
 def corner_angle(at: complex, turn: tuple[float, float], text: str, subject: str) -> Sketch:
@@ -271,7 +272,7 @@ def _note(setting: Setting, address: str, tilt: float, found: Sketch) -> None:
     """What a view from above can't show."""
     setting.drawn.add(address)
     if tilt:
-        text = f"tilted at {said(Angle, tilt)}; y points up the slope"
+        text = f"tilted at {setting.stated(owner_of(address), 'deg', tilt)}; y points up the slope"
         left, low, right, _ = spread(setting)
         spot = complex(0.5 * (left + right), low - 0.45)
         found.labels.append(Wanted(text, (spot,), address, SMALL, name=False))

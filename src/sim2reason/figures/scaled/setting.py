@@ -10,11 +10,10 @@ from sim2reason.dsl.collector import Axes
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.looks import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 from sim2reason.dsl.mechanism import Elastic, Line, RigidBody, X, Y, Z
-from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.regions import BoxRegion, DiscRegion, HalfSpace, Region
 from sim2reason.dsl.triples import Triple
 from sim2reason.dsl.vectors import Vector, add, inner, scale
-from sim2reason.figures.pieces import DrawingPlan
+from sim2reason.figures.pieces import LIKE, DrawingPlan
 from sim2reason.figures.scaled.view import APART, COILED, FROM_ABOVE, SPAN, View, fitting, sides
 from sim2reason.figures.vectors import RIGHT
 
@@ -27,7 +26,6 @@ SLAB, SLAB_LENGTH, SLAB_STEP = (
     1.5,
     0.9,
 )  # units: the height of a slab, its length, and how much longer one below is
-LIKE = 1e-9
 NARROW = 0.45  # units, the least width of a block
 THIN_BULK = 0.27  # of the length of what is long and thin
 STEEP = 0.1  # the cosine below which a body slides up and down rather than along
@@ -208,7 +206,7 @@ class Setting:
 
     def stated(self, owner: str, unit: str, value: float) -> str:
         """A number of an entity as the text has it, if one of that size and unit is stated; else nothing."""
-        return next((p.measure.say(p.value or 0.0) for p in self._numbers(owner, unit) if self._is(p, value)), "")
+        return self.plan.stated(owner, unit, value)
 
     def once(self, owner: str, unit: str, value: float) -> str:
         """The same, but nothing if the drawing has shown this number before."""
@@ -216,16 +214,6 @@ class Setting:
         new = (owner, text) not in self._shown
         self._shown.add((owner, text))
         return text if new else ""
-
-    def _numbers(self, owner: str, unit: str) -> Iterator[Parameter]:
-        for parameter in self.plan.scene.parameters:
-            inside = parameter.path.startswith(f"{owner}.") and not parameter.hidden
-            if inside and parameter.value is not None and parameter.measure.unit == unit:
-                yield parameter
-
-    @staticmethod
-    def _is(parameter: Parameter, value: float) -> bool:
-        return math.isclose(parameter.value or 0.0, value, rel_tol=1e-6, abs_tol=LIKE)
 
     def _places(self) -> Iterator[Vector]:
         """What must be in sight."""

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from math import degrees, dist
 
 from sim2reason.dsl.mechanism import RigidBody
+from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside, pieces_on
 from sim2reason.figures.scaled.setting import Setting, vector
 from sim2reason.figures.shapes import SMALL, Arc, LineShape, Sketch, Wanted, width
@@ -27,10 +28,6 @@ def stated(setting: Setting) -> Sketch:
     return found
 
 
-def _owner(address: str) -> str:
-    return address.split(".", maxsplit=1)[0]
-
-
 def _pieces(setting: Setting, arm: RigidBody, found: Sketch) -> None:
     """The distance of each of several pieces from the axle of their arm, beside it, the nearest one innermost."""
     pieces = pieces_on(setting, arm)
@@ -42,7 +39,7 @@ def _pieces(setting: Setting, arm: RigidBody, found: Sketch) -> None:
     aside = max(setting.radius(piece) for piece in pieces) + CLEAR
     for piece in sorted(pieces, key=lambda name: abs(setting.at(name) - pivot)):
         end, far = setting.at(piece), dist(setting.place(piece), vector(setting.frames[arm.name].origin))
-        text = setting.stated(_owner(piece), setting.mechanism.units.length, far)
+        text = setting.stated(owner_of(piece), setting.mechanism.units.length, far)
         if text:
             _dimension(pivot, end, aside * out, text, piece, found)
             aside += APART
@@ -63,14 +60,14 @@ def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
         for one, other in ((line.through[:2]), line.through[:-3:-1]):
             ends = setting.mechanism.site[one].body, setting.mechanism.site[other].body
             turns = len(line.through) > 2 and ends[0] is not None and ends[1] is None
-            if turns and setting.owns(one) and _owner(one) == _owner(other):
+            if turns and setting.owns(one) and owner_of(one) == owner_of(other):
                 yield one, other
 
 
 def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
     """How far a point is to which a string leads, and the angle of the string to the level, if both are stated."""
     start, end = setting.site(site), setting.site(wheel)
-    way, owner = unit(end - start), _owner(site)
+    way, owner = unit(end - start), owner_of(site)
     text = setting.stated(owner, setting.mechanism.units.length, abs(end - start) / setting.view.scale)
     rim = setting.edge(site, way)
     if text:
@@ -92,12 +89,12 @@ def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
 def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
     """The friction between two slabs, at either end of the face where they touch."""
     friction = setting.mechanism.contacts[upper].friction
-    text = setting.stated(_owner(upper), "", friction) if friction else ""
+    text = setting.stated(owner_of(upper), "", friction) if friction else ""
     if not text:
         return
     along, at = setting.along(upper), setting.at(upper)
     normal = along * 1j if dot(at - setting.at(lower), along * 1j) >= 0.0 else along * -1j
-    text, half = f"µ = {text}", 0.5 * setting.sizes(upper)[0]
+    text, half = setting.plan.equated("µ", text), 0.5 * setting.sizes(upper)[0]
     wide = 0.5 * width(text, SMALL)
     foot = at - 0.1 * normal
     ends = (foot + side * (half + 0.12 + wide * abs(along.real) + 0.4 * abs(along.imag)) * along for side in (-1, 1))

@@ -1,0 +1,42 @@
+"""What a text leaves open or says as a symbol, no drawing of its scene gives away."""
+
+import re
+from collections import Counter
+
+import pytest
+
+from sim2reason.datasets.random_scenes import sample
+from sim2reason.dsl.model import Parameter
+from sim2reason.dsl.scene import Scene
+from sim2reason.figures.drawing import drawing
+from sim2reason.prose.voices import Voice, hiding, numeric, symbolic_but_zero
+from sim2reason.prose.writer import describe
+from sim2reason.recipes import RECIPES
+
+
+def shown(scene: Scene, voice: Voice) -> set[str]:
+    """The labels of a drawing without names: *34 N* of *F = 34 N*, *8.1 kg* of *W (8.1 kg)*."""
+    labels = drawing(scene, describe(scene, voice=voice), numbers=True).labels
+    return {re.sub(r"^.*(= |\()", "", label.text).rstrip(")") for label in labels}
+
+
+def stated(scene: Scene) -> dict[str, Parameter]:
+    """The numbers with a unit that the text states, those left out that stand in it twice."""
+    said = {p.path: p.measure.say(p.value) for p in scene.parameters if not p.hidden and p.value}
+    count = Counter(said.values())
+    return {said[p.path]: p for p in scene.parameters if p.path in said and p.measure.unit and count[said[p.path]] == 1}
+
+
+@pytest.mark.parametrize("recipe", sorted(RECIPES))
+def test_symbols_stand_where_numbers_stood(recipe: str) -> None:
+    scene = sample(recipe, "medium", seed=3)
+    symbols = shown(scene, symbolic_but_zero)
+    assert not symbols & stated(scene).keys()
+    assert any("$" in label for label in symbols) == bool(shown(scene, numeric) & stated(scene).keys())
+
+
+@pytest.mark.parametrize("recipe", sorted(RECIPES))
+def test_an_unknown_is_shown_by_its_symbol_alone(recipe: str) -> None:
+    scene = sample(recipe, "medium", seed=3)
+    for number, parameter in stated(scene).items():
+        assert number not in shown(scene, hiding(parameter.path))
