@@ -13,7 +13,7 @@ from sim2reason.errors import FigureWarning
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
 from sim2reason.questions import MODES
-from sim2reason.recipes import DIFFICULTIES, all_recipes
+from sim2reason.recipes import DIFFICULTIES, RECIPES
 
 PAGE, FIGURES = "gallery.md", "gallery"
 SEED, LAST = 2026, 20
@@ -54,7 +54,7 @@ def write(folder: Path) -> None:
     figures.mkdir()
     parts = [HEAD.format(seed=SEED)]
     modes, turn = sorted(MODES), 0
-    for recipe in all_recipes():
+    for recipe in sorted(RECIPES):
         parts.append(f"## {recipe}\n")
         for difficulty in DIFFICULTIES:
             parts.append(entry(recipe, difficulty, modes[turn % len(modes)], figures) + "\n")
