@@ -8,3 +8,14 @@ def test_no_square_of_a_number_is_left_of_that_of_a_product_with_a_root() -> Non
     length, stiffness, mass = map(Symbol, ("l", "k", "m"))
     found = tidied(Power(Number(-1.0) * length * Root(stiffness / mass), 2))
     assert found.latex() == (Power(length, 2) * (stiffness / mass)).latex()
+
+
+def test_what_stands_above_and_below_goes() -> None:
+    """½ m a² k/m = ½ a² k, and m (k/(m b)) = k/b."""
+    mass, stiffness, way, other = map(Symbol, ("m", "k", "a", "b"))
+    half = Number(0.5)
+    assert (
+        tidied(half * mass * Power(way, 2) * (stiffness / mass)).latex() == (half * Power(way, 2) * stiffness).latex()
+    )
+    assert tidied(mass * (stiffness / (mass * other))).latex() == (stiffness / other).latex()
+    assert tidied(mass * (stiffness / other)).latex() == (mass * (stiffness / other)).latex()

@@ -19,7 +19,7 @@ def tidied(held: Expression) -> Expression:
         case Quotient(above, below):
             return _upright(above, below) if above == _signed(above) else -_upright(-above, below)
         case Product(factors):
-            return reduce(multiplied, map(_signed, factors))
+            return _cancelled([_signed(factor) for factor in factors])
         case _:
             return found
 
@@ -56,6 +56,23 @@ def _upright(above: Expression, below: Expression) -> Expression:
             return multiplied(above, Root(ratio(under, over)))
         case _:
             return ratio(above, below)
+
+
+def _cancelled(factors: list[Expression]) -> Expression:
+    """A product without what stands in it once as a factor and once below a fraction."""
+    for place, fraction in enumerate(factors):
+        if isinstance(fraction, Quotient):
+            below = list(fraction.below.factors if isinstance(fraction.below, Product) else (fraction.below,))
+            common = next((factor for factor in factors if factor in below), None)
+            if common is not None:
+                below.remove(common)
+                left = [
+                    ratio(fraction.above, reduce(multiplied, below, ONE)) if n == place else factor
+                    for n, factor in enumerate(factors)
+                ]
+                left.remove(common)
+                return _cancelled(left)
+    return reduce(multiplied, factors, ONE)
 
 
 def _squared(base: Expression, exponent: int) -> Expression:
