@@ -7,9 +7,9 @@ from math import inf
 import numpy as np
 import pytest
 
-from plain_scenes import atwood
+from plain_scenes import atwood, half_atwood
 from sim2reason.questions import Query, Study
-from sim2reason.questions.dependence import Dependence
+from sim2reason.questions.dependence import Dependence, roomy
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.only_root import Scan
 from sim2reason.questions.targets import Target
@@ -148,3 +148,12 @@ def test_a_root_just_behind_the_range_is_foreseen(turn: float, fall: float, end:
 
     scan = Scan(Known(result), ROOT, 1.0, MARGIN)  # type: ignore[arg-type]
     assert scan.end(VALUES) == (end if end is None else pytest.approx(end))
+
+
+def test_no_body_of_a_roomy_scene_reaches_a_pulley() -> None:
+    """Its text says that none does: a root that our lengths hide is one."""
+    scene = half_atwood()
+    reach = simulate(scene)
+    assert reach.cut == "reach"
+    later = 2.0 * reach.stable_until
+    assert Study.of(roomy(scene), np.array([0.0, later])).trace.stable_until == later

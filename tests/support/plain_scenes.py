@@ -7,21 +7,26 @@ from sim2reason.bodies.block import Block
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.hanger import Cord
+from sim2reason.bodies.hollow_sphere import SphericalShell
+from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack, Track
-from sim2reason.dsl.connection import CONNECTIONS, Link
+from sim2reason.connections.string import String
+from sim2reason.dsl.connection import FREE, Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.parts.pieces import RoundPiece
+from sim2reason.entities.parts.rolling import NoSlipping
 from sim2reason.entities.parts.springs import Blow, Strained
 from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
@@ -58,17 +63,24 @@ def half_atwood() -> Scene:
     return _joined(Named(name="ramp", entity=entity), _hanging("other", 3.0, None))
 
 
+def drawn_shell() -> Scene:
+    """A spherical shell that rolls up a slope of 30°, drawn at its axle by a block, to a pulley 2.8 m away."""
+    shell = SphericalShell(mass=1.1, radius=0.36)
+    rolls = Named(name="roll", entity=RollingEntity(body=shell, plane=Incline(angle=30.0), grip=NoSlipping()))
+    return _joined(rolls, _hanging("other", 0.95, None), free=2.8)
+
+
 def _hanging(name: str, mass: float, pulley: float | None) -> Named:
     disc = FixedPulley() if pulley is None else FixedPulley(mass=pulley)
     return Named(name=name, entity=MassWithFixedPulley(system=Hanging(blocks=(Block(mass=mass),)), pulley=disc))
 
 
-def _joined(one: Named, other: Named) -> Scene:
+def _joined(one: Named, other: Named, free: float = FREE) -> Scene:
     links = (
-        Link(entity=one.name, port="right" if one.name == "ramp" else "tail"),
+        Link(entity=one.name, port={"ramp": "right", "roll": "axle"}.get(one.name, "tail")),
         Link(entity=other.name, port="tail"),
     )
-    return Scene(entities=(one, other), connections=(CONNECTIONS["tendon"](links=links),))
+    return Scene(entities=(one, other), connections=(String(links=links, free=free),))
 
 
 def table(restitution: float = 0.5, speed: float = 2.0, tilt: float = 0.0) -> Scene:

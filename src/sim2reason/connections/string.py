@@ -74,6 +74,11 @@ class String(Connection):
         """A string through ports of named entities: ``between(("a", Ramp.right), ("b", Hook.end))``."""
         return cls(links=tuple(Link(entity=name, port=port.name) for name, port in stops))
 
+    @property
+    def spacing(self) -> float:
+        """How long it is between neighbours at the start, m."""
+        return self.free
+
     def brings(self, joint: Joint, builder: Builder) -> dict[str, Body]:
         """The light fixed pulleys that it brings, in the order of travel."""
         count = sum(turn is not None for turn in turns(joint.stops, builder))

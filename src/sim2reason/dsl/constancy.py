@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import hypot
 
-from sim2reason.dsl.frames import BodyFrame, Frames
+from sim2reason.dsl.frames import BodyFrame, Frames, start
 from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism, Prop, RigidBody
 from sim2reason.dsl.points import Point
 from sim2reason.dsl.triples import Triple, cross, minus, times
@@ -80,3 +80,21 @@ def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Tri
         if mechanism.coordinates[number].kind == "hinge" or not _parallel(moved, run.way):
             return None
     return run.way
+
+
+def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
+    """The straight pieces of all lines that never turn, by their ends, with their directions."""
+    frames, found = start(mechanism), dict[tuple[str, str], Triple]()
+    for ends in dict.fromkeys(ends for line in mechanism.lines for ends in pairwise(line.through)):
+        try:
+            way = straight(mechanism, frames, *ends)
+        except ZeroDivisionError:  # two sites coincide, which engines refuse for themselves
+            continue
+        if way is not None and not any(_slides_after_a_hinge(frames[mechanism.site[site].body]) for site in ends):
+            found[ends] = way
+    return found
+
+
+def _slides_after_a_hinge(frame: BodyFrame) -> bool:
+    """Whether a body slides on one that turns, so that a hinge may move it later that does not at the start."""
+    return any(one.pivot is not None and other.pivot is None for one, other in pairwise(frame.steps))

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import machines
+from plain_scenes import drawn_shell
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.frames import start
@@ -57,6 +58,17 @@ def test_engines_agree_on_random_trains(seed: int) -> None:
     certificate = compare(recorded, simulate(mechanism, TIMES))
     assert not any(text in certificate.reason for text in DISAGREE), certificate.reason
     assert max(certificate.agreement.values(), default=0.0) <= 1e-5
+
+
+def test_a_string_keeps_its_direction_until_its_ends_meet() -> None:
+    """An axle drawn to a pulley: where they all but touch, their places tell no more which way the string pulls."""
+    mechanism = drawn_shell().mechanism
+    recorded, witness = exactly(mechanism, TIMES), simulate(mechanism, TIMES)
+    assert recorded.cut == witness.cut == "reach"
+    end = np.array([0.0, witness.stable_until])
+    forces, known = witness.sample(end), recorded.sample(end)
+    assert forces.a[-1] == pytest.approx(known.a[-1], rel=1e-9)
+    assert max(compare(recorded, witness).agreement.values()) <= 1e-9
 
 
 def test_events_are_named_as_the_exact_engine_names_them() -> None:

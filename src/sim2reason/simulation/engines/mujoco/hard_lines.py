@@ -1,12 +1,14 @@
 """Lines of a changing mechanism, all at once: how long they are, how that changes, and what springs pull with."""
 
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Line
+from sim2reason.dsl.mechanism import ZERO, Line
 from sim2reason.dsl.state import Array
+from sim2reason.dsl.triples import Triple
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
@@ -39,8 +41,13 @@ class Lines:
         model: Any,  # noqa: ANN401 - MuJoCo's
         *,
         straight: bool,
+        ways: Mapping[tuple[str, str], Triple],
     ) -> None:
-        """`sites` and `index` number the sites and joints of the compiled `model`; `straight`: nothing turns."""
+        """`sites` and `index` number the sites and joints of the compiled `model`; `straight`: nothing turns.
+
+        `ways` are the directions of pieces that never turn, as unit vectors. Where their ends all but meet, what their
+        places say of it is rounding, and a jerk in what they pull with.
+        """
         self.lines = lines
         names = sorted({name for line in lines for name in line.through})
         place = {name: number for number, name in enumerate(names)}
@@ -50,6 +57,8 @@ class Lines:
         self._carriers = [int(model.site_bodyid[site]) for site in self._sites]
         self._first = np.array([place[first] for _, (first, _) in pieces], dtype=np.intp)
         self._last = np.array([place[last] for _, (_, last) in pieces], dtype=np.intp)
+        self._kept = np.array([ways.get(ends, ZERO) for _, ends in pieces]).reshape(len(pieces), 3)
+        self._keeps = np.array([ends in ways for _, ends in pieces], dtype=bool)
         self._owned, self._wound = np.zeros((len(lines), len(pieces))), np.zeros((len(lines), int(model.nv)))
         for number, (owner, _) in enumerate(pieces):
             self._owned[owner, number] = 1.0
@@ -65,21 +74,31 @@ class Lines:
         """How long the lines are, and how that changes with the joints."""
         places = data.site_xpos.take(self._sites, axis=0)
         apart = places.take(self._last, axis=0) - places.take(self._first, axis=0)
-        runs = np.sqrt(np.vecdot(apart, apart))
-        if not runs.all():
-            raise SimulationError("two points of a line have come together")
-        ways, moved = apart / runs[:, None], self._moved(data, places)
+        runs, ways = self._directed(apart)
+        moved = self._moved(data, places)
         values, gradients = self._summed(runs), self._summed(np.vecmat(ways, moved))
         if self._wheels:
             values, gradients = values + self._wound @ q, gradients + self._wound
         return Lengths(values, gradients, Pieces(places, runs, ways, moved))
+
+    def _directed(self, apart: Array) -> tuple[Array, Array]:
+        """How long pieces are, and their directions, given how their ends lie apart, (pieces, 3)."""
+        keeps = self._keeps
+        runs = np.sqrt(np.vecdot(apart, apart))
+        if not (runs.astype(bool) | keeps).all():
+            raise SimulationError("two points of a line have come together")
+        if not keeps.any():
+            return runs, apart / runs[:, None]
+        turning = apart / np.where(keeps, 1.0, runs)[:, None]
+        return np.where(keeps, np.vecdot(apart, self._kept), runs), np.where(keeps[:, None], self._kept, turning)
 
     def bends(self, data: Any, v: Array, pieces: Pieces) -> Array:  # noqa: ANN401 - MuJoCo's
         """The second derivatives of their lengths at q̈ = 0, m/s²."""
         places, runs, ways, moved = pieces
         parting = moved @ v
         along = np.vecdot(ways, parting)
-        found = (np.vecdot(parting, parting) - along * along) / runs
+        turning = (np.vecdot(parting, parting) - along * along) / np.where(self._keeps, 1.0, runs)
+        found = np.where(self._keeps, 0.0, turning)
         if not self._straight:
             for number, carrier in enumerate(self._carriers):
                 if carrier:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from sim2reason.dsl.constancy import steady
 from sim2reason.dsl.mechanism import Inextensible, Mechanism, Meeting, Prop, Rigid
 from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import Triple
@@ -45,8 +46,9 @@ class HardModel:
         self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
         compiled_in = self._site_id, self.index, self._model
         pulls = tuple(line for line in mechanism.lines if not line.law.row)
-        self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight)
-        self._drawn = Lines(pulls, *compiled_in, straight=self._straight)
+        self.ways = steady(mechanism)
+        self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight, ways=self.ways)
+        self._drawn = Lines(pulls, *compiled_in, straight=self._straight, ways=self.ways)
         self._pulls = Pulls(self._drawn)
         self._attracted = Attractions(mechanism.attractions, self._body_id, self._model, straight=self._straight)
         self.slips = self._slips()

@@ -7,8 +7,6 @@ from math import nan
 
 import numpy as np
 
-from sim2reason.dsl.constancy import straight
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Rigid
 from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.errors import SimulationError
@@ -125,8 +123,7 @@ class HardRecord:
         self._model = model
         self.stretches: list[Stretch] = []
         self.runs = self._runs()
-        mechanism, began = model.mechanism, start(model.mechanism)
-        self._ways = [straight(mechanism, began, *run) for run in self.runs]
+        self._ways = [model.ways.get(run) for run in self.runs]
 
     def _runs(self) -> list[tuple[str, str]]:
         """The straight pieces of lines whose ends may come together."""
