@@ -5,7 +5,7 @@ from math import asin, cos, degrees, radians, sin, sqrt, tan
 import numpy as np
 import pytest
 
-from plain_scenes import atwood, ramp, table
+from plain_scenes import atwood, ramp, row, table
 from sim2reason.bodies.ball import Ball
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Request
@@ -86,6 +86,37 @@ def test_beside_a_motion_in_which_nothing_came_one_is_followed_for_long_at_once(
     assert dependence(0.1) == pytest.approx(sqrt(1.6 / (G * (sin(slope) - 0.1 * cos(slope)))))
 
 
+def test_what_comes_late_is_told_from_what_never_comes() -> None:
+    """v² = 2 g s sin θ, after √(2 s/(g sin θ)): a slow motion is waited for, and one that is slower still is late."""
+    scene = ramp(angle=30.0, friction=0.0)
+
+    def slope(horizons: float) -> float:
+        return degrees(asin(2.0 * 0.8 / (G * (horizons * scene.horizon) ** 2)))
+
+    speed = Query("event", SPEED, Moved("ramp.blocks.0", 0.8))
+    dependence = Dependence(speed, study(scene), "ramp.plane.angle")
+    slow = slope(6.0)
+    assert dependence(slow) == pytest.approx(sqrt(2.0 * G * 0.8 * sin(radians(slow))))
+    assert not dependence.is_late(slow)
+    assert dependence(slope(20.0)) is None
+    assert dependence.is_late(slope(20.0))
+    assert dependence.coarser(1e-6).is_late(slope(20.0))
+    stuck = Dependence(speed, study(ramp(angle=30.0, friction=0.1)), "ramp.plane.friction")
+    assert stuck(1.0) is None
+    assert not stuck.is_late(1.0)
+
+
+def test_what_repeats_itself_or_takes_a_time_that_is_asked_for_is_not_late() -> None:
+    """What is on a spring of k and 0.3 m beyond its rest comes back: it never gets 0.6 m away and more."""
+    sprung = row([1.0], [40.0], "left", strain=0.1)
+    name = "chain.carts.0"
+    reach = Query("event", Target("velocity", name), Moved(name, 0.25))
+    assert not Dependence(reach, study(sprung), "chain.springs.0.stiffness").is_late(30.0)
+    takes = Dependence(TAKES, study(ramp(angle=30.0)), "ramp.plane.angle")
+    assert takes(1e-3) == np.inf
+    assert not takes.is_late(1e-3)
+
+
 def test_what_is_known_of_the_scene_itself_is_not_worked_out_again() -> None:
     dependence = Dependence(AFTER, study(ramp(angle=30.0)), "ramp.plane.angle")
     dependence.know(30.0, 1.25)
@@ -127,6 +158,10 @@ def test_a_dip_between_two_points_is_seen() -> None:
 
         def course(self, value: float) -> None:
             del value
+
+        def is_late(self, value: float) -> bool:
+            del value
+            return False
 
     points = tuple(np.geomspace(0.1, 100.0, 64).tolist())
     dependence = Parabola()

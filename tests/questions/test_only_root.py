@@ -27,9 +27,13 @@ class Known:
     result: Callable[[float], float]
     hits: tuple[float, ...] = ()  # numbers from which on one thing more happens
     ends: tuple[float, float] = (-inf, inf)  # beyond which there is no result
+    late: tuple[float, ...] = ()  # where there may be one that is not waited for
 
     def __call__(self, value: float) -> float | None:
         return self.result(value) if self.ends[0] <= value <= self.ends[1] else None
+
+    def is_late(self, value: float) -> bool:
+        return value in self.late
 
     def course(self, value: float) -> tuple[int, ...]:
         return tuple(number for number, hit in enumerate(self.hits) if value > hit)
@@ -148,6 +152,12 @@ def test_a_root_just_behind_the_range_is_foreseen(turn: float, fall: float, end:
 
     scan = Scan(Known(result), ROOT, 1.0, MARGIN)  # type: ignore[arg-type]
     assert scan.end(VALUES) == (end if end is None else pytest.approx(end))
+
+
+def test_a_number_whose_answer_may_come_later_than_is_waited_is_not_excluded() -> None:
+    late = VALUES[50]
+    known = Known(lambda value: value, ends=(0.0, VALUES[49]), late=(late,))
+    assert Scan(known, ROOT, ROOT, MARGIN).another(VALUES) == late  # type: ignore[arg-type]
 
 
 def test_no_body_of_a_roomy_scene_reaches_a_pulley() -> None:

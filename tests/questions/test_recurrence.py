@@ -11,7 +11,7 @@ from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.fields import Magnetic, Profile, Push
 from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
 from sim2reason.questions.period_words import attracted_by
-from sim2reason.questions.recurrence import Repetition
+from sim2reason.questions.recurrence import Repetition, flies_off, nothing_new
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8
@@ -63,6 +63,28 @@ def test_keplers_third_law(eccentricity: float) -> None:
     assert period(mechanism, "sky.planet", 1.2) == pytest.approx(1.0, rel=1e-8)
     assert attracted_by(mechanism, "sky.planet") == "sky.star"
     assert attracted_by(mechanism, "sky.star") == ""
+
+
+@pytest.mark.parametrize(("share", "outward", "flies"), [(0.99, 1.0, False), (1.01, 1.0, True), (1.01, -1.0, False)])
+def test_what_is_faster_than_it_must_be_to_escape_never_comes_back(share: float, outward: float, flies: bool) -> None:
+    """v² = 2GM/r; at first along the line from the centre, or towards it, and a little aside."""
+    builder = Builder(gravity=ZERO)
+    room = builder.room()
+    star = room.body("star", 5.0)
+    speed = share * sqrt(2.0 * 2.0 * 5.0 / 3.0)
+    planet = room.body("planet", 1e-3, at=(3.0, 0.0, 0.0))
+    planet.slide(X, outward * 0.8 * speed, name="x").slide(Y, 0.6 * speed, name="y").attract(star, 2.0)
+    trace = simulate(builder.finish(), np.linspace(0.0, 0.1, 3))
+    assert flies_off(trace, "planet") is flies
+    assert not flies_off(trace, "star")
+
+
+@pytest.mark.parametrize(("angle", "rate"), [(0.3, 0.0), (0.0, 0.0)])
+def test_what_repeats_itself_or_rests_brings_nothing_new(angle: float, rate: float) -> None:
+    """A swing is known from one period on; what hangs at rest, at once."""
+    mechanism, whole = rod(0.8, angle, rate), 2.0 * pi * sqrt(0.8 / G)
+    assert nothing_new(simulate(mechanism, np.linspace(0.0, 1.1 * whole, 5)))
+    assert nothing_new(simulate(mechanism, np.linspace(0.0, 0.5 * whole, 5))) is (angle == 0.0)
 
 
 def particle(electric: float) -> Mechanism:

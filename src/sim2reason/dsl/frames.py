@@ -7,7 +7,7 @@ coordinate, and how it would move if a body rose from the face that it lies on.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
@@ -97,6 +97,7 @@ class BodyFrame:
         return Turning(self.spin or ZERO, self.spin_bias, gradient)
 
 
+NONE_STEADY: Mapping[tuple[str, str], Triple] = MappingProxyType({})
 ROOM = BodyFrame(ZERO, None, ZERO, ZERO, None, ZERO, (), MappingProxyType({}))
 
 
@@ -104,11 +105,21 @@ class Frames:
     """The frames of all bodies of a mechanism for given coordinates and their rates."""
 
     def __init__(
-        self, mechanism: Mechanism, q: Sequence[Number], v: Sequence[Number], maths: Maths, *, still: bool = False
+        self,
+        mechanism: Mechanism,
+        q: Sequence[Number],
+        v: Sequence[Number],
+        maths: Maths,
+        *,
+        still: bool = False,
+        steady: Mapping[tuple[str, str], Triple] = NONE_STEADY,
     ) -> None:
-        """`q` and `v` hold a number for each coordinate, in the mechanism's order; `still` says that all are zero."""
+        """`q` and `v` hold a number for each coordinate, in the mechanism's order; `still` says that all are zero.
+
+        `steady` has the directions from one site to another that are known never to turn.
+        """
         self._mechanism, self._q, self._v, self._maths = mechanism, q, v, maths
-        self._still = still
+        self._still, self._steady = still, steady
         self._frames: dict[str | None, BodyFrame] = {None: ROOM}
         self._centers: dict[str, Point] = {}
         self._sites: dict[str, Point] = {}
@@ -143,7 +154,8 @@ class Frames:
         """From one site to another; ZeroDivisionError where they coincide and can part."""
         found = self._distances.get((first, last))
         if found is None:
-            found = self._distances[first, last] = distance(self.site(first), self.site(last), self._maths)
+            steady = self._steady.get((first, last))
+            found = self._distances[first, last] = distance(self.site(first), self.site(last), self._maths, steady)
         return found
 
     def pieces(self, line: Line) -> tuple[Distance, ...]:

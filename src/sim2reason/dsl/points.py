@@ -37,14 +37,18 @@ class Distance:
     lift: Mapping[int, Number]  # the same for rises from faces
 
 
-def distance(one: Point, other: Point, maths: Maths) -> Distance:
-    """From one point to another; ZeroDivisionError where they coincide and can part."""
+def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = None) -> Distance:
+    """From one point to another; ZeroDivisionError where they coincide and can part.
+
+    `steady` is the unit vector from one to the other if that never turns: then it holds where they meet, too, and
+    beyond, where their distance counts as negative.
+    """
     apart = x, y, z = minus(other.place, one.place)
-    value = maths.sqrt(x * x + y * y + z * z)
+    value = maths.sqrt(x * x + y * y + z * z) if steady is None else product(steady, apart)
     moved, risen = relative(one.gradient, other.gradient), relative(one.lift, other.lift)
     if not moved and not risen:
         return Distance(value, 0.0, 0.0, NONE, {}, {}, {})
-    way = x, y, z = times(1.0 / value, apart)
+    way = x, y, z = times(1.0 / value, apart) if steady is None else steady
     along = {i: x * dx + y * dy + z * dz for i, (dx, dy, dz) in moved.items()}
     lift = {i: product(way, normal) for i, normal in risen.items()} if risen else {}
     if one.velocity is other.velocity and one.bias is other.bias:  # above all where nothing moves yet
@@ -52,7 +56,7 @@ def distance(one: Point, other: Point, maths: Maths) -> Distance:
     parting = minus(other.velocity, one.velocity)
     rate = product(way, parting)
     bend = product(way, minus(other.bias, one.bias))
-    bias = bend + (product(parting, parting) - rate * rate) / value
+    bias = bend if steady is not None else bend + (product(parting, parting) - rate * rate) / value
     return Distance(value, rate, bias, way, moved, along, lift)
 
 

@@ -128,6 +128,8 @@ def unfixed(question: Question, study: Study) -> str:
     if edge is not None:
         return f"edge: at {edge:.3g} {question.unit} there is no result"
     other = scan.another(values)
+    if other is not None and fine.is_late(other):
+        return f"late: at {other:.3g} {question.unit} it comes after the motion that is followed, if it does"
     if other is not None:
         return f"another: {other:.3g} {question.unit} is not excluded"
     end = scan.end(values)

@@ -8,22 +8,27 @@ from math import inf, isfinite
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.kinds import KINDS
+from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Query
+from sim2reason.questions.recurrence import flies_off, nothing_new
 from sim2reason.questions.study import BEYOND, SHORTEST, Study
 from sim2reason.questions.unknown import LENGTHS
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES, FINEST
+from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
-LONGER = 2.0  # times the scene's own horizon, until which something is waited for that may come later
+LONGER = 2.0  # times the scene's own horizon, until which something is waited for that may come later;
+LATEST = 8.0  # or, where it would be another answer however late it came
 BORDER = 5  # bisections towards where there is no answer
 AT_ONCE = 1e-6  # of a time
 STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
 
-ROOMY = 10.0  # times: how much longer a string may be
+ROOMY = 100.0  # times: how much longer a string may be
 STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
 
 Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
@@ -48,6 +53,7 @@ class Dependence:
         self._known: dict[float, float | None] = {}
         self._times: dict[float, float] = {}  # when what is asked about came; inf where it was waited for in vain
         self._courses: dict[float, Course] = {}
+        self._late = set[float]()  # where it may come yet when the motion is no longer followed
 
     def know(self, value: float, answer: float) -> None:
         """The answer for the value that the number has in the study's scene; its motion need not be followed again."""
@@ -58,7 +64,7 @@ class Dependence:
     def coarser(self, error: float) -> "Dependence":
         """The same with steps that may err by more; what one learns of when to wait for an answer the other knows."""
         found = Dependence(self._query, self._study, self._path, error, self._scene)
-        found._times = self._times
+        found._times, found._late = self._times, self._late
         return found
 
     def __call__(self, value: float) -> float | None:
@@ -66,6 +72,11 @@ class Dependence:
         if value not in self._known:
             self._known[value] = self._answer(value)
         return self._known[value]
+
+    def is_late(self, value: float) -> bool:
+        """Whether nothing but how long a motion is followed keeps what is asked about from having an answer."""
+        self(value)
+        return value in self._late
 
     def course(self, value: float) -> Course | None:
         """What happens in turn until the answer is known, where there is one: what else happens may depend on it."""
@@ -85,18 +96,38 @@ class Dependence:
         return None
 
     def _followed(self, value: float, scene: Scene, stages: Sequence[float]) -> float | None:
-        """The answer, where a motion is followed for ever longer until there is one."""
+        """The answer, where a motion is followed for ever longer until there is one.
+
+        What can not be followed any longer is as late as what is not: something may come yet.
+        """
         kind = KINDS[self._query.kind]
         for until in stages:
             other = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, until]), self._error))
             found = kind.answer(self._query, other)
+            self._late.discard(value)
             if found is not None:
                 self._note(value, other)
                 return found if isfinite(found) else None
             if other.trace.cut or other.trace.stable_until < until:
                 return None
+            if self._later_counts:
+                if self._never(other.trace):
+                    break
+                self._late.add(value)
         self._times[value] = inf
         return inf if kind.measured(self._query).name == "time" else None
+
+    def _never(self, trace: Trace) -> bool:
+        """Whether what has not come by the end of a motion is known not to come any more."""
+        moment = self._query.moment
+        lost = moment is not None and moment.comes_round
+        return nothing_new(trace) or (lost and any(flies_off(trace, body.name) for body in _of(moment, trace)))
+
+    @property
+    def _later_counts(self) -> bool:
+        """Whether something is waited for whose time is not the answer: however late it comes, it has one."""
+        timed = KINDS[self._query.kind].measured(self._query).name == "time"
+        return not timed and self._query.moment is not None and not self._ends(self._query.moment)
 
     def _note(self, value: float, study: Study) -> None:
         """When what is asked about comes in a motion, and after what; itself it may be an event, within rounding."""
@@ -113,14 +144,20 @@ class Dependence:
         moment, end = self._query.moment, scene.horizon
         if moment is None:
             return [(end,)]
-        if not moment.event and not moment.channels:  # a time, the start, or all of the motion
-            known = [time for time, _ in moment.stated] or ([0.0] if moment.kind == "start" else [])
-            return [(max(BEYOND * known[0], SHORTEST * end) if known else end,)]
+        if known := self._ends(moment):
+            return [(max(BEYOND * known[0], SHORTEST * end),)]
         near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0
-        usual = end, LONGER * end
+        usual = (end, LONGER * end, *((LATEST * end,) if self._later_counts else ()))
         if not near:
             return [usual]
-        return [usual[-1:], usual] if near == inf else [(min(1.2 * near, LONGER * end), *usual)]
+        return [usual[1:], usual] if near == inf else [(min(1.2 * near, usual[-1]), *usual)]
+
+    @staticmethod
+    def _ends(moment: Moment) -> list[float]:
+        """When a moment comes in any motion, s: a time, or the start; empty for what the motion brings about."""
+        if moment.event or moment.channels:
+            return []
+        return [time for time, _ in moment.stated] or ([0.0] if moment.kind == "start" else [])
 
     def rate(self, value: float) -> float | None:
         """The derivative, from one side, which is known to `STEP`; None where there is none."""
@@ -172,6 +209,12 @@ class Dependence:
     def _excess(self, at: float, value: float) -> float | None:
         found = self(at)
         return None if found is None else found - value
+
+
+def _of(moment: Moment | None, trace: Trace) -> Iterator[RigidBody]:
+    """The bodies that a moment is about; all, if it names none."""
+    named = {name for subject in (moment.subjects if moment is not None else ()) for name in members(subject)}
+    return (body for body in trace.mechanism.bodies if not named or body.name in named)
 
 
 def roomy(scene: Scene) -> Scene:

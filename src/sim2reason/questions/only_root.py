@@ -36,6 +36,7 @@ class Scan:
     def another(self, values: Sequence[float]) -> float | None:
         """A number at which the answer could be what is given, or for which it is on the wrong side; None if none is.
 
+        One that has its answer later than its motion is followed, if it has any, could be, too.
         Looked for at all `values`, towards the borders of where there is an answer, and at the bottom of each dip.
         """
         return next((at for at in self._tried(values) if self._could_be(at)), None)
@@ -110,7 +111,7 @@ class Scan:
 
     def _could_be(self, at: float) -> bool:
         clear = self._clear(at)
-        return clear is not None and clear <= 1.0
+        return self._coarse.is_late(at) if clear is None else clear <= 1.0
 
     def _clear(self, at: float) -> float | None:
         """By how many margins the answer is beyond what is given, on the side where it must be; None without answer."""

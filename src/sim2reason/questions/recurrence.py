@@ -10,8 +10,8 @@ import numpy as np
 from sim2reason.dsl.fields import Magnetic, Push
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.subjects.paths import chain
-from sim2reason.questions.choices import apart, at
+from sim2reason.quantities.subjects.paths import center_path, chain
+from sim2reason.questions.choices import STILL, apart, at
 from sim2reason.questions.crossing import crossings
 from sim2reason.simulation.trace import Trace
 
@@ -47,6 +47,42 @@ def first_return(trace: Trace) -> float | None:
     """
     mechanism = trace.mechanism
     return _first_return(trace, range(len(mechanism.coordinates))) if is_autonomous(mechanism) else None
+
+
+def ends_at_rest(trace: Trace) -> bool:
+    """Whether nothing moves or is accelerated at the end, and time has no part in the equations."""
+    end = at(trace, float(trace.state.times[-1]))
+    fastest = float(np.abs(trace.scan.v).max(initial=0.0))
+    at_rest = float(np.abs(end.v).max(initial=0.0)) <= STILL * fastest and not np.any(np.abs(end.a) > STILL)
+    return not trace.cut and at_rest and is_autonomous(trace.mechanism)
+
+
+def nothing_new(trace: Trace) -> bool:
+    """Whether all that comes after a motion's end is known: it has come to rest for ever, or repeats itself."""
+    return ends_at_rest(trace) or first_return(trace) is not None
+
+
+def flies_off(trace: Trace, name: str) -> bool:
+    """Whether a body that nothing but the gravitation of others keeps from flying on leaves all of them for ever.
+
+    It recedes from each, and is faster than it must be to escape: v² > 2 Σ GM/r. Where others move, too, that one of
+    them overtakes it is left out of account.
+    """
+    mechanism, end = trace.mechanism, at(trace, trace.stable_until)
+    pulls = [pull for pull in mechanism.attractions if name in (pull.a, pull.b)]
+    others = [pull.a if pull.b == name else pull.b for pull in pulls]
+    weight = np.array(center_path(mechanism, name).ways).reshape(-1, 3) @ np.array(mechanism.gravity)
+    alone = not (mechanism.forces or mechanism.lines or mechanism.meetings or weight.any())
+    if not pulls or not alone or any(pull.power != 2.0 for pull in pulls):
+        return False
+    point, depth = end.frames.center(name), 0.0
+    velocity = end.vector(point.velocity)[0]
+    for pull, other in zip(pulls, map(end.frames.center, others), strict=True):
+        away = end.vector(point.place)[0] - end.vector(other.place)[0]
+        if away @ (velocity - end.vector(other.velocity)[0]) <= 0.0:
+            return False
+        depth += pull.constant * mechanism.body[pull.a if pull.b == name else pull.b].mass / np.linalg.norm(away)
+    return bool(velocity @ velocity > 2.0 * depth)
 
 
 def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:

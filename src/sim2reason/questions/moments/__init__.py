@@ -56,6 +56,11 @@ class Moment(ABC):
         """What its own words say, which therefore can't be asked; nothing by default."""
         return ()
 
+    @property
+    def comes_round(self) -> bool:
+        """Whether it never comes where one of its bodies flies off for ever; by default it may."""
+        return False
+
     @classmethod
     @abstractmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:

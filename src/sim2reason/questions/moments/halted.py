@@ -6,11 +6,11 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.quantities.kinematics import Velocity
-from sim2reason.questions.choices import STILL, at, still
+from sim2reason.questions.choices import still
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.questions.recurrence import is_autonomous
+from sim2reason.questions.recurrence import ends_at_rest
 from sim2reason.simulation.trace import Event, Trace
 
 
@@ -26,7 +26,7 @@ class Halted(Stopped):
 
     def is_this(self, event: Event, trace: Trace) -> bool:
         """Whether it stops then, has stopped before, and nothing ever moves again."""
-        if not Stopped.is_this(self, event, trace) or not _ends_at_rest(trace):
+        if not Stopped.is_this(self, event, trace) or not ends_at_rest(trace):
             return False
         times, speeds = trace.scan.times, _speeds(trace, self.name)
         return (
@@ -37,11 +37,3 @@ class Halted(Stopped):
 
 def _speeds(trace: Trace, name: str) -> Array:
     return np.linalg.norm(Velocity.evaluate(trace.scan, name), axis=1)
-
-
-def _ends_at_rest(trace: Trace) -> bool:
-    """Whether nothing moves or is accelerated at the end, and time has no part in the equations."""
-    end = at(trace, float(trace.state.times[-1]))
-    fastest = float(np.abs(trace.scan.v).max(initial=0.0))
-    at_rest = float(np.abs(end.v).max(initial=0.0)) <= STILL * fastest and not np.any(np.abs(end.a) > STILL)
-    return not trace.cut and at_rest and is_autonomous(trace.mechanism)

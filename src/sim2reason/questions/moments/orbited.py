@@ -59,6 +59,11 @@ class Orbited(Passage):
             if cls(name).ends(words)[1] in text:
                 yield from (cls(name, part) for part in PARTS)
 
+    @property
+    def comes_round(self) -> bool:
+        """A hyperbola turns less than all the way round."""
+        return self.degrees == ALL_ROUND
+
     def ends(self, words: Words) -> tuple[str, str]:
         """What is fixed, and what goes round."""
         a, b = members(self.name)

@@ -33,6 +33,11 @@ class WholeMotion(Moment):
         del text, trace, words
         yield cls()
 
+    @property
+    def comes_round(self) -> bool:
+        """All must be as it was."""
+        return True
+
     def time(self, trace: Trace) -> float | None:
         """When all is as at the start again."""
         return first_return(trace)

@@ -29,6 +29,11 @@ class Apsis(Peak):
         drawn = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
         return {name: said for name, said in words.called(cls.of).items() if frozenset(members(name)) in drawn}
 
+    @property
+    def comes_round(self) -> bool:
+        """What recedes for ever turns neither back nor towards."""
+        return True
+
     def receding(self, state: State) -> Array:
         """How fast they part, m/s, (n,): r·v/r."""
         a, b = members(self.name)

@@ -10,6 +10,7 @@ from itertools import chain
 from math import inf
 
 from sim2reason.dsl.constancy import straight
+from sim2reason.dsl.frames import Frames
 from sim2reason.dsl.triples import Number, minus, product
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
@@ -63,7 +64,8 @@ class _Recorded:
         self.tape = Tape(["t", *(f"q{i}" for i in range(n)), *(f"v{i}" for i in range(n))])
         symbols = list(self.tape.inputs.values())
         self.time, self.q, self.v = symbols[0], symbols[1 : n + 1], symbols[n + 1 :]
-        self.assembly = Assembly(system.mechanism, phase, (self.q, self.v, self.time), self.tape)
+        frames = Frames(system.mechanism, self.q, self.v, self.tape, steady=system.steady)
+        self.assembly = Assembly(system.mechanism, phase, (self.q, self.v, self.time), self.tape, frames)
         self.mass = self.assembly.full_mass()
         self.rows = self.assembly.rows(system.starts)
         self.made: dict[Mode, Formulas] = {}

@@ -7,12 +7,12 @@ from functools import cached_property
 from itertools import pairwise
 from math import inf
 
-from sim2reason.dsl.constancy import ALIGNED, changing
+from sim2reason.dsl.constancy import ALIGNED, changing, steady
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Line, Mechanism, Meeting, Rigid
 from sim2reason.dsl.points import Distance
 from sim2reason.dsl.start_speeds import check_speeds
-from sim2reason.dsl.triples import Number, minus, product
+from sim2reason.dsl.triples import Number, Triple, minus, product
 from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.assembly import Assembly
@@ -149,6 +149,11 @@ class System:
                 if run.lift or any(math.hypot(*way) > ALIGNED for way in run.moved.values())
             }
         return found
+
+    @cached_property
+    def steady(self) -> dict[tuple[str, str], Triple]:
+        """The straight pieces of lines that never turn, with their directions."""
+        return steady(self.mechanism)
 
     @cached_property
     def movable(self) -> tuple[tuple[str, ...], ...]:
