@@ -65,7 +65,7 @@ class MassBoxPlane(Entity):
         last = len(self.blocks) - 1
         for index, block in enumerate(self.blocks):
             frame = box.body(f"blocks.{index}", block.mass, at=scale((index - 0.5 * last) * APART, X))
-            frame.rest(X, Z, self.box.friction).site(f"hook{index}")
+            frame.rest(X, Z, self.box.friction, name="right").site(f"hook{index}")
         link(box, len(self.blocks))
         edge = self.length + 0.5 * last * APART
         for name, block, way, hook in (("left", self.left, -1.0, "hook0"), ("right", self.right, 1.0, f"hook{last}")):

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import chain, combinations
 
 import numpy as np
 
@@ -28,7 +28,7 @@ from sim2reason.solutions.strategies import Strategy
 POINTS = 8  # beside the scene's own
 NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
 WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
-TRIES, WIDELY = 16, 24
+TRIES, WIDELY, ACROSS = 16, 24, 4
 BARREN = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
 SAME = 1e-6  # relative: how well the formula agrees with the engine
 ASSUME, JOINT = "Assume that ", " and that "
@@ -83,15 +83,15 @@ class Symbolic(QuestionMode):
             found = shortened(whole)
         except ClosedFormError:
             return None
-        assumed = varied.assumed(found, rng, words) if varied.near(found, rng) else None
+        assumed = varied.assumed(found, rng, spoken) if varied.near(found, rng) else None
         if assumed is None and varied.beyond and not question.sign:
             found = found.of_sizes(varied.beyond)
-            assumed = varied.assumed(found, rng, words)
+            assumed = varied.assumed(found, rng, spoken)
         if assumed is None or len(found.latex) > LONGEST:
             return None
         noun = targets(words)[query.target] if query.target is not None else None
         asked = sentence(chosen(KINDS[query.kind].shapes(query, spoken, noun), rng))
-        text = f"{_assuming(assumed, words)} {asked}" if assumed else asked
+        text = f"{asked} {_assuming(assumed, spoken)}" if assumed else asked
         return replace(question, text=text, formula=varied.formula(found, symbols), assumed=assumed)
 
     def described(self, question: Question, description: Description) -> Description:
@@ -100,7 +100,7 @@ class Symbolic(QuestionMode):
         return with_names(description.voiced(symbolic_but_zero))
 
     def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
-        """A query in the words of its kind, behind what is assumed."""
+        """A query in the words of its kind, before what is assumed."""
         if not words.symbolic:
             return None
         assumed, asked = _parted(text)
@@ -229,7 +229,10 @@ class _Varied:
     def _widely(self, rng: np.random.Generator) -> Iterator[Variation]:
         """With numbers far from the scene's own."""
         yield from self._wide
-        self._more = self._more or self._variations.drawn(rng, WIDE, WIDELY, self._barren)
+        self._more = self._more or chain(
+            self._variations.across(rng, NEAR[-1], ACROSS),
+            self._variations.drawn(rng, WIDE, WIDELY, self._barren),
+        )
         for other in self._more:
             self._wide.append(other)
             yield other
@@ -268,10 +271,8 @@ def _assuming(assumed: Sequence[Regime], words: Words) -> str:
 
 def _parted(text: str) -> tuple[str, str]:
     """What a question assumes, if it does, and what it asks."""
-    if not text.startswith(ASSUME):
-        return "", text
-    assumed, stop, asked = text.partition(". ")
-    return f"{assumed}.", asked if stop else ""
+    asked, stop, assumed = text.partition(f" {ASSUME}")
+    return f"{ASSUME}{assumed}" if stop else "", asked
 
 
 def _spoken(words: Words, query: Query) -> Words | None:

@@ -82,23 +82,50 @@ class Variations:
 
         The motions of those that have none are added to `barren`.
         """
+        for values in self._around([held.value for held in self.symbols], rng, width, tries):
+            found = self._at(values, barren)
+            if found is not None:
+                yield found
+
+    def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
+        """With the question's own numbers on the other side of where the motion starts, and all as far from there.
+
+        Nothing is drawn where they have one side alone.
+        """
+        moment = self.query.moment
+        other = moment.across(self.study.trace) if moment is not None else None
+        if other is None:
+            return
+        numbers = iter(other)
+        mirrored = [held.value if held.path else next(numbers) for held in self.symbols]
+        for values in self._around(mirrored, rng, width, tries):
+            found = self._at(values, None, (self.study.scene.horizon,))
+            if found is not None:
+                yield found
+
+    def _around(
+        self, middle: Sequence[float], rng: np.random.Generator, width: float, tries: int
+    ) -> Iterator[list[float]]:
+        """Numbers around some, but for angles that would be steep where the text's are not."""
         for _ in range(tries):
             factors = np.exp(rng.uniform(-width, width, len(self.symbols))).tolist()
-            values = [held.value * factor for held, factor in zip(self.symbols, factors, strict=True)]
+            values = [number * factor for number, factor in zip(middle, factors, strict=True)]
             steep = (
                 held.unit == "deg" and abs(value) > STEEPEST >= abs(held.value)
                 for held, value in zip(self.symbols, values, strict=True)
             )
-            found = None if any(steep) else self._at(values, barren)
-            if found is not None:
-                yield found
+            if not any(steep):
+                yield values
 
-    def _at(self, values: Sequence[float], barren: list[Study] | None) -> Variation | None:
+    def _at(
+        self, values: Sequence[float], barren: list[Study] | None, ends: tuple[float, ...] = ()
+    ) -> Variation | None:
+        """With these numbers, followed to each of some times, s, by default as long as it may take."""
         said = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking([value for held, value in said.items() if not held.path]), None
         try:
             scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
-            for end in self._ends(query):
+            for end in ends or self._ends(query):
                 seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])))
                 found = _answered(query, seen)
                 if found is not None:

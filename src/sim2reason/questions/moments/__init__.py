@@ -51,6 +51,11 @@ class Moment(ABC):
         del numbers
         return self
 
+    def across(self, trace: Trace) -> Sequence[float] | None:
+        """What is `stated`, on the other side of where it starts; None, as by default, if there is one side alone."""
+        del trace
+        return None
+
     @property
     def tells(self) -> tuple[Channel, ...]:
         """What its own words say, which therefore can't be asked; nothing by default."""

@@ -1,5 +1,6 @@
 """The first time that a string or a rod makes a stated angle with the vertical."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +16,7 @@ from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 
+STRAIGHT_UP = 180.0  # degrees
 FEWEST = 10.0  # degrees of a swing, and from its ends
 
 
@@ -48,6 +50,12 @@ class Deflected(Threshold):
         """How far it is beyond the angle, seen from where it starts."""
         beyond = Deflection.evaluate(state, self.name) - self.value
         return beyond if deflection_at_start(state, self.name) < self.value else -beyond
+
+    def across(self, trace: Trace) -> Sequence[float] | None:
+        """As much larger than the angle at the start as it is smaller than that, or the other way round."""
+        start = deflection_at_start(trace.state, self.name)
+        other = start * start / self.value
+        return (other,) if 0.0 < other < STRAIGHT_UP else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the string first makes an angle of 20° with the downward vertical."""

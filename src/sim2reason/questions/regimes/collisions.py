@@ -43,13 +43,13 @@ class CollideInTurn(Regime):
         return len(_meetings(study.mechanism)) > 1
 
     def clause(self, words: Words) -> str:
-        """As in: the only collision before the moment in question is that of balls A and B."""
+        """As in: the only earlier collision is that of balls A and B; it follows the question."""
         said = [_said(names, words) for names in self.order]
         if not said:
-            return "there is no collision before the moment in question"
+            return "there is no earlier collision"
         if len(said) == 1:
-            return f"the only collision before the moment in question is {said[0]}"
-        return f"the only collisions before the moment in question are first {', then '.join(said)}"
+            return f"the only earlier collision is {said[0]}"
+        return f"the only earlier collisions are first {', then '.join(said)}"
 
 
 def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:

@@ -6,14 +6,18 @@ from typing import Self
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.quantities.subjects.bodies import RIGHT
 from sim2reason.quantities.subjects.contacts import Contacts
 from sim2reason.questions.choices import at
 from sim2reason.questions.moments.parts.slip_change import slip
 from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.regimes.direction import OPPOSITE
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 STILL = 1e-9  # m/s
+LEVEL = 1e-9  # of a way's steepness: less is rounding
 LASTING = 1e-9  # of that time
 SOON = 1e-3  # of the time that is asked about, or s: by when what is released has begun to slide
 
@@ -26,33 +30,57 @@ class SlidesThroughout(Regime):
     of = Contacts()
 
     slides: bool
+    way: int = 0  # 1 and -1: one way all the time, as its slip counts; 0: to and fro, or no words tell which way
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Either, of every body on a rough face."""
-        rough = [name for name in words.called(cls.of) if study.mechanism.contacts[name].friction > 0.0]
-        return [cls(name, slides) for name in rough for slides in (True, False)]
+        """Either, of every body on a rough face, and if it slides, each way that there are words for."""
+        mechanism = study.mechanism
+        rough = [name for name in words.called(cls.of) if mechanism.contacts[name].friction > 0.0]
+        slides = [cls(name, True, way) for name in rough for way in (0, *_ways(mechanism, name))]  # noqa: FBT003
+        return [*slides, *(cls(name, slides=False) for name in rough)]
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is so there."""
-        return _slides(study, self.name, until) is self.slides
+        found = _slides(study, self.name, until)
+        return found[0] is self.slides and (found[1] == self.way or not _ways(study.mechanism, self.name))
 
     def clause(self, words: Words) -> str:
-        """As in: block A slides on the plank throughout."""
+        """As in: block A slides to the right on the plank."""
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
         if len(words.mechanism.contacts[self.name].slip) > 1:
             return f"{called} slips on {surface}" if self.slides else f"{called} rolls without slipping"
-        return f"{called} slides on {surface}" if self.slides else f"{called} does not slide on {surface}"
+        if not self.slides:
+            return f"{called} does not slide on {surface}"
+        return f"{called} slides {_ways(words.mechanism, self.name).get(self.way, 'on')} {surface}"
 
 
-def _slides(study: Study, name: str, until: float) -> bool | None:
-    """Whether it slides throughout, if only to and fro; None if it does for a while."""
+def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
+    """How a body may slide on its face, before the face's name, by the sign of its slip; empty if no words say it."""
+    slip = mechanism.contacts[name].slip
+    if len(slip) > 1:
+        return {}
+    ((coordinate, factor),) = slip
+    held = mechanism.coordinates[mechanism.number[coordinate]]
+    steepness = factor * held.axis[2]
+    if abs(steepness) > LEVEL:
+        return {1: "up", -1: "down"} if steepness > 0.0 else {1: "down", -1: "up"}
+    if held.label != RIGHT:
+        return {}
+    ahead, back = (f"to the {side} on" for side in (RIGHT, OPPOSITE[RIGHT]))
+    return {1: ahead, -1: back} if factor > 0.0 else {1: back, -1: ahead}
+
+
+def _slides(study: Study, name: str, until: float) -> tuple[bool | None, int]:
+    """Whether it slides throughout, if only to and fro; None if it does for a while. And which way, 0 if both."""
     soon = min(SOON * (until or 1.0), float(study.trace.state.times[-1]))
     scan = study.trace.scan
     within = (scan.times > soon) & (scan.times < until)
     times = np.concatenate([[soon], scan.times[within]])
-    still = np.abs(np.concatenate([slip(at(study.trace, soon), name), slip(scan, name)[within]])) <= STILL
+    slips = np.concatenate([slip(at(study.trace, soon), name), slip(scan, name)[within]])
+    still = np.abs(slips) <= STILL
+    way = int((slips > STILL).any()) - int((slips < -STILL).any())
     if still.all():
-        return False
+        return False, 0
     stays = still[1:] & still[:-1] & (np.diff(times) > LASTING * until)  # what turns back is still for no time
-    return None if still[0] or stays.any() else True
+    return (None if still[0] or stays.any() else True), way
