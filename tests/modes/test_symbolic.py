@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, half_atwood, ramp, swing
+from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.glider import Glider
+from sim2reason.bodies.hanger import Cord
 from sim2reason.bodies.track import Track
 from sim2reason.datasets import item_search
 from sim2reason.datasets.make import make
@@ -18,16 +20,20 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.entities.pendulum import Pendulum
 from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
 from sim2reason.filters.few_symbols import FewSymbols
 from sim2reason.grading import formula
 from sim2reason.modes.parts.variations import ProblemSymbol, Variations
 from sim2reason.prose.formula_numbers import said_in
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions import MODES, Query, Question, Study, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
+from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
@@ -87,6 +93,23 @@ def test_on_the_way_up_is_assumed() -> None:
     assert found is not None
     assert found.text.endswith(" Assume that the block moves up the slope.")
     assert "at t = $t_1$" in found.text or "t = $t_1$" in found.text
+
+
+def test_on_which_side_of_its_start_a_string_makes_an_angle_is_told() -> None:
+    """A bob sent down its arc, (Δv)² = v² + u² − 2 u v cos (θ − α), u² = v² + 2 g l (cos α − cos θ), on its way down.
+
+    To an angle beyond that at the start it comes on the other side of the vertical, where θ + α is between v and u.
+    """
+    bob = Pendulum(bob=Ball(mass=0.5), hanger=Cord(length=1.2), angle=45.0, speed=1.5)
+    scene = Scene(entities=(Named(name="swing", entity=bob),))
+    search = QuestionSearch(scene, 0)
+    line = next(iter(search.words.called(SwingingLines())))
+    query = StretchQuery("sum", None, Deflected(line, 20.0), "impulse of the net force", "swing.bob")
+    found = completed(scene, query, "N*s")
+    speed = r"v^2 + 2 g \ell (\cos\alpha - \cos\theta)"
+    assert paid(found, rf"m \sqrt{{v^2 + {speed} - 2 v \sqrt{{{speed}}} \cos(\theta - \alpha)}}")
+    assert found is not None
+    assert found.text.endswith("then makes a smaller angle with the downward vertical than at the start.")
 
 
 def test_what_begins_otherwise_and_then_has_no_answer_is_excluded() -> None:

@@ -37,7 +37,7 @@ class SolarSystem(Entity):
     units: ClassVar[UnitSystem] = ASTRONOMICAL
     says = (
         either(
-            "in units of the astronomical unit (au), the year (yr) and the solar mass (Msun), in which G = 4π² au³/(Msun yr²), {star} is fixed at the origin of the x-y plane.",
+            "{star} is fixed at the origin of the x-y plane; the units are the astronomical unit (au), the year (yr) and the solar mass (Msun), in which G = 4π² au³/(Msun yr²).",
             "{star} is fixed at the origin of the x-y plane; with lengths in au, times in years (yr) and masses in solar masses (Msun), G = 4π² au³/(Msun yr²).",
             "lengths are in au, times in years (yr) and masses in solar masses (Msun), so that G = 4π² au³/(Msun yr²); {star} is fixed at the origin of the x-y plane.",
         ),

@@ -58,9 +58,9 @@ class SlidesThroughout(Regime):
 def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
     """How a body may slide on its face, before the face's name, by the sign of its slip; empty if no words say it."""
     slip = mechanism.contacts[name].slip
-    if len(slip) > 1:
+    if len(slip) != 1:
         return {}
-    ((coordinate, factor),) = slip
+    coordinate, factor = slip[0]
     held = mechanism.coordinates[mechanism.number[coordinate]]
     steepness = factor * held.axis[2]
     if abs(steepness) > LEVEL:

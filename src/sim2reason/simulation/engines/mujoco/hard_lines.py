@@ -84,7 +84,7 @@ class Lines:
     def _directed(self, apart: Array) -> tuple[Array, Array]:
         """How long pieces are, and their directions, given how their ends lie apart, (pieces, 3)."""
         keeps = self._keeps
-        runs = np.sqrt(np.vecdot(apart, apart))
+        runs: Array = np.sqrt(np.vecdot(apart, apart))
         if not (runs.astype(bool) | keeps).all():
             raise SimulationError("two points of a line have come together")
         if not keeps.any():
