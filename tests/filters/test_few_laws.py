@@ -6,10 +6,15 @@ import pytest
 
 from plain_scenes import half_atwood, ramp, row, swing
 from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.incline import Incline
+from sim2reason.bodies.pipe import Pipe
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.rolling import NoSlipping
 from sim2reason.entities.projectile import Projectile
+from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.filters import FILTERS, Candidate
+from sim2reason.filters.parts.turning import TURNS
 from sim2reason.questions import KINDS, Question, StatedResult
 from worked import asked
 
@@ -35,6 +40,15 @@ KNOWN = {
     "How long after t = 0 does the block first come to rest?": (ROUGH, 2, 5),  # v/(g (sin θ + µ cos θ))
     "Find the magnitude of the acceleration of block B after the release.": (half_atwood(), 2, 6),  # two weights, M + m
     "Find the tension in the string after release.": (half_atwood(), 2, 8),  # m_B (g - a)
+    "What is the speed of block B after it has moved 1.0 m?": (half_atwood(), 3, 7),  # two blocks on one string
+    "Find the kinetic energy of block A after it has moved 1.3 m.": (half_atwood(), 4, 8),
+    "What is the magnitude of the change in the block's gravitational potential energy when it comes to rest for the "
+    "first time?": (ROUGH, 3, 8),  # how far, and how high that is
+    "Find the x component of the displacement of the ball from its starting point just before it reaches the ground.": (
+        thrown(),
+        2,
+        9,
+    ),
     "How long after t = 0 does the ball reach the ground?": (thrown(), 1, 7),  # (v sin θ + √(v² sin² θ + 2 g h))/g
     "Find the speed of the trolley after it has moved 0.16 m.": (SPRING, 1, 6),  # energy, once
     "Between release and the moment when the ball first comes to rest again, what is the greatest speed of the ball?": (
@@ -44,10 +58,7 @@ KNOWN = {
     ),  # √(2 g ℓ (1 − cos θ))
 }
 WORTH_IT = {
-    "What is the magnitude of the change in the block's gravitational potential energy when it comes to rest for the "
-    "first time?": ROUGH,  # how far, and how high that is
-    "What is the speed of block B after it has moved 1.0 m?": half_atwood(),
-    "Find the kinetic energy of block A after it has moved 1.3 m.": half_atwood(),
+    "How large is the impulse of the tension in the string from release until block A has moved 1.3 m?": half_atwood(),
     "How far is the ball from its starting point just before it reaches the ground?": thrown(),
     "Find the magnitude of the net force on the trolley at the moment when it first comes to rest.": SPRING,
     "How long after t = 0 is the ball first 1.2 m from its starting point?": thrown(),  # of the fourth degree
@@ -67,6 +78,22 @@ def test_what_takes_more_is_a_problem(said: str) -> None:
     asked_about = candidate(WORTH_IT[said], said)
     assert [*FILTER.findings(asked_about)]  # a formula is derived, and it is no short one
     assert FILTER.reason(asked_about) == ""
+
+
+def test_what_rolls_by_its_weight_is_kept_by_both_filters() -> None:
+    """Friction ½ m g sin θ on a pipe, whose two laws hold together; without weight, L = m v R is a definition."""
+    lane = RollingEntity(body=Pipe(mass=2.0, radius=0.1), plane=Incline(angle=20.0), grip=NoSlipping())
+    said = "What is the magnitude of the friction force exerted on the tube by the plane after release?"
+    asked_about = candidate(Scene(entities=(Named(name="lane", entity=lane),)), said)
+    assert [*FILTER.findings(asked_about)][-1] == TURNS
+    assert FILTER.reason(asked_about) == FILTERS["one line"].reason(asked_about) == ""
+
+
+def test_it_comes_first_where_the_derivation_is_made() -> None:
+    asked_about = candidate(ROUGH, next(iter(KNOWN)))
+    assert not FILTER.ready(asked_about)
+    assert FILTER.reason(asked_about)
+    assert FILTER.ready(asked_about)
 
 
 def test_it_is_known_whichever_number_is_asked_for() -> None:

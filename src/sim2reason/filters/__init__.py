@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf, isfinite
 from typing import ClassVar
@@ -48,8 +48,9 @@ class Candidate:
 
     @cached_property
     def _responses(self) -> dict[Study, float | None]:
-        """What was answered before: several filters, and the item, ask about the same changed scenes."""
-        return {}
+        """What was answered before: several filters ask about the same changed scenes, and again in symbols."""
+        asked = replace(self.question, text="", formula=None, assumed=())
+        return self.study.once(("responses", asked), dict[Study, float | None])
 
     def response(self, other: Study | None) -> float | None:
         """The answer to the same question about a changed scene; None if it has none there."""
@@ -110,6 +111,11 @@ class Filter(ABC):
     needs_witness: ClassVar[bool] = False
     of_scene: ClassVar[bool] = False
 
+    def ready(self, candidate: Candidate) -> bool:
+        """Whether all that it looks at is worked out, so that it may as well come first; by default not."""
+        del candidate
+        return False
+
     @abstractmethod
     def reason(self, candidate: Candidate) -> str:
         """Why the question must go, in a few words; empty if it may stay.
@@ -128,8 +134,9 @@ FILTERS: Registry[Filter] = Registry("filters")
 
 def sift(candidate: Candidate, *, witnessed: bool) -> Verdict:
     """The first verdict against a question among the filters that need a witness, or that need none."""
-    for name, found in in_order():
-        if found.needs_witness == witnessed and (reason := found.reason(candidate)):
+    filters = [(name, found) for name, found in in_order() if found.needs_witness == witnessed]
+    for name, found in sorted(filters, key=lambda each: not each[1].ready(candidate)):
+        if reason := found.reason(candidate):
             return Verdict(keep=False, filter=name, reason=reason)
     return Verdict(keep=True, filter="")
 

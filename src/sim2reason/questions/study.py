@@ -98,6 +98,10 @@ class Study:
             self._known[name] = make()
         return cast("T", self._known[name])
 
+    def knows(self, name: Hashable) -> bool:
+        """Whether `once` has worked out what goes by that name."""
+        return name in self._known
+
     def _followed(
         self,
         key: object,

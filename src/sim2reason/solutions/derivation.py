@@ -8,6 +8,8 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.solve import solve
 
+DERIVATION = "derivation"
+
 
 def derivation(query: Query, study: Study, words: Words) -> Solution:
     """The cheapest worked solution that leads to formulas, worked out when it is first needed; it may have no answer.
@@ -15,7 +17,12 @@ def derivation(query: Query, study: Study, words: Words) -> Solution:
     The query is answered even where the text gives its answer and asks for a number; of *when is the speed 2.1 m/s?* it
     is the speed at that time.
     """
-    return study.once(("derivation", query), lambda: _derived(query, study, words))
+    return study.once((DERIVATION, query), lambda: _derived(query, study, words))
+
+
+def is_derived(query: Query, study: Study) -> bool:
+    """Whether that derivation was worked out before, so that looking at it costs nothing."""
+    return study.knows((DERIVATION, query))
 
 
 def _derived(query: Query, study: Study, words: Words) -> Solution:

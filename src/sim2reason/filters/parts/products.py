@@ -99,18 +99,26 @@ def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) 
     """Whether what is seen of the answer goes with a function of an angle of the scene, as far as that is turned."""
     if not angle.path:
         return True
-    there = turned(candidate, angle)
-    if there is None:
+    found = turned(candidate, angle)
+    if found is None:
         return False
-    ratio = function(angle.value + radians(FAR)) / function(angle.value)
+    turn, there = found
+    ratio = function(angle.value + turn) / function(angle.value)
     return isclose(view(there) / view(candidate.question.answer), ratio, rel_tol=NEAR)
 
 
-def turned(candidate: Candidate, angle: Factor) -> float | None:
-    """The answer where an angle of the scene is turned by `FAR`; None if there is none."""
+def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
+    """An angle of the scene turned by `FAR`, rad, the other way if that leaves no answer; None if neither leaves one.
+
+    With the answer there.
+    """
     study = candidate.study
-    values = {angle.path: float(study.scene.value(angle.path)) + FAR}
-    return candidate.response(study.with_values(values, candidate.until))
+    for turn in (FAR, -FAR):
+        values = {angle.path: float(study.scene.value(angle.path)) + turn}
+        there = candidate.response(study.with_values(values, candidate.until))
+        if there is not None:
+            return radians(turn), there
+    return None
 
 
 def _halves(power: float) -> int | None:

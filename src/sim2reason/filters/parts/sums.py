@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product, takewhile
-from math import isclose, prod, radians, sqrt
+from math import isclose, prod, sqrt
 
 from sim2reason.dsl.units import parse_unit
 from sim2reason.filters import Candidate
-from sim2reason.filters.parts.products import ANGLE, EXACT, FAR, NEAR, OWN, POWERS, Factor, View, factors_of, turned
+from sim2reason.filters.parts.products import ANGLE, EXACT, NEAR, OWN, POWERS, Factor, View, factors_of, turned
 
 MOST = 5  # numbers: of more a sum of two products is none that everybody knows
 ROOTS = (1.0, 2.0)  # powers of the answer that may be the sum
@@ -65,10 +65,11 @@ def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, f
 def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[float, float]) -> bool:
     """Whether the answer stays the sum when an angle of the scene is turned: of 60° alone many functions are simple."""
     for angle in (place.factor for place in terms if place.factor.unit == ANGLE and place.factor.path):
-        there = turned(candidate, angle)
-        if there is None:
+        found = turned(candidate, angle)
+        if found is None:
             return False
-        ratio = _added(terms, front, radians(FAR)) / _added(terms, front)
+        turn, there = found
+        ratio = _added(terms, front, turn) / _added(terms, front)
         if not isclose((there / candidate.question.answer) ** root, ratio, rel_tol=TURNED):
             return False
     return True

@@ -1,7 +1,7 @@
 """Sums as one would write them by hand: what terms share stands before them, as in g (m_A - m_B), at any depth."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import reduce
 
 from sim2reason.solutions.closed_forms.rewriting import length
@@ -41,15 +41,50 @@ class Term:
         return Term(self.number / other.number, _less(self.factors, other.factors), _less(self.below, other.below))
 
 
-def gathered(held: Expression) -> Expression:
-    """A formula with the same value, each of whose sums has what terms share before them, where that is shorter."""
+def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Expression:
+    """A formula with the same value, each of whose sums has what terms share before them, where that is shorter.
+
+    How long a formula is, its `size` says: by default as it is written.
+    """
     if not held.parts:
         return held
-    found = held.built_of([gathered(part) for part in held.parts])
+    found = held.built_of([gathered(part, size) for part in held.parts])
     if not isinstance(found, Sum) or len(found.terms) > MANY:
         return found
     terms = [_term(term) for term in found.terms]
-    return min((found, _plain(_merged(terms)), _product(terms)), key=length)
+    return min((found, _plain(_merged(terms)), _product(terms)), key=size)
+
+
+def symbols_in(held: Expression) -> int:
+    """How many symbols a formula has, each as often as it stands there."""
+    return sum(1 for _ in held.symbols())
+
+
+def parted(held: Expression) -> Expression:
+    """A formula with the same value, in whose fractions what is above and below cancels, for each term by itself.
+
+    As in F/(m_A + m_B) + g sin θ for (F + (m_A + m_B) g sin θ)/(m_A + m_B); only where fewer symbols are left.
+    """
+    if not held.parts:
+        return held
+    found = held.built_of([parted(part) for part in held.parts])
+    if not isinstance(found, Quotient):
+        return found
+    whole = _cancelled(_term(found))
+    return min((found, whole.written, *_apart(whole)), key=symbols_in)
+
+
+def _apart(whole: Term) -> Iterator[Expression]:
+    """Each sum in a fraction with each of its terms over what is below."""
+    for held in whole.factors if whole.below else ():
+        if isinstance(held, Sum):
+            rest = _less(whole.factors, (held,))
+            terms = [replace(term, below=(*term.below, *whole.below)) for term in map(_term, held.terms)]
+            yield Term(whole.number, (*rest, _plain([_cancelled(term) for term in terms]))).written
+
+
+def _cancelled(term: Term) -> Term:
+    return replace(term, factors=_less(term.factors, term.below), below=_less(term.below, term.factors))
 
 
 def _term(held: Expression) -> Term:
