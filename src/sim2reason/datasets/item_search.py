@@ -10,6 +10,7 @@ from sim2reason.datasets.question_search import NOTHING, CertifiedQuestion, Ques
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.weights import in_drawn_order
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.filters.few_laws import FEW_LAWS
 from sim2reason.questions import MODES
 from sim2reason.recipes import RECIPES, Difficulty, known
 
@@ -18,7 +19,8 @@ TOGETHER = 3  # of them are asked for the first kind before another one has its 
 TRIES = 2  # questions of one kind about one scene
 BARREN = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, BARREN
+KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, BARREN, KNOWN
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -28,7 +30,7 @@ class ItemSearch:
 
     Each scene is asked the first kind of that order that it offers. Only where this fails in a few scenes, those
     scenes, which are simulated by then, are asked other kinds, and the next few begin with the next kind. So what is
-    hard to pass is hardly kept less often.
+    hard to pass is hardly kept less often. But what a textbook has ready is no problem about the next scene, either.
     """
 
     def __init__(self, request: Request) -> None:
@@ -37,13 +39,15 @@ class ItemSearch:
         self._difficulty: Difficulty = known(request.difficulty)
         self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
         self.rejected: Counter[str] = Counter()
+        self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
         self.wanted = ""  # the first kind of its order that a scene offers
 
     def found(self) -> CertifiedQuestion | None:
         """The first question that passes every filter; None if none does within the budget."""
         for turn, first in enumerate(range(0, SCENES, TOGETHER)):
             begin = turn % len(self._kinds)
-            found = self._among(range(first, first + TOGETHER), (*self._kinds[begin:], *self._kinds[:begin]))
+            kinds = sorted((*self._kinds[begin:], *self._kinds[:begin]), key=lambda kind: self._known[kind] >= KNOWN)
+            found = self._among(range(first, first + TOGETHER), kinds)
             barren = not self.wanted and self.rejected[NOTHING] >= BARREN
             if found is not None or barren:
                 return found
@@ -99,11 +103,14 @@ class ItemSearch:
         return None
 
     def _asked(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:
+        before = self.rejected[FEW_LAWS]
         try:
             return search.ask(self._mode, rng, self.rejected, kind, TRIES)
         except (SceneError, SimulationError, UnsupportedError) as error:
             self.rejected[_counted(error)] += 1
             return None
+        finally:
+            self._known[kind] += self.rejected.get(FEW_LAWS, 0) - before
 
     def _generator(self, name: object) -> np.random.Generator:
         asked = self._request

@@ -63,6 +63,11 @@ class RocketEntity(Entity):
         return True
 
     @property
+    def thrust(self) -> float:
+        """The burn rate times the exhaust speed, N."""
+        return self.rate * KILO * self.exhaust
+
+    @property
     def burning_time(self) -> float:
         """How long the fuel lasts, s."""
         return (self.rocket.mass - self.rocket.dry) / self.rate

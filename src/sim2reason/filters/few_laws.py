@@ -13,6 +13,7 @@ from sim2reason.solutions.derivation import derivation, is_derived
 from sim2reason.solutions.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.strategies import accelerates
 
+FEW_LAWS = "few laws"
 MOST = {0: 11, 1: 11, 2: 8, 3: 6, 4: 6}
 """By the number of laws, the symbols in a formula, each as often as it stands there, that make no problem of it.
 
@@ -110,4 +111,4 @@ def _derivation(candidate: Candidate) -> Solution | None:
     return found if found.derived else None
 
 
-FILTERS.add("few laws", FewLaws())
+FILTERS.add(FEW_LAWS, FewLaws())

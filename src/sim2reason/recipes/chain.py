@@ -26,6 +26,7 @@ IDEAS = {
         Idea(KIND, {**LEVEL, "carts": Count(4, 4), "ends": ("free", "left", "right")}, 0.5),
         Idea(KIND, {**LEVEL, "carts": Count(2, 3), "damping?": 1.0}),
         Idea(KIND, {**LEVEL, "carts": Count(2, 3), "friction?": 1.0}),
+        Idea(KIND, {**LEVEL, "carts": Count(1, 1), "friction?": 1.0, "tilt?": 1.0}),
         Idea(RING, {**EVEN, "beads": Count(3, 4)}, 0.7),
     ),
 }

@@ -29,7 +29,10 @@ class OrbitTier:
 TIERS = {
     "easy": (OrbitTier(Count(1, 1), Range(0.0, 0.3)),),
     "medium": (*2 * (OrbitTier(Count(1, 1), Range(0.2, 0.6)),), OrbitTier(Count(2, 2), Range(0.0, 0.3))),
-    "hard": (OrbitTier(Count(2, 2), Range(0.1, 0.3), Range(0.25, 0.4), Range(1.3, 1.6)),),  # they disturb each other
+    "hard": (  # two that disturb each other, or one on a long ellipse, of which laws of conservation tell much
+        *2 * (OrbitTier(Count(2, 2), Range(0.1, 0.3), Range(0.25, 0.4), Range(1.3, 1.6)),),
+        OrbitTier(Count(1, 1), Range(0.6, 0.8)),
+    ),
 }
 
 

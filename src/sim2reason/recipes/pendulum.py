@@ -11,7 +11,10 @@ KIND = "Pendulum"
 RELEASED = {"bob.mass": Range(0.1, 10.0), "angle": Range(10.0, 90.0)}
 SENT = {**RELEASED, "angle": Range(5.0, 60.0), "speed?": 1.0}
 IDEAS = {
-    "easy": (Idea(KIND, RELEASED),),
+    "easy": (  # released, or set moving: of a release energy alone tells most of what is not about time
+        Idea(KIND, {**RELEASED, "speed?": 0.0}),
+        Idea(KIND, {**RELEASED, "speed?": 1.0}, 2.0),
+    ),
     "medium": (  # set moving from its lowest point or from the side, still less than half a turn to either side
         Idea(KIND, {**SENT, "angle": 0.0, "speed": Range(0.5, 2.8)}),
         Idea(KIND, {**SENT, "speed": Range(0.5, 2.5)}),

@@ -2,15 +2,27 @@
 
 import numpy as np
 
+from sim2reason.authoring import GRAVITY
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
 KIND = "RocketEntity"
+
+
+def _waits(rocket: RocketEntity) -> bool:
+    """Whether its thrust cannot lift it before it has burnt some of its fuel."""
+    return rocket.thrust < rocket.rocket.mass * GRAVITY
+
+
 IDEAS = {
     "easy": (Idea(KIND, {"place": ("DeepSpace",)}),),
     "medium": (Idea(KIND, {"place": ("LevelGround",)}),),  # with weight, and perhaps a wait until it can lift off
-    "hard": (Idea(KIND, {"place": ("AirlessPlanet",)}),),  # with a weight that falls off
+    "hard": (  # with a weight that falls off, or too heavy to lift off at once
+        Idea(KIND, {"place": ("AirlessPlanet",)}, 2.0),
+        Idea(KIND, {"place": ("LevelGround",)}, suits=_waits),
+    ),
 }
 
 

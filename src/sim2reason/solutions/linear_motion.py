@@ -4,7 +4,7 @@ x are how far some of the coordinates have come, the *free* ones; strings and gr
 ratios. By Lagrange's equations every term follows from those ratios and Newton's laws, in which tensions then cancel.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -18,6 +18,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression
+from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.newton import Row, symbol
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
@@ -65,6 +66,17 @@ class LinearMotion:
         self.begin = NIL
         self.free = self._free()
         self._check()
+
+    @classmethod
+    def of(cls, setting: Setting, segment: Segment, wanted: tuple[int, ...]) -> "LinearMotion":
+        """The same for all questions about one motion that want the same coordinates free."""
+        if setting.scene is not setting.study.scene:
+            return cls(setting, segment, wanted)
+        key = "linear motion", setting.lexicon, segment.start, wanted
+        found = setting.study.once(key, lambda: _tried(lambda: cls(setting, segment, wanted)))
+        if isinstance(found, UnsolvedError | UnreadError):
+            raise found.with_traceback(None)
+        return found
 
     def counted_from(self, begin: Expression, at: float) -> "LinearMotion":
         """The same with the place of the only free coordinate counted from `begin`, a symbol or zero, `at` m off."""
@@ -219,6 +231,14 @@ class LinearMotion:
         there = np.array([self.segment.a[i] * scale[i].here for i in self.free])
         if np.abs(a - there).max() > SOUND * max(1.0, float(np.abs(there).max())):
             raise UnsolvedError("the equations are not those of the motion")
+
+
+def _tried(make: Callable[[], LinearMotion]) -> "LinearMotion | UnsolvedError | UnreadError":
+    """What is made, or why it can't be."""
+    try:
+        return make()
+    except (UnsolvedError, UnreadError) as error:
+        return error
 
 
 def _unknown_name(i: int) -> str:

@@ -66,9 +66,8 @@ class LinearWay(Way):
         heavy = [k for body in self.mechanism.bodies if body.mass for k in self.moving([body.name])]
         slides = [k for k in heavy if self.mechanism.coordinates[k].kind == "slide"]
         mentioned = [k for k in slides if self.mechanism.coordinates[k].body in self.setting.words.mentions]
-        return LinearMotion(
-            self.setting, self.segment, [*self.moving(names), *self.asked_coordinates(), *mentioned, *slides]
-        )
+        wanted = [*self.moving(names), *self.asked_coordinates(), *mentioned, *slides]
+        return LinearMotion.of(self.setting, self.segment, tuple(dict.fromkeys(wanted)))
 
     @property
     def newton(self) -> Newton:

@@ -61,8 +61,11 @@ class Setting:
 
     @cached_property
     def lexicon(self) -> Lexicon:
-        """What its numbers are called."""
-        return Lexicon(self.scene, self.symbols)
+        """What its numbers are called; all questions about one motion share it, and what was read by it."""
+        if self.scene is not self.study.scene:
+            return Lexicon(self.scene, self.symbols)
+        key = "lexicon", tuple(self.symbols.items())
+        return self.study.once(key, lambda: Lexicon(self.scene, self.symbols))
 
     @cached_property
     def time(self) -> float:

@@ -6,9 +6,11 @@ import pytest
 from plain_scenes import atwood, ramp, squeezed
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.rocket import LevelGround, Rocket
 from sim2reason.bodies.spring import Spring
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.spring_mass_incline import SpringMassIncline
 from sim2reason.prose.writer import describe
 from sim2reason.questions import Study
@@ -87,3 +89,14 @@ def test_collisions_in_turn() -> None:
     assert listed(1.5) == ["the only earlier collision is that of carts A and B"]
     both = "first that of carts A and B, then that of cart B with the wall"
     assert listed(2.5) == [f"the only earlier collisions are {both}"]
+
+
+def rocket(rate: float) -> Scene:
+    """Of 1000 kg with an exhaust of 1 km/s: the thrust is as much as the weight at 9.8 kg/s."""
+    entity = RocketEntity(rocket=Rocket(mass=1000.0, dry=300.0), place=LevelGround(), exhaust=1.0, rate=rate)
+    return Scene(entities=(Named(name="rocket", entity=entity),))
+
+
+def test_what_is_too_heavy_waits() -> None:
+    assert said(rocket(9.0), 1.0) == {"the rocket does not lift off at once"}
+    assert said(rocket(11.0), 1.0) == {"the rocket moves up", "the rocket first moves up"}

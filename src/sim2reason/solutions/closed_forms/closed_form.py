@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import inf
 
 from sim2reason.solutions.closed_forms.gathering import gathered
@@ -85,11 +86,17 @@ def _roots(held: Expression) -> Iterator[str]:
 
 def shortened(whole: Expression) -> ClosedForm:
     """A formula as one would write it; ClosedFormError if even that is too long."""
+    found = _written(whole)
+    if len(found.latex) > LONGEST:
+        raise ClosedFormError(f"it takes {len(found.latex)} characters")
+    return found
+
+
+@lru_cache(maxsize=512)
+def _written(whole: Expression) -> ClosedForm:
+    """As short as is found; many scenes differ in their numbers alone, and lead to one formula."""
     found = min((tidied(gathered(tidied(held))) for held in (shortest(whole, LONGEST), whole)), key=length)
-    latex = found.latex()
-    if len(latex) > LONGEST:
-        raise ClosedFormError(f"it takes {len(latex)} characters")
-    return ClosedForm(found, latex, tuple(sorted(set(found.symbols()))))
+    return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
 
 
 def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:

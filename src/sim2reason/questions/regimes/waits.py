@@ -1,0 +1,42 @@
+"""Whether what burns fuel is too heavy to lift off at once."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Prop
+from sim2reason.quantities.kinematics import Acceleration
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.questions.choices import at
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+STILL = 1e-9  # m/s²
+
+
+@REGIMES.register("waits")
+@dataclass(frozen=True, slots=True)
+class Waits(Regime):
+    """A rocket on the ground burns some of its fuel before its thrust can lift it."""
+
+    of = Bodies()
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """What burns fuel and stands on something."""
+        if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
+            return []
+        named = words.called(cls.of)
+        return [cls(burn.body) for burn in study.mechanism.burns if burn.body in named]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is not accelerated as the engine starts."""
+        del until
+        return float(np.linalg.norm(Acceleration.evaluate(at(study.trace, 0.0), self.name))) <= STILL
+
+    def clause(self, words: Words) -> str:
+        """As in: the rocket does not lift off at once."""
+        return f"{words.called(self.of)[self.name]} does not lift off at once"
