@@ -19,6 +19,7 @@ SINE = Call("sin", Symbol(r"\theta"))
         pytest.param(k * Root(Power(x, 2) + Power(y, 2)) / m, 3, id="the length of a stated vector is one"),
         pytest.param(k * Root(Power(x - t, 2) + Power(y - F, 2)), 2, id="and so is the distance of two points"),
         pytest.param(Root(Power(x * k, 2) + Power(y, 2)), 3, id="but not what is no vector of the text"),
+        pytest.param(x * Root(k / m) * Call("sin", Root(k / m) * t), 5, id="a root that stands there again is one"),
         pytest.param(Number(0.5) * m * Power(t, 2), 2, id="a power stands there once"),
     ],
 )

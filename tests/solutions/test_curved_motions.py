@@ -37,6 +37,8 @@ from sim2reason.questions.moments.closest import Closest
 from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.questions.moments.farthest import Farthest
 from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.period_words import PeriodQuery
@@ -209,6 +211,23 @@ def test_a_block_oscillates_along_its_spring() -> None:
     assert sprung(Query("time_to_event", None, Away(block, 0.15))) == pytest.approx(acos(1.0 - 1.5) / rate)
     query = StretchQuery("extremum", None, WholeMotion(), "greatest kinetic energy", block)
     assert sprung(query) == pytest.approx(STIFF * 0.1**2 / 2.0)
+
+
+def turning(query: Query) -> float:
+    """Sent off with 0.5 m/s along x, 0.3 m beside and 0.4 m behind the nail: h = 0.2 m²/s is kept."""
+    spring = NailedSpring(stiffness=STIFF, length=FREE, x=0.0, y=0.0)
+    entity = SpringBlock(block=Block(mass=MASS), springs=(spring,), x=0.3, y=0.4, launch=Launch(x=0.5, y=0.0))
+    return answer("springs", entity, query)
+
+
+def test_a_spring_that_turns_keeps_energy_and_angular_momentum() -> None:
+    spring, relaxed = "springs.springs.0", NaturalLength("springs.springs.0")
+    energy, h = 0.5**2 + STIFF / MASS * 0.1**2, 0.3 * 0.0 - 0.4 * 0.5
+    assert turning(at("velocity", "springs.block", relaxed)) == pytest.approx(sqrt(energy))
+    assert turning(at("extension rate", spring, relaxed)) == pytest.approx(sqrt(energy - (h / FREE) ** 2))
+    length = turning(at("spring length", spring, MostStretched(spring)))
+    assert (h / length) ** 2 + STIFF / MASS * (length - FREE) ** 2 == pytest.approx(energy)
+    assert turning(at("velocity", "springs.block", MostStretched(spring))) == pytest.approx(abs(h) / length)
 
 
 def test_a_dashpot_pulls_at_the_start_by_how_fast_its_spring_grows() -> None:

@@ -8,15 +8,21 @@ from sim2reason.recipes import Difficulty, recipe
 from sim2reason.recipes.parts.ideas import Idea, one_of
 
 KIND = "SpringBlock"
+# one spring from the origin: energy and angular momentum are kept
+CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0}
 EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
 IDEAS = {
-    "easy": (  # two springs, released, or one, of which energy alone says much
-        Idea(KIND, {"springs": Count(1, 1), "damping?": 0.0, "launch?": 0.3}, 0.5),
+    "easy": (  # two springs, released; one that is released only oscillates along itself
+        Idea(KIND, CENTRAL, 0.5),
         Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}),
     ),
-    "medium": (Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}),),
+    "medium": (
+        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 3.0),
+        Idea(KIND, {**EVEN, **CENTRAL}),
+    ),
     "hard": (  # friction of the springs themselves
-        Idea(KIND, {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6}),
+        Idea(KIND, {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6}, 4.0),
+        Idea(KIND, {**EVEN, **CENTRAL}),
     ),
 }
 

@@ -1,5 +1,7 @@
 """How much there is to a formula, however it was put together."""
 
+from collections.abc import Iterator
+
 from sim2reason.solutions.closed_forms.gathering import gathered, parted, symbols_in
 from sim2reason.solutions.expressions import Expression, Product, Sum, Symbol
 from sim2reason.solutions.functions import Call, Power, Root
@@ -9,8 +11,12 @@ LENGTH = Symbol("length")
 
 
 def size(whole: Expression) -> int:
-    """How many symbols it has at least, each as often as it stands there; the size of a vector that is given is one."""
-    return symbols_in(parted(gathered(_with_lengths(whole), symbols_in)))
+    """How many symbols it has at least, each as often as it stands there.
+
+    The size of a vector that is given is one, and so is a root that stands there again, as √(k/m) in A ω sin ωt.
+    """
+    shortest = parted(gathered(_with_lengths(whole), symbols_in))
+    return symbols_in(shortest) - sum(symbols_in(root) - 1 for root in _again(shortest, set()))
 
 
 def has_logarithm(held: Expression) -> bool:
@@ -22,6 +28,17 @@ def is_vector(held: Expression) -> bool:
     """Whether it is the size of a vector by its components."""
     squares = isinstance(held, Root) and isinstance(held.inside, Sum) and held.inside.terms
     return bool(squares) and all(isinstance(term, Power) and term.exponent == SQUARE for term in squares)
+
+
+def _again(held: Expression, seen: set[Expression]) -> Iterator[Expression]:
+    """The roots in it that were met before, as large as they are."""
+    if isinstance(held, Root) and held in seen:
+        yield held
+        return
+    for part in held.parts:
+        yield from _again(part, seen)
+    if isinstance(held, Root):
+        seen.add(held)
 
 
 def _with_lengths(held: Expression) -> Expression:

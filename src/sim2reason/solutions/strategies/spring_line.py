@@ -1,11 +1,9 @@
 """Spring along a line: a body that one spring pulls from rest oscillates harmonically along that spring."""
 
 from functools import cached_property
-from math import acos, hypot, sqrt
+from math import acos, sqrt
 
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.dsl.triples import minus
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
@@ -16,8 +14,8 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import PI, Call, Power, Root, squares
-from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.lone_spring import LoneSpring, begins_at_rest, is_lone_spring, length_at_first
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
@@ -47,7 +45,7 @@ class SpringLine(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether there is no lone body on a spring."""
-        return "" if _lone_spring(mechanism) else "no lone body is let go on a single spring"
+        return "" if is_lone_spring(mechanism) and begins_at_rest(mechanism) else "no lone body is let go on a spring"
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
@@ -68,24 +66,12 @@ class SpringLine(Strategy):
         return _Oscillating(setting, book).write().name
 
 
-def _lone_spring(m: Mechanism) -> bool:
-    """Whether a single spring from a fixed point acts on a single body, which begins at rest."""
-    springs = [line for line in m.lines if isinstance(line.law, Elastic)]
-    other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
-    slides = all(c.kind == "slide" and not c.speed and abs(c.axis[2]) < 1e-9 for c in m.coordinates)
-    if len(springs) != 1 or len(m.lines) != 1 or len(m.bodies) != 1 or len(m.coordinates) != 2 or other or not slides:
-        return False
-    law, ends = springs[0].law, [m.site[site].body for site in springs[0].through]
-    assert isinstance(law, Elastic)
-    return len(ends) == 2 and None in ends and not law.damping and not law.side
-
-
 def _reaches_its_end(setting: Setting) -> bool:
     """Whether the body comes to the fixed point by the moment, where the force turns round."""
     m, query = setting.mechanism, setting.query
     law = m.lines[0].law
     assert isinstance(law, Elastic)
-    strain = _length(m) - law.length
+    strain = length_at_first(m) - law.length
     if strain < law.length or isinstance(query.moment, NaturalLength):
         return False
     if isinstance(query, StretchQuery):
@@ -95,44 +81,8 @@ def _reaches_its_end(setting: Setting) -> bool:
     return setting.time * sqrt(law.stiffness / m.bodies[0].mass) > acos(-law.length / strain)
 
 
-def _ends(m: Mechanism) -> tuple[float, float]:
-    """From the fixed end of the spring to the body at the start, along the coordinates."""
-    frames, through = start(m), m.lines[0].through
-    fixed, free = sorted(through, key=lambda site: m.site[site].body is not None)
-    apart = minus(frames.site(free).place, frames.site(fixed).place)
-    x, y = (sum(a * b for a, b in zip(apart, c.axis, strict=True)) for c in m.coordinates)
-    return float(x), float(y)
-
-
-def _length(m: Mechanism) -> float:
-    return hypot(*_ends(m))
-
-
-class _Oscillating:
+class _Oscillating(LoneSpring):
     """What is asked of it: the extension is x₀ cos ωt."""
-
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
-        self.setting, self.book = setting, book
-        lexicon = setting.lexicon
-        sides = (lexicon.mechanism, lexicon.twin)
-        pairs = zip(*(_ends(m) for m in sides), strict=True)
-        self.apart = [lexicon.read(Both(*pair)).expression() for pair in pairs]
-        laws = [m.lines[0].law for m in sides]
-        here, there = laws
-        assert isinstance(here, Elastic)
-        assert isinstance(there, Elastic)
-        self.stiffness = lexicon.read(Both(here.stiffness, there.stiffness)).expression()
-        self.natural = lexicon.read(Both(here.length, there.length)).expression()
-        self.mass = lexicon.read(Both(sides[0].bodies[0].mass, sides[1].bodies[0].mass)).expression()
-
-    @cached_property
-    def length(self) -> Symbol:
-        """At the start."""
-        formula = Root(squares(self.apart))
-        return self.book.told(
-            "length", "At first the spring is as long as", self.book.fresh(r"\ell", "1"), formula, METRES
-        )
 
     @cached_property
     def strain(self) -> Symbol:
