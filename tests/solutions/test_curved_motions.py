@@ -1,7 +1,7 @@
 """Orbits, charges in fields, bodies on axles and rocking ones: textbooks' closed forms, written down independently."""
 
 from dataclasses import replace
-from math import acos, asin, cos, degrees, hypot, pi, radians, sin, sqrt
+from math import acos, asin, cos, cosh, degrees, exp, hypot, pi, radians, sin, sinh, sqrt
 
 import numpy as np
 import pytest
@@ -16,8 +16,11 @@ from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields import ElectricField
+from sim2reason.entities.parts.fields import ElectricField, Medium, Trend
+from sim2reason.entities.parts.fields.linear_drag import LinearDrag
+from sim2reason.entities.parts.fields.linear_electric import LinearElectric
 from sim2reason.entities.parts.fields.oscillating_electric import OscillatingElectric
+from sim2reason.entities.parts.fields.quadratic_drag import QuadraticDrag
 from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
 from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
 from sim2reason.entities.parts.pieces import AxialPiece
@@ -120,10 +123,16 @@ B, FIELD = 0.8, 1.1
 TURNS = CHARGE * B / BEAD_MASS
 
 
-def charged(query: Query, magnetic: UniformMagnetic | None = None, electric: ElectricField | None = None) -> float:
+def charged(
+    query: Query,
+    magnetic: UniformMagnetic | None = None,
+    electric: ElectricField | None = None,
+    medium: Medium | None = None,
+) -> float:
     particle = ChargedBead(mass=2.0, charge=3.0, sign="positive")
     start = Launched(speed=SPEED, angle=0.0)
-    return answer("fields", EmEntity(magnetic=magnetic, electric=electric, particle=particle, start=start), query)
+    entity = EmEntity(magnetic=magnetic, electric=electric, medium=medium, particle=particle, start=start)
+    return answer("fields", entity, query)
 
 
 MAGNETIC = UniformMagnetic(strength=B, way="positive z")
@@ -159,6 +168,53 @@ def test_a_field_that_oscillates() -> None:
     speed = charged(at("velocity", BEAD, AtTime(0.7), "state"), electric=field)
     across = CHARGE * FIELD / BEAD_MASS / 3.0 * sin(3.0 * 0.7)
     assert speed == pytest.approx(sqrt(SPEED**2 + across**2))
+
+
+@pytest.mark.parametrize("trend", ["increases", "decreases"])
+def test_a_field_that_grows_along_itself_crosses_a_magnetic_one(trend: Trend) -> None:
+    """m v_x + q B y is kept, so that along y it is ÿ = a₀ + (±qk/m − Ω²) y; see Jackson, § 12.3."""
+    electric = LinearElectric(strength=FIELD, way="positive y", trend=trend, axis="y", slope=0.4)
+    first = CHARGE * FIELD / BEAD_MASS - TURNS * SPEED
+    back = TURNS**2 - (1.0 if trend == "increases" else -1.0) * CHARGE * 0.4 / BEAD_MASS
+    y = first / back * (1.0 - cos(sqrt(back) * 1.3))
+    speeds = SPEED + TURNS * y, first / sqrt(back) * sin(sqrt(back) * 1.3)
+    assert charged(at("velocity", BEAD, AtTime(1.3), "state"), MAGNETIC, electric) == pytest.approx(hypot(*speeds))
+    x = (SPEED + TURNS * first / back) * 1.3 - TURNS * first / back * sin(sqrt(back) * 1.3) / sqrt(back)
+    assert charged(at("displacement", BEAD, AtTime(1.3), "state"), MAGNETIC, electric) == pytest.approx(hypot(x, y))
+
+
+def test_a_steep_field_drives_it_away_in_spite_of_a_magnetic_one() -> None:
+    electric = LinearElectric(strength=FIELD, way="positive y", trend="increases", axis="y", slope=1.2)
+    first, rate = CHARGE * FIELD / BEAD_MASS - TURNS * SPEED, sqrt(CHARGE * 1.2 / BEAD_MASS - TURNS**2)
+    y = first / rate**2 * (cosh(rate * 0.9) - 1.0)
+    speeds = SPEED + TURNS * y, first / rate * sinh(rate * 0.9)
+    assert charged(at("velocity", BEAD, AtTime(0.9), "state"), MAGNETIC, electric) == pytest.approx(hypot(*speeds))
+
+
+def test_a_medium_that_resists_by_the_square_slows_what_a_magnetic_field_turns() -> None:
+    """From m v̇ = −c v²: v = v₀/(1 + c v₀ t/m), in the direction Ωt, so that the acceleration is that over 1 + γt."""
+    medium, rate = QuadraticDrag(coefficient=0.5), 0.5e-3 * SPEED / BEAD_MASS
+    slow = SPEED / (1.0 + 2.0 * rate)
+    assert charged(at("velocity", BEAD, AtTime(2.0), "state"), MAGNETIC, medium=medium) == pytest.approx(slow)
+    pull = hypot(rate / (1.0 + 2.0 * rate), TURNS) * slow
+    assert charged(at("acceleration", BEAD, AtTime(2.0), "state"), MAGNETIC, medium=medium) == pytest.approx(pull)
+    lost = StretchQuery("sum", None, AtTime(2.0), "energy lost to drag", BEAD)
+    energy = 0.5 * BEAD_MASS * (SPEED**2 - slow**2)
+    assert charged(lost, MAGNETIC, medium=medium) == pytest.approx(energy)
+    push = StretchQuery("sum", None, AtTime(2.0), "impulse of the net force", BEAD)
+    change = hypot(slow * cos(2.0 * TURNS) - SPEED, slow * sin(2.0 * TURNS))
+    assert charged(push, MAGNETIC, medium=medium) == pytest.approx(BEAD_MASS * change)
+
+
+def test_in_uniform_fields_only_a_medium_makes_the_acceleration_smaller() -> None:
+    """Its rate of change is that of a velocity without an electric field: a = a₀ exp(−bt/m), whatever B is."""
+    medium, first = LinearDrag(coefficient=0.5), CHARGE * FIELD / BEAD_MASS - TURNS * SPEED
+    begun = hypot(first, 0.5e-3 * SPEED / BEAD_MASS)
+    found = charged(at("acceleration", BEAD, AtTime(2.0), "state"), MAGNETIC, ELECTRIC, medium)
+    assert found == pytest.approx(begun * exp(-2.0 * 0.5e-3 / BEAD_MASS))
+    assert charged(at("net force", BEAD, AtTime(2.0), "state"), MAGNETIC, ELECTRIC) == pytest.approx(
+        BEAD_MASS * abs(first)
+    )
 
 
 # ---- bodies on an axle

@@ -3,7 +3,7 @@
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.field_moment import FieldMoment
-from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.goals import magnitude
 from sim2reason.solutions.goals.kinematics import VELOCITIES
 from sim2reason.solutions.goals.turning import squared
@@ -40,16 +40,13 @@ class FieldEnergy:
         """The change in kinetic energy."""
         speeds = (self.known.first_speeds.get(number, NIL) for number in self.fields.coordinates)
         first = total(speed * speed for speed in speeds).expression()
-        square = self._square(first)
+        square = self._square()
         return HALF * self.fields.mass * (square - first) if first != ZERO else HALF * self.fields.mass * square
 
-    def _square(self, first: Expression) -> Expression:
-        """Of the speed; where nothing but a medium changes that, from its square at the start."""
-        damping = self.fields.damping
-        if self.fields.drive is None and damping is not None and isinstance(first, Power):
-            formula = first.base * Call("exp", -(damping * self.moment.time))
-            said = "Nothing but the medium changes its speed, which becomes"
-            return Power(self.book.told("speed", said, self.book.fresh("v"), formula, VELOCITIES.unit), 2)
+    def _square(self) -> Expression:
+        """Of the speed."""
+        if self.moment.speed is not None:
+            return Power(self.moment.speed, 2)
         last = magnitude(self.known.vector("v", self.fields.body), self.known, VELOCITIES, self.fields.body)
         return last.inside if isinstance(last, Root) else squared(last)
 

@@ -15,7 +15,7 @@ from sim2reason.solutions.fields import Fields
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.unit_latex import JOULES, METRES, SECONDS, SPEED
+from sim2reason.solutions.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
 from sim2reason.solutions.worked import NumericRoot
 
 TWO, HALF = Number(2.0), Number(0.5)
@@ -85,16 +85,52 @@ class FieldMoment:
     @cached_property
     def _circle(self) -> Symbol:
         """The radius of the circle on which a magnetic field alone leads it."""
-        vx, vy = self.fields.launch
         turns = self.fields.turning
         assert turns is not None
-        speed = Root(Power(vx, 2) + Power(vy, 2)) if ZERO not in (vx, vy) else vx + vy
-        given = self.setting.given(f"{self.fields.body.rpartition('.')[0]}.start.speed")
-        if given is not None:
-            speed = Symbol(given.symbol)
         size = turns if self.book.value(turns) > 0.0 else -turns
         said = "Magnetic force and circular motion give the radius of its circle,"
-        return self.book.told("circle", said, self.book.fresh("R"), speed / size, METRES)
+        return self.book.told("circle", said, self.book.fresh("R"), self.launched / size, METRES)
+
+    @property
+    def launched(self) -> Expression:
+        """The speed at the start."""
+        given = self.setting.given(f"{self.fields.body.rpartition('.')[0]}.start.speed")
+        return Symbol(given.symbol) if given is not None else self._size(self.fields.launch)
+
+    def _size(self, parts: list[Expression]) -> Expression:
+        """Of a vector: a single component without its sign, or a root."""
+        kept = [part for part in parts if part != ZERO]
+        if len(kept) != 1:
+            return Root(squares(parts)) if kept else ZERO
+        return kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
+
+    @cached_property
+    def speed(self) -> Expression | None:
+        """At the moment, where no electric field acts; None where one does."""
+        fields = self.fields
+        if fields.drive is not None:
+            return None
+        if fields.damping is None and not fields.resists:
+            return self.launched
+        said = "The magnetic force does no work, so that the medium alone changes its speed, which becomes"
+        return self.book.told("speed", said, self.book.fresh("v"), fields.speed(self.launched, self.time), SPEED)
+
+    @cached_property
+    def pull(self) -> Expression | None:
+        """The size of the acceleration at the moment, where the fields are uniform; None where they are not."""
+        fields = self.fields
+        drive, first = fields.drive, fields.launch
+        changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
+        if changing or fields.turning is None or fields.resists:
+            return None
+        parts = [fields.acceleration(axis, ZERO, lambda n: first[n], lambda _: ZERO) for axis in (0, 1)]
+        begun, name = self._size(parts), self.book.fresh("a", "0")
+        begun = self.book.told("newton", "The acceleration at the start is", name, begun, ACCELERATION)
+        if fields.damping is None:
+            return begun
+        said = "In uniform fields the magnetic force turns the acceleration as it does a velocity, and the medium makes"
+        formula = fields.speed(begun, self.time)
+        return self.book.told("newton", f"{said} it decay to", self.book.fresh("a"), formula, ACCELERATION)
 
     def _chord(self, distance: Symbol, name: Symbol) -> Symbol:
         turns = self.fields.turning

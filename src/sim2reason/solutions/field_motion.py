@@ -7,7 +7,7 @@ from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.fields import AXES, TURNS, Drive, Fields
 from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.unit_latex import ANGULAR_SPEED, METRES, PER_SECOND, SPEED
+from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_SPEED, METRES, PER_SECOND, PER_SECOND_SQUARED, SPEED
 
 HALF, SIXTH = Number(0.5), Number(1.0 / 6.0)
 
@@ -36,6 +36,11 @@ class FieldMotion(ABC):
 
 def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
     """The motion in some fields; UnsolvedError where it has no closed form here."""
+    if fields.resists:
+        return Slowed(fields, launch)
+    drive = fields.drive
+    if fields.turning is not None and drive is not None and drive.along == drive.axis and drive.slope is not None:
+        return Crossed(fields, launch)
     if fields.turning is not None:
         return Turning(fields, launch)
     if fields.damping is not None:
@@ -55,7 +60,7 @@ class Driven(FieldMotion):
             swing = ONE - Call("cos", drive.frequency * time)
             return plain + drive.strength / Power(drive.frequency, 2) * swing
         if drive.slope is not None and drive.along == axis:
-            return self._center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
+            return self._departed(axis, time)
         third = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
         found = plain + HALF * drive.strength * Power(time, 2)
         return found + SIXTH * third * Power(time, 3) if third is not None else found
@@ -68,7 +73,7 @@ class Driven(FieldMotion):
         if drive.frequency is not None:
             return plain + drive.strength / drive.frequency * Call("sin", drive.frequency * time)
         if drive.slope is not None and drive.along == axis:
-            return plain * self._even(time) + drive.strength * self._odd(time)
+            return plain * self._even(time) + self.push * self._odd(time)
         second = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
         found = plain + drive.strength * time
         return found + HALF * second * Power(time, 2) if second is not None else found
@@ -81,28 +86,37 @@ class Driven(FieldMotion):
         return self.fields.drive
 
     @cached_property
+    def push(self) -> Expression:
+        """The acceleration along the field at the start."""
+        return self._drive.strength
+
+    @cached_property
+    def slope(self) -> Expression:
+        """By how much it grows for each metre along the field."""
+        assert self._drive.slope is not None
+        return self._drive.slope
+
+    def _departed(self, axis: int, time: Expression) -> Expression:
+        """How far it has come along the field."""
+        return self._center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
+
+    @cached_property
     def _swings(self) -> bool:
-        slope = self._drive.slope
-        assert slope is not None
-        return self.book.value(slope) < 0.0
+        return self.book.value(self.slope) < 0.0
 
     @cached_property
     def _frequency(self) -> Expression:
-        slope = self._drive.slope
-        assert slope is not None
         along = AXES[self._drive.axis]
         if self._swings:
             said = f"Along {along} that is a harmonic oscillation with the angular frequency"
-            return self.named(said, r"\omega", "", Root(-slope), ANGULAR_SPEED)
+            return self.named(said, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
         said = f"Along {along} the departure from where the force is zero grows or decays exponentially, at the rate"
-        return self.named(said, r"\lambda", "", Root(slope), PER_SECOND)
+        return self.named(said, r"\lambda", "", Root(self.slope), PER_SECOND)
 
     @cached_property
     def _center(self) -> Expression:
-        slope = self._drive.slope
-        assert slope is not None
         along = AXES[self._drive.axis]
-        return self.named(f"The force is zero at {along} equal to", along, "c", -(self._drive.strength / slope), METRES)
+        return self.named(f"The force is zero at {along} equal to", along, "c", -(self.push / self.slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
         """The cosine, or the hyperbolic one."""
@@ -115,6 +129,68 @@ class Driven(FieldMotion):
         if self._swings:
             return Call("sin", phase) / self._frequency
         return (Call("exp", phase) - Call("exp", -phase)) / (2.0 * self._frequency)
+
+
+class Crossed(Driven):
+    """An electric field that grows along its own direction, across a uniform magnetic one.
+
+    Across the electric field the velocity changes by Ω times the way along it, so that along it the force is linear.
+    """
+
+    @property
+    def _turning(self) -> Symbol:
+        assert self.fields.turning is not None
+        return self.fields.turning
+
+    @cached_property
+    def push(self) -> Expression:
+        """With the magnetic force."""
+        axis = self._drive.axis
+        turned = self._turning * self.launch[1 - axis] * TURNS[axis]
+        if turned == ZERO:
+            return self._drive.strength
+        said = f"With the magnetic force, its acceleration along {AXES[axis]} is at first"
+        return self.named(said, "a", "0", self._drive.strength + turned, ACCELERATION)
+
+    @cached_property
+    def slope(self) -> Expression:
+        """Less what the magnetic force takes."""
+        assert self._drive.slope is not None
+        along, across = AXES[self._drive.axis], AXES[1 - self._drive.axis]
+        said = f"The magnetic force changes the velocity along {across} by the rate of turning times the way along"
+        said = f"{said} {along}, and so holds back; for each metre along {along} the acceleration grows by"
+        return self.named(said, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
+
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """Along the field as without the magnetic one; across it, integrated."""
+        along = self._drive.axis
+        if axis == along:
+            return self._departed(axis, time)
+        summed = self._center * (time - self._odd(time)) - self.launch[along] * (ONE - self._even(time)) / self.slope
+        return self.launch[axis] * time + self._turning * TURNS[axis] * summed
+
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """Across the field, by the way along it."""
+        along = self._drive.axis
+        if axis == along:
+            return super().rate(axis, time)
+        return self.launch[axis] + self._turning * TURNS[axis] * self._departed(along, time)
+
+
+class Slowed(FieldMotion):
+    """A magnetic field that turns the velocity, in a medium that resists by the square of the speed."""
+
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """The velocity at the start, turned, and divided by 1 + γ t."""
+        found, turning = self.launch[axis], self.fields.turning
+        if turning is not None:
+            across = self.launch[1 - axis] * TURNS[axis]
+            found = found * Call("cos", turning * time) + across * Call("sin", turning * time)
+        return found / (ONE + self.fields.drag * time)
+
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """No closed form."""
+        raise UnsolvedError("the way in such a medium has no closed form")
 
 
 class Turning(FieldMotion):

@@ -7,7 +7,7 @@ from functools import cached_property
 from sim2reason.dsl.fields import Magnetic, Profile, Push, Resistance
 from sim2reason.dsl.mechanism import Force, Mechanism
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power, Root
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import Polynomial
@@ -59,7 +59,7 @@ class Fields:
         for law in (self.setting.mechanism.forces[number].law for number in self.forces):
             if isinstance(law, Magnetic) and (law.profile.uniform or self.start):
                 continue
-            if isinstance(law, Resistance) and (not law.quadratic or self.start):
+            if isinstance(law, Resistance) and (not law.quadratic or self.start or self._of(Push) is None):
                 continue
             if not isinstance(law, Push):
                 raise UnsolvedError("what acts leaves no closed form")
@@ -88,11 +88,17 @@ class Fields:
     def damping(self) -> Symbol | None:
         """b/m of a medium."""
         number = self._of(Resistance)
-        if number is None or getattr(self.setting.mechanism.forces[number].law, "quadratic", 0.0):
+        if number is None or self.resists:
             return None
         drag = self._read(lambda m: getattr(m.forces[number].law, "linear", 0.0)).expression()
         said = "The medium slows it at the rate"
         return self.book.told("field", said, self.book.fresh(r"\gamma"), drag / self.mass, PER_SECOND)
+
+    @property
+    def resists(self) -> bool:
+        """Whether a medium resists by the square of the speed."""
+        number = self._of(Resistance)
+        return number is not None and bool(getattr(self.setting.mechanism.forces[number].law, "quadratic", 0.0))
 
     @cached_property
     def drag(self) -> Expression:
@@ -151,7 +157,7 @@ class Fields:
     def acceleration(
         self, axis: int, time: Expression, rate: Callable[[int], Expression], moved: Callable[[int], Expression]
     ) -> Expression:
-        """Newton's law over the mass: what all forces add up to."""
+        """Newton's law over the mass: what all forces add up to; a speed that the medium brakes alone is v/(1 + γ t)."""
         found: Expression = ZERO
         if self.drive is not None and self.drive.axis == axis:
             found = found + self.drive.at(time, moved)
@@ -159,9 +165,15 @@ class Fields:
             found = found + self.turning * rate(1 - axis) * TURNS[axis]
         if self.damping is not None:
             found = found - self.damping * rate(axis)
-        if self.start and self.drag != ZERO:
-            found = found - self.drag * rate(axis)
+        if self.drag != ZERO:
+            found = found - self.drag / (ONE + self.drag * time) * rate(axis)
         return found
+
+    def speed(self, first: Expression, time: Expression) -> Expression:
+        """By a time, of what has one at first, where no electric field acts: the medium alone changes it."""
+        if self.damping is not None:
+            return first * Call("exp", -(self.damping * time))
+        return first / (ONE + self.drag * time)
 
 
 def _profile(force: Force) -> Profile:

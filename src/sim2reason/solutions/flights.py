@@ -12,7 +12,7 @@ from sim2reason.dsl.mechanism import Meeting
 from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Expression, Symbol, added
+from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.long_chains import DISPLACEMENT, TIME, VELOCITY
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -46,9 +46,12 @@ class Impact:
 class FreeFlights(ABC):
     """All flights of a motion, by body; how one leads to the next, impacts say."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
-        """UnsolvedError for a mechanism whose bodies are bound to each other."""
-        self.setting, self.book, self.mechanism = setting, book, setting.mechanism
+    def __init__(self, setting: Setting, book: Book, *, timed: bool = False) -> None:
+        """UnsolvedError for a mechanism whose bodies are bound to each other.
+
+        `timed`: all impacts have their times in the end, so that the text goes from one to the next.
+        """
+        self.setting, self.book, self.mechanism, self.timed = setting, book, setting.mechanism, timed
         m = self.mechanism
         if m.lines or m.faces or m.forces or m.attractions or m.burns or m.feet:
             raise UnsolvedError("bodies act on each other between collisions")
@@ -121,6 +124,8 @@ class FreeFlights(ABC):
         while len(legs) <= number:
             own = [impact for impact in self.impacts if body in impact.bodies]
             impact = own[len(legs) - 1]
+            if self.timed:
+                self.when(impact)
             legs.append(Leg(None, self.after(impact), after=impact))
         return legs[number]
 
@@ -218,16 +223,26 @@ class FreeFlights(ABC):
 
     def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
         leg, a = self.leg(body, number), self.acceleration(k)
-        before = self.place(body, number, k, None)
-        span = Polynomial.of(self.span(leg, time))
-        formula = before + leg.speeds[k] * span + (a * span * span).scaled(0.5)
-        if not formula.names():
+        before, speed = self.place(body, number, k, None).expression(), leg.speeds[k].expression()
+        if a:
+            span = Polynomial.of(self.span(leg, time))
+            formula = before + (leg.speeds[k] * span + (a * span * span).scaled(0.5)).expression()
+        else:
+            formula = before + speed * self._lasting(leg, time)
+        if formula == ZERO:
             return NIL
         step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", self.mark(body, k))
         says = f"Until then {self.setting.called(body)} moves by"
-        step.say(f"{says} {step.result(name, formula.expression(), METRES, law=True)}.")
+        step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
+
+    def _lasting(self, leg: Leg, time: Symbol) -> Expression:
+        """How long a flight has lasted at a time, as a name only where it has one."""
+        begins = self.begins(leg)
+        if begins is None:
+            return time
+        return self._spans.get((begins.name, time.name)) or time - begins
 
     def _axis(self, k: int) -> str:
         label = self.mechanism.coordinates[k].label

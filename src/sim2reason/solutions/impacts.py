@@ -11,8 +11,6 @@ from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.unit_latex import SECONDS, SPEED
 
-ORDINALS = ("", "", " for the second time", " for the third time")
-
 
 class Impacts(FreeFlights, ABC):
     """The impacts between all flights of a motion; those of discs in a plane are `Flights`' own."""
@@ -89,9 +87,8 @@ class Impacts(FreeFlights, ABC):
         return ratio(added(-v, -root), rise.expression())
 
     def met(self, impact: Impact) -> str:
-        """Who meets whom, for the how manieth time, in words."""
-        same = sum(held.meeting == impact.meeting for held in self.impacts[: impact.number + 1])
-        again = ORDINALS[same] if same < len(ORDINALS) else " again"
+        """Who meets whom, in words."""
+        again = " again" if any(held.meeting == impact.meeting for held in self.impacts[: impact.number]) else ""
         if len(impact.bodies) == 1:
             return f"{capital(self.setting.called(impact.bodies[0]))} hits {self._what(impact)}{again}"
         return f"{capital(self.setting.listed(list(impact.bodies)))} meet{again}"
@@ -143,7 +140,7 @@ class Impacts(FreeFlights, ABC):
         step, name = self.book.open("rebound"), self.book.fresh("v", self.mark(body, k))
         formula = (e * before).scaled(-1.0).expression()
         met = self.met(impact).replace(" hits ", " rebounds from ")
-        if impact.number in self.times:  # the text has just said from what, and for the how manieth time
+        if impact.number in self.times:  # the text has just said from what
             met = f"{capital(self.setting.called(body))} rebounds"
         step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}.")
         step.close()
@@ -160,9 +157,12 @@ class Impacts(FreeFlights, ABC):
         x, y = (Polynomial.of(name) for name in names)
         momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
         parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
-        if impact.number not in self.times:  # else the text has just said when they meet
-            step.say(f"{self.met(impact)}.")
-        step.say(f"Momentum is kept: {momentum}; restitution: {parting}.")
+        known = impact.number in self.times  # the text has just said who meets
+        if any(held.kind == "impact" for held in self.book.steps):
+            step.say(f"{'As before' if known else self.met(impact)}: {momentum} and {parting}.")
+        else:
+            step.say("" if known else f"{self.met(impact)}.")
+            step.say(f"Momentum is kept: {momentum}; restitution: {parting}.")
         step.label(f"impact {impact.number}")
         step.close()
         whole = (m + n).expression()

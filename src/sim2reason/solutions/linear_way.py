@@ -86,8 +86,7 @@ class LinearWay(Way):
     def introduce(self, names: dict[int, Symbol]) -> None:
         """Say what the free coordinates are called, and how far the others go."""
         step = self.book.open("names")
-        said = [f"${name.name}$ be how far {self._who(i)} has moved {self.towards(i)}" for i, name in names.items()]
-        step.say(f"Let {joined(said)} since the start.")
+        step.say(f"Let {joined(self._moved(names))} since the start.")
         bound: list[str] = []
         for k, parts in self.motion.ratios.items():
             if k in names or len(parts) != 1 or self.mechanism.coordinates[k].body not in self.setting.words.mentions:
@@ -98,11 +97,27 @@ class LinearWay(Way):
         step.say(f"{capital(joined(bound))}." if bound else "")
         step.close()
 
+    def _moved(self, names: dict[int, Symbol]) -> list[str]:
+        """What each name is; those of bodies that move the same way in one clause."""
+        ways: dict[tuple[str, bool], list[int]] = {}
+        for i in names:
+            ways.setdefault((self.towards(i), self._turns_by_itself(i)), []).append(i)
+        said: list[str] = []
+        for (way, _), held in ways.items():
+            who = [self.mechanism.coordinates[i].body for i in held]
+            called = self.setting.listed(who) if len(held) > 1 else self._who(held[0])
+            has = "have" if len(held) > 1 else "has"
+            said.append(f"{joined([f'${names[i].name}$' for i in held])} be how far {called} {has} moved {way}")
+        return said
+
+    def _turns_by_itself(self, k: int) -> bool:
+        """Whether a coordinate is that of a rim."""
+        own = self.mechanism.coordinates[k]
+        return own.kind == "hinge" and not self.moving([own.body]).count(k)
+
     def _who(self, k: int) -> str:
         called = self.setting.called(self.mechanism.coordinates[k].body)
-        own = self.mechanism.coordinates[k]
-        rim = own.kind == "hinge" and not self.moving([own.body]).count(k)
-        return f"the rim of {called}" if rim else called
+        return f"the rim of {called}" if self._turns_by_itself(k) else called
 
     def towards(self, k: int) -> str:
         """The direction of a coordinate, in words."""

@@ -3,12 +3,17 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from sim2reason.solutions.merging import together
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Step
 
 LONG = 6  # names that steps of these kinds give, from which on a text is easier to follow with rows
 VELOCITY, TIME, DISPLACEMENT = "velocity in flight", "time of flight", "displacement in flight"  # kinds of steps
-ROWS = {VELOCITY: "Velocities:", TIME: "Times:", DISPLACEMENT: "Displacements:"}
+ROWS = {
+    VELOCITY: ("Velocity:", "Velocities:"),
+    TIME: ("Time:", "Times:"),
+    DISPLACEMENT: ("Displacement:", "Displacements:"),
+}  # of one name, of several
 
 
 def in_rows(steps: Sequence[Step]) -> list[Step]:
@@ -26,18 +31,14 @@ def in_rows(steps: Sequence[Step]) -> list[Step]:
             told.update(step.id for step in more)
             waiting = [step for step in waiting if step.id not in told]
         place |= dict.fromkeys((step.id for step in group), group[0].id)
-        found.append(_together(group))
+        found.append(_row(group))
     return [replace(s, needs=tuple(sorted({place[n] for n in s.needs if n in place} - {s.id}))) for s in found]
 
 
-def _together(group: Sequence[Step]) -> Step:
-    if len(group) == 1:
+def _row(group: Sequence[Step]) -> Step:
+    """Steps of one kind as one, their formulas in a row; one of another kind itself."""
+    if group[0].kind not in ROWS:
         return group[0]
     formulas = [f"${formula}$" for step in group for formula in step.text.split("$")[1::2]]
-    return replace(
-        group[0],
-        text=f"{ROWS[group[0].kind]} {joined(formulas)}.",
-        relations=tuple(relation for step in group for relation in step.relations),
-        gives=tuple(name for step in group for name in step.gives),
-        needs=tuple(sorted({n for step in group for n in step.needs})),
-    )
+    one, several = ROWS[group[0].kind]
+    return together(group, f"{one if len(formulas) == 1 else several} {joined(formulas)}.")

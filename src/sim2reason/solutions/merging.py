@@ -11,26 +11,41 @@ SENTENCE = re.compile(r"(?P<lead>[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
 
 def merged(steps: Sequence[Step]) -> list[Step]:
-    """Steps of one like sentence that rest on the same ones, as one step where the first of them stands."""
-    groups: dict[tuple[object, ...], list[Step]] = {}
+    """Steps of one like sentence as one step where the first of them stands, which rests on all that the others do."""
+    groups: list[list[Step]] = []
     place: dict[int, int] = {}  # by the number of a step, that of the one with which it stands
     for step in steps:
-        rests = tuple(sorted({place.get(n, n) for n in step.needs}))
-        match = SENTENCE.fullmatch(step.text)
-        key = (step.kind, match["lead"], rests) if match is not None and step.gives else (step.id,)
-        group = groups.setdefault(key, [])
-        group.append(replace(step, needs=rests))
+        held = replace(step, needs=tuple(sorted({place[n] for n in step.needs if n in place})))
+        group = next((group for group in groups if _alike(group[0], held)), None)
+        if group is None:
+            groups.append(group := [])
+        group.append(held)
         place[step.id] = group[0].id
-    return [_together(group) for group in groups.values()]
+    return [_said(group) for group in groups]
 
 
-def _together(group: Sequence[Step]) -> Step:
+def _alike(first: Step, other: Step) -> bool:
+    """Whether a later step can stand with an earlier one: it says the same, of what is known by then."""
+    one, two = SENTENCE.fullmatch(first.text), SENTENCE.fullmatch(other.text)
+    said = one is not None and two is not None and one["lead"] == two["lead"]
+    known = {*other.needs} == {*first.needs} or bool(other.needs and {*other.needs} < {*first.needs})
+    return said and first.kind == other.kind and known and bool(first.gives and other.gives)
+
+
+def _said(group: Sequence[Step]) -> Step:
+    """Steps with one lead: that, and the formulas of all."""
     if len(group) == 1:
         return group[0]
     matches = [match for step in group if (match := SENTENCE.fullmatch(step.text)) is not None]
+    return together(group, f"{matches[0]['lead']} {joined([match['formulas'] for match in matches])}.")
+
+
+def together(group: Sequence[Step], text: str) -> Step:
+    """Several steps as one with a text of its own, where the first of them stands."""
     return replace(
         group[0],
-        text=f"{matches[0]['lead']} {joined([match['formulas'] for match in matches])}.",
+        text=text,
         relations=tuple(relation for step in group for relation in step.relations),
         gives=tuple(name for step in group for name in step.gives),
+        needs=tuple(sorted({n for step in group for n in step.needs})),
     )

@@ -147,12 +147,12 @@ class ModeLaws:
             self.book.observed[mode.square.name] = float(self.squares[mode.number])
         step = self.book.open("mode laws")
         step.label(f"mode {mode.number}")
-        where = f"$-{mode.square.latex()}$ times that from balance" if driven else "zero"
+        where = f"$-{mode.square.latex()}$ times those from balance" if driven else "zero"
         shares = ", ".join(f"${part.latex()}$" for part in mode.shape)
         step.say(
-            f"In one mode displacements are as {shares}, every acceleration {where}:"
+            f"In one mode displacements are as {shares}, accelerations {where}:"
             if names
-            else f"Every acceleration is {where}:"
+            else f"All accelerations are {where}:"
         )
         said: list[str] = []
         for i in range(self.size) if driven else unknown:

@@ -67,8 +67,8 @@ class NormalModes(ModeLaws):
         step = self.book.open("shape")
         step.rest_on(f"mode {mode.number}")
         said = self._solve(step, [pulls - inertia for pulls, inertia in rows], names)
-        of = f"With ${mode.square.latex()}$" if mode.square != ZERO else "So"
-        step.say(f"{of}, {joined(said)}.")
+        of = f"With ${mode.square.latex()}$," if mode.square != ZERO else "So"
+        step.say(f"{of} {joined(said)}.")
         step.close()
 
     def _solve(self, step: Writing, rows: list[Polynomial], names: list[str]) -> list[str]:

@@ -20,7 +20,7 @@ def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, nea
 
 
 def told_roots(book: Book, step: Writing, roots: Sequence[NamedRoot], unit: str, said: str) -> str:
-    """The same of several at once, one after the other."""
+    """The same of several at once, one after the other; nothing where the equations alone say what they are."""
     told, names, hidden = list[str](), list[str](), False
     for name, residual, near in roots:
         hidden = hidden or not book.hidden.isdisjoint(residual.symbols())
@@ -28,4 +28,4 @@ def told_roots(book: Book, step: Writing, roots: Sequence[NamedRoot], unit: str,
         names.append(f"${name.name}$")
     if not hidden:
         return f"{said} {joined(told)}."
-    return f"Let {joined(names)} be {'that root' if len(names) == 1 else 'these roots'}."
+    return f"Let {names[0]} be that root." if len(names) == 1 else ""

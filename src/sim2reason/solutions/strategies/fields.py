@@ -16,7 +16,7 @@ from sim2reason.solutions.field_energy import FieldEnergy
 from sim2reason.solutions.field_moment import FieldMoment
 from sim2reason.solutions.field_motion import FieldMotion, Turning
 from sim2reason.solutions.fields import AXES, Fields
-from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.goals import GOALS, Components
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -181,6 +181,15 @@ class _InFields(Way):
             return formula
         said = f"Its {NOUNS[kind]} along {AXES[axis]} is"
         return self.book.told("component", said, self.book.fresh(kind, AXES[axis]), formula, UNITS[kind])
+
+    def vector(self, kind: str, body: str) -> Components:
+        """Its size alone, where that is all that is asked for and is known without its components."""
+        asked = self.target is not None and self.target.sense is None and self.query.kind != "sum"
+        if asked and not isinstance(self.query.moment, AtStart):
+            size = {"v": lambda: self.moment.speed, "a": lambda: self.moment.pull}.get(kind, lambda: None)()
+            if size is not None:
+                return Polynomial.of(size), NIL, NIL
+        return super().vector(kind, body)
 
     def _component(self, kind: str) -> Callable[[int], Expression]:
         return lambda axis: self.rate(kind, self.fields.coordinates[axis]).expression()

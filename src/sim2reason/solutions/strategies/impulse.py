@@ -70,7 +70,7 @@ class _Struck(Way):
     @cached_property
     def flights(self) -> Flights:
         """All flights."""
-        return Flights(self.setting, self.book)
+        return Flights(self.setting, self.book, timed=self.uses == "s")
 
     @property
     def newton(self) -> Newton:

@@ -238,7 +238,8 @@ class _Modal(LinearWay):
             return []
         step, names = self.book.open("turning"), [self.book.fresh("t") for _ in nears]
         rates = [speed(self._modes, self.motion.free.index(i), name) for name in names]
-        step.say(f"It turns back when {joined([step.law(rate, ZERO) for rate in rates])}.")
+        told = joined([step.law(rate, ZERO) for rate in rates])
+        step.say(f"It turns back {'when' if len(names) == 1 else 'at the roots of'} {told}.")
         roots = list(zip(names, rates, nears, strict=True))
         step.say(told_roots(self.book, step, roots, SECONDS, "Numerically,"))
         step.close()
