@@ -13,10 +13,12 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.projectile import Projectile
 from sim2reason.prose.writer import describe
+from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
@@ -86,13 +88,20 @@ def test_what_is_assumed_need_not_be_told() -> None:
     assert "slack" in irrelevant(taut, seen)
 
 
+X_VELOCITY = Target("velocity", "throw.ball", Sense("to the right", (1.0, 0.0, 0.0), axis="x"))
+
+
 @pytest.mark.parametrize(
-    ("text", "told"),
-    [("What is the x component of the velocity?", True), ("What is the speed?", False)],
+    ("target", "told"),
+    [(X_VELOCITY, True), (Target("velocity", "throw.ball", Sense("upward", (0.0, 0.0, 1.0), axis="vertical")), False)],
 )
-def test_axes_are_told_where_one_is_used(text: str, told: bool) -> None:
-    query = Query("state", Target("velocity", "throw.ball"), AtTime(0.2))
-    assert ("axes" not in irrelevant(asked(query, text), study(throw()))) is told
+def test_axes_are_told_where_one_is_used(target: Target, told: bool) -> None:
+    """A question may speak of an axis for itself, or for the moment at which something has a value along it."""
+    seen, size = study(throw()), Target("velocity", "throw.ball")
+    assert ("axes" not in irrelevant(asked(Query("state", target, AtTime(0.2))), seen)) is told
+    first = Query("time_to_event", None, Reached(target, StatedResult("3.0", "m/s")))
+    assert ("axes" not in irrelevant(asked(first), seen)) is told
+    assert "axes" in irrelevant(asked(Query("state", size, AtTime(0.2))), seen)
 
 
 def _prompts(scene: Scene, mode: str) -> list[CertifiedQuestion]:

@@ -40,6 +40,7 @@ from sim2reason.questions.moments.closest import Closest
 from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.questions.moments.farthest import Farthest
 from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.most_compressed import MostCompressed
 from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.orbited import Orbited
@@ -296,6 +297,32 @@ def test_a_dashpot_pulls_at_the_start_by_how_fast_its_spring_grows() -> None:
     up = Sense("away from us", (0.0, 1.0, 0.0), axis="y")
     query = Query("start", Target("acceleration", "springs.block", up), AtStart())
     assert answer("springs", entity, query) == pytest.approx(-0.8 * pull / MASS)
+
+
+def led_round(query: Query) -> float:
+    """Launched at 2 m/s along +x from the place (0.3, 0.4) beside the nail: h = 0.8 m²/s."""
+    spring = NailedSpring(stiffness=STIFF, length=FREE, x=0.1, y=0.1)
+    entity = SpringBlock(block=Block(mass=MASS), springs=(spring,), x=0.4, y=0.5, launch=Launch(x=2.0, y=0.0))
+    return answer("springs", entity, query)
+
+
+def test_a_spring_leads_a_block_round_by_energy_and_angular_momentum() -> None:
+    """Both extreme lengths are roots of E = m h²/(2ℓ²) + k (ℓ − ℓ₀)²/2; see Kleppner and Kolenkow, chapter 10."""
+    block, spring, energy = "springs.block", "springs.springs.0", MASS * 2.0 + STIFF * 0.1**2 / 2.0
+
+    # ℓ² (m h²/(2ℓ²) + k (ℓ − ℓ₀)²/2 − E) as a polynomial
+    powers = STIFF / 2.0, -STIFF * FREE, STIFF * FREE**2 / 2.0 - energy, 0.0, MASS * 0.8**2 / 2.0
+    near, far = sorted(root.real for root in np.roots(powers) if abs(root.imag) < 1e-9 < root.real)
+    assert led_round(at("spring length", spring, MostStretched(spring))) == pytest.approx(far)
+    assert led_round(at("velocity", block, MostStretched(spring))) == pytest.approx(0.8 / far)
+    assert led_round(at("acceleration", block, MostCompressed(spring))) == pytest.approx(STIFF * (FREE - near) / MASS)
+    relaxed = sqrt(2.0 * energy / MASS)
+    assert led_round(at("momentum", block, NaturalLength(spring))) == pytest.approx(MASS * relaxed)
+    inward = Sense("an increase", (0.0, 0.0, 0.0))
+    query = Query("event", Target("extension rate", spring, inward), NaturalLength(spring))
+    assert led_round(query) == pytest.approx(-sqrt(relaxed**2 - (0.8 / FREE) ** 2))
+    query = StretchQuery("extremum", None, MostCompressed(spring), "greatest extension", spring)
+    assert led_round(query) == pytest.approx(far - FREE)
 
 
 # ---- a body on springs in a plane

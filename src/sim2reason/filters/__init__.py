@@ -10,12 +10,10 @@ from typing import ClassVar
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, Kind, Question, Study, Target, Words
 from sim2reason.questions.study import BEYOND
+from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.recipes import Difficulty
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
-
-TOLERANCE = 0.05
-"""The relative error that an answer may have, by default: that of the paper."""
 
 
 @dataclass(frozen=True)

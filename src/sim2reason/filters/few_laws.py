@@ -4,7 +4,6 @@ from collections.abc import Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.formula_size import has_logarithm, is_vector, size
-from sim2reason.filters.parts.numbers import story
 from sim2reason.filters.parts.turning import TURNS, turns_by_weight
 from sim2reason.solutions import Relation, Solution
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together
@@ -105,7 +104,7 @@ def _derivation(candidate: Candidate) -> Solution | None:
     study, words = candidate.study, candidate.words
     if words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
         return None
-    if len(study.mechanism.coordinates) > LARGEST or story(study.trace, candidate.time):
+    if len(study.mechanism.coordinates) > LARGEST or study.trace.story(candidate.time):
         return None
     found = derivation(candidate.question.query, study, words)
     return found if found.derived else None

@@ -9,10 +9,9 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.questions.targets import Target
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import AT_ONCE, Trace
 
 CROSSINGS = "enter", "exit"
-AT_ONCE = 1e-9  # of a time
 CLEAR = 1e-3  # of the duration: how far a time stays away from events
 STILL, ROUNDING = 1e-7, 1e-9  # of the greatest speed of its own, and of anything's: what is slower stands still
 

@@ -7,10 +7,9 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import AT_ONCE
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.targets import Target
-from sim2reason.simulation.trace import Event, Trace
+from sim2reason.simulation.trace import AT_ONCE, Event, Trace
 
 CLEARLY = 0.05  # relative: what changes by less is paid at any moment
 SAME = 1e-6  # relative: what changes by less does not change

@@ -1,18 +1,18 @@
 """Which sentences of a text matter to some questions only, and whether they do to one."""
 
-import re
 from collections.abc import Callable, Iterator
 from math import inf
 
 from sim2reason.dsl.template import Topic
 from sim2reason.questions import KINDS, Question, Study
-from sim2reason.questions.choices import AT_ONCE
+from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.regimes.taut import StaysTaut
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.unknown import range_of
+from sim2reason.simulation.trace import happened
 
 STRIDE = 6  # every sixth point of an unknown's range is looked at
-_AXIS = re.compile(r"\b[xyz][ -](?:component|axis|direction)\b")
+AXES = "x", "y", "z"
 
 
 def irrelevant(question: Question, study: Study) -> frozenset[Topic]:
@@ -24,9 +24,11 @@ def irrelevant(question: Question, study: Study) -> frozenset[Topic]:
 
 
 def _uses_axes(question: Question, study: Study) -> bool:
-    """Whether a question speaks of one."""
+    """Whether a component along one is asked about, or says when the moment is."""
     del study
-    return _AXIS.search(question.text) is not None
+    moment = question.query.moment
+    targets = question.query.target, moment.target if isinstance(moment, Reached) else None
+    return any(held is not None and held.sense is not None and held.sense.axis in AXES for held in targets)
 
 
 def _slackens(question: Question, study: Study) -> bool:
@@ -54,8 +56,7 @@ def _others(question: Question, study: Study) -> Iterator[Study]:
 def _has_slackened(question: Question, study: Study) -> bool:
     """Whether some string goes slack before what is asked about, or before the end where that does not come."""
     time = KINDS[question.query.kind].time(question.query, study)
-    end = inf if time is None else time * (1.0 - AT_ONCE)
-    return any(event.kind == "slack" and event.time < end for event in study.trace.events)
+    return any(event.kind == "slack" for event in happened(study.trace.events, inf if time is None else time))
 
 
 MATTERS: dict[Topic, Callable[[Question, Study], bool]] = {"axes": _uses_axes, "slack": _slackens}

@@ -1,6 +1,6 @@
 """The record of a simulated motion, the same from every engine."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Protocol
@@ -10,6 +10,8 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.registry import Registry
+
+AT_ONCE = 1e-9  # of a time: what comes earlier than something by no more comes with it
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +29,11 @@ class Event:
     time: float  # s
     kind: str
     subjects: tuple[str, ...]
+
+
+def happened(events: Iterable[Event], until: float) -> tuple[Event, ...]:
+    """What happens before a time, s, and not just then, in order; turns change nothing and are left out."""
+    return tuple(event for event in events if event.time < until * (1.0 - AT_ONCE) and event.kind != "turn")
 
 
 @dataclass(frozen=True)
@@ -48,6 +55,11 @@ class Trace:
     def mechanism(self) -> Mechanism:
         """What moved."""
         return self.state.mechanism
+
+    def story(self, until: float | None) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """What happens to whom before a time, s, in order; without one, as long as it may be used."""
+        end = self.stable_until if until is None else until
+        return tuple((event.kind, event.subjects) for event in happened(self.events, end))
 
     def through(self, time: float) -> "Trace":
         """The same motion recorded no longer than to the second sample after a time, s."""

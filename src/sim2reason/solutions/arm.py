@@ -15,7 +15,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power
-from sim2reason.solutions.lexicon import Both, UnreadError
+from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.mass_spread import candidates, mass_spread
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.unit_latex import INERTIA, METRES, latex
@@ -56,8 +56,7 @@ class Arm:
         self._pieces: dict[str, Piece] = {}
 
     def _read(self, number: Callable[[Mechanism], float]) -> Expression:
-        lexicon = self.setting.lexicon
-        return lexicon.read(Both(number(lexicon.mechanism), number(lexicon.twin))).expression()
+        return self.setting.lexicon.of(number).expression()
 
     # ---- where the arm points
 

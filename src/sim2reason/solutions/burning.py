@@ -1,5 +1,6 @@
 """A rocket that burns its fuel: its engine, its mass, gravity, and when it begins to rise and has none left."""
 
+from collections.abc import Callable
 from functools import cached_property
 
 from sim2reason.dsl.frames import start
@@ -8,7 +9,6 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import Expression, Symbol
-from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.unit_latex import KILOGRAMS, SECONDS
@@ -29,42 +29,38 @@ class Burning(Way):
 
     # ---- numbers
 
-    def _both(self, here: float, there: float) -> Polynomial:
-        return self.setting.lexicon.read(Both(here, there))
+    def _read(self, number: Callable[[Mechanism], float]) -> Polynomial:
+        return self.setting.lexicon.of(number)
 
     @property
-    def burns(self) -> tuple[Burn, Burn]:
-        """The engine, here and in the twin."""
-        return self.setting.lexicon.mechanism.burns[0], self.setting.lexicon.twin.burns[0]
+    def burn(self) -> Burn:
+        """The engine."""
+        return self.setting.lexicon.mechanism.burns[0]
 
     @cached_property
     def rate_of_burning(self) -> Expression:
         """µ."""
-        return self._both(*(burn.rate for burn in self.burns)).expression()
+        return self._read(lambda m: m.burns[0].rate).expression()
 
     @cached_property
     def exhaust(self) -> Expression:
         """U."""
-        return self._both(*(burn.exhaust for burn in self.burns)).expression()
+        return self._read(lambda m: m.burns[0].exhaust).expression()
 
     @cached_property
     def first(self) -> Expression:
         """The mass with all fuel."""
-        lexicon, name = self.setting.lexicon, self.burns[0].body
-        return self._both(lexicon.mechanism.body[name].mass, lexicon.twin.body[name].mass).expression()
+        return self._read(lambda m: m.body[m.burns[0].body].mass).expression()
 
     @cached_property
     def dry(self) -> Expression:
         """The mass without fuel."""
-        lexicon, name = self.setting.lexicon, self.burns[0].body
-        pairs = zip((lexicon.mechanism, lexicon.twin), self.burns, strict=True)
-        return self._both(*(m.body[name].mass - burn.rate * burn.until for m, burn in pairs)).expression()
+        return self._read(lambda m: m.body[m.burns[0].body].mass - m.burns[0].rate * m.burns[0].until).expression()
 
     @property
     def gravity(self) -> Polynomial:
         """Of the ground, or of the planet at its surface."""
-        lexicon = self.setting.lexicon
-        return self._both(_pull(lexicon.mechanism), _pull(lexicon.twin))
+        return self._read(_pull)
 
     # ---- the moment
 
@@ -76,7 +72,7 @@ class Burning(Way):
     @property
     def out(self) -> bool:
         """Whether its engine is off by then."""
-        return self.setting.time > self.burns[0].until * (1.0 + 1e-9) or isinstance(self.query, StretchQuery)
+        return self.setting.time > self.burn.until * (1.0 + 1e-9) or isinstance(self.query, StretchQuery)
 
     @cached_property
     def full(self) -> Expression:

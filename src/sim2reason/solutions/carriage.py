@@ -12,7 +12,6 @@ from sim2reason.solutions.arm import Arm
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ZERO, Expression
 from sim2reason.solutions.functions import summed
-from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.setting import LEVEL, Setting, joined
 
 
@@ -90,32 +89,31 @@ class Carriage:
 
     def read(self, number: Callable[[Mechanism], float]) -> Expression:
         """A number of the mechanism."""
-        lexicon = self.setting.lexicon
-        return lexicon.read(Both(number(lexicon.mechanism), number(lexicon.twin))).expression()
+        return self.setting.lexicon.of(number).expression()
 
     def mass(self, body: str) -> Expression:
         """The mass of a body."""
         return self.read(lambda m: m.body[body].mass)
 
     @cached_property
-    def rim(self) -> list[str]:
+    def moving_along(self) -> list[str]:
         """What moves as fast as the carriage: it and what hangs from its strings."""
         return [self.riding.carriage, *(pull.body for pull in self.riding.pulls if pull.body)]
 
     @cached_property
-    def own(self) -> Expression:
+    def sliding_mass(self) -> Expression:
         """The mass of what moves as fast as the carriage."""
-        return summed(self.mass(body) for body in self.rim)
+        return summed(self.mass(body) for body in self.moving_along)
 
     @cached_property
-    def swung(self) -> Expression:
+    def swinging_mass(self) -> Expression:
         """The mass of the arm and what is on it."""
         return summed(self.arm.piece(body).mass for body in self.arm.bodies)
 
     @cached_property
-    def whole(self) -> Expression:
+    def total_mass(self) -> Expression:
         """The mass of all."""
-        return self.own + self.swung
+        return self.sliding_mass + self.swinging_mass
 
     @cached_property
     def lone(self) -> bool:
@@ -128,7 +126,7 @@ class Carriage:
         return next(self.forward * pull.side for pull in self.riding.pulls if pull.line == line)
 
     @cached_property
-    def load(self) -> Expression:
+    def driving_force(self) -> Expression:
         """What pulls it forward: hands, and the weight of what hangs from its strings."""
         found: Expression = ZERO
         for pull in sorted(self.riding.pulls, key=lambda pull: -self.towards(pull.line)):
@@ -149,4 +147,4 @@ class Carriage:
 
     def noun(self) -> str:
         """The carriage, and what moves with it."""
-        return joined([self.setting.called(body) for body in self.rim])
+        return joined([self.setting.called(body) for body in self.moving_along])

@@ -92,10 +92,10 @@ class CarriageAngle(SwingAngle):
         """As far on the other side of where its frame has gravity pull."""
         if abs(self.now - self.began) < NEAR:
             return self.first
-        if self.load == ZERO:
+        if self.driving_force == ZERO:
             return -self.first
         tilt = self.book.fresh(r"\beta")
-        formula = Call("arctan", self.load / (self.carriage.whole * self.gravity))
+        formula = Call("arctan", self.driving_force / (self.carriage.total_mass * self.gravity))
         said = "Seen from a frame that the pull along the rail, shared by all, accelerates, gravity is tilted back by"
         self.book.told("tilt", said, tilt, formula, DEGREES)
         said, whole = (
@@ -108,15 +108,15 @@ class CarriageAngle(SwingAngle):
 
     def _where_moved(self, moment: Moved) -> Expression:
         """At which angle the carriage has come so far."""
-        if moment.name not in self.carriage.rim:
+        if moment.name not in self.carriage.moving_along:
             raise UnsolvedError("only integration gives the time")
         self.unloaded()
         far, name = self.book.fresh("d"), self.book.fresh(r"\phi")
         self.book.say_given(far.name, moment.value, METRES)
-        formula = Call("arcsin", self.sine_first - far * self.carriage.whole / self.moment)
+        formula = Call("arcsin", self.sine_first - far * self.carriage.total_mass / self.moment)
         step = self.book.open("place")
         gone = self.moment * (self.sine_first - Call("sin", name))
-        law = step.law(self.carriage.whole * far, gone)
+        law = step.law(self.carriage.total_mass * far, gone)
         said = "The common centre of mass does not move along the rail, as nothing pulls there:"
         step.say(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
         step.close()
@@ -127,13 +127,13 @@ class CarriageAngle(SwingAngle):
     # ---- what does not change
 
     @property
-    def load(self) -> Expression:
+    def driving_force(self) -> Expression:
         """What pulls along the rail."""
-        return self.carriage.load
+        return self.carriage.driving_force
 
     def unloaded(self) -> None:
         """UnsolvedError where a pull along the rail makes all hang on the time."""
-        if self.load != ZERO:
+        if self.driving_force != ZERO:
             raise UnsolvedError("how fast and how far the carriage moves takes the time")
 
     @cached_property
@@ -149,7 +149,7 @@ class CarriageAngle(SwingAngle):
     @cached_property
     def mass(self) -> Expression:
         """Of what swings."""
-        return self.carriage.swung
+        return self.carriage.swinging_mass
 
     @cached_property
     def moment(self) -> Expression:
@@ -169,9 +169,9 @@ class CarriageAngle(SwingAngle):
         return self.sine if self.book.value(self.angle) >= 0.0 else -self.sine
 
     @cached_property
-    def give(self) -> Expression:
+    def effective_inertia(self) -> Expression:
         """By how much more than the carriage alone all resists: M + m sin² φ, or (M + m) I − S² cos² φ."""
         across = squares([self.sine])
         if self.lone:
-            return self.carriage.own + self.mass * across if across != ZERO else self.carriage.own
-        return self.carriage.whole * self.arm.inertia - Power(self.moment, 2) * Power(self.cosine, 2)
+            return self.carriage.sliding_mass + self.mass * across
+        return self.carriage.total_mass * self.arm.inertia - Power(self.moment, 2) * Power(self.cosine, 2)

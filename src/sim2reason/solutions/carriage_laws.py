@@ -43,11 +43,11 @@ class CarriageLaws(CarriageAngle):
         step, turns, runs = book.open("energy"), book.fresh(r"\omega"), book.fresh("V")
         fallen, ahead = there - self.cosine_first, self.signed - self.sine_first
         work = self.moment * self.gravity * fallen
-        work = work - self.moment * drift * ahead if drift != ZERO else work
-        worth = self.gravity * fallen - drift * ahead if drift != ZERO else self.gravity * fallen
-        square = TWO * c.whole * worth / (self.length * self.give)
+        work = work - self.moment * drift * ahead
+        worth = self.gravity * fallen - drift * ahead
+        square = TWO * c.total_mass * worth / (self.length * self.effective_inertia)
         if not self.lone:
-            square = TWO * self.moment * c.whole * worth / self.give
+            square = TWO * self.moment * c.total_mass * worth / self.effective_inertia
         momentum, energy = self._kept(turns, runs)
         kept, held = step.law(*momentum), step.law(energy, work)
         seen = "Seen from a frame with this acceleration, let" if drift != ZERO else "Let"
@@ -55,9 +55,9 @@ class CarriageLaws(CarriageAngle):
         keeps = "and with the work of inertial forces energy is kept" if drift != ZERO else "and energy is kept"
         step.say(f"Momentum along the rail stays zero, {kept}, {keeps}: {held}. Together")
         solved = step.result(turns, Root(square), ANGULAR_SPEED)
-        formula = self.moment * turns * there / c.whole
+        formula = self.moment * turns * there / c.total_mass
         if self.lone and self.sine == ZERO:
-            formula = self.mass * Root(TWO * self.length * worth / (c.whole * c.own))
+            formula = self.mass * Root(TWO * self.length * worth / (c.total_mass * c.sliding_mass))
         step.say(f"{solved} and {step.result(runs, formula, SPEED)}.")
         step.close()
         return turns, runs
@@ -67,22 +67,23 @@ class CarriageLaws(CarriageAngle):
         c, along = self.carriage, turns * self.cosine
         if self.lone:
             ahead = self.length * along - runs
-            squared = squares([ahead, self.length * turns * self.sine if self.sine != ZERO else ZERO])
-            return (c.own * runs, self.mass * ahead), HALF * c.own * Power(runs, 2) + HALF * self.mass * squared
+            squared = squares([ahead, self.length * turns * self.sine])
+            moving = HALF * c.sliding_mass * Power(runs, 2) + HALF * self.mass * squared
+            return (c.sliding_mass * runs, self.mass * ahead), moving
         crossed = self.moment * along * runs
-        plain = HALF * c.whole * Power(runs, 2) + HALF * self.arm.inertia * Power(turns, 2)
-        return (c.whole * runs, self.moment * along), plain - crossed
+        plain = HALF * c.total_mass * Power(runs, 2) + HALF * self.arm.inertia * Power(turns, 2)
+        return (c.total_mass * runs, self.moment * along), plain - crossed
 
     @cached_property
     def _drift(self) -> Expression:
         """Write by how much a pull along the rail accelerates all."""
-        if self.load == ZERO:
+        if self.driving_force == ZERO:
             return ZERO
         said, name = (
             "The pull along the rail, shared by all masses, amounts to the acceleration",
             self.book.fresh("a", "0"),
         )
-        return self.book.told("frame", said, name, self.load / self.carriage.whole, ACCELERATION)
+        return self.book.told("frame", said, name, self.driving_force / self.carriage.total_mass, ACCELERATION)
 
     @cached_property
     def place(self) -> Expression:
@@ -91,17 +92,17 @@ class CarriageLaws(CarriageAngle):
             return ZERO
         self.unloaded()
         over = self.sine_first - self.signed if self.angle != -self.first else TWO * self.sine_first
-        formula = self.moment * over / self.carriage.whole
+        formula = self.moment * over / self.carriage.total_mass
         said = "The common centre of mass does not move along the rail, so the carriage has come forward by"
         return self.book.told("place", said, self.book.fresh("x"), formula, METRES)
 
     # ---- how that changes
 
     @cached_property
-    def bend(self) -> Expression:
+    def radial_pull(self) -> Expression:
         """Of a lone small body, over its mass: what weight and circle ask of the rod while the carriage stands."""
         plain = self.gravity * self.cosine
-        return plain + self.length * Power(self.rate, 2) if self.rate != ZERO else plain
+        return plain + self.length * squares([self.rate])
 
     @cached_property
     def rod(self) -> Symbol:
@@ -112,27 +113,27 @@ class CarriageLaws(CarriageAngle):
     def _pulled(self) -> tuple[Symbol, Expression]:
         """That force, and the acceleration of the carriage where the rod has a part in it."""
         name, book, c = self.book.fresh("T"), self.book, self.carriage
-        bend, mass = self.bend, self.mass
+        pull, mass = self.radial_pull, self.mass
         who = self.setting.called(self.arm.bodies[0])
         if self.sine == ZERO:
             said = f"The rod holds the weight of {who} and bends its path into a circle around the carriage:"
-            return book.told("rod", said, name, mass * bend, NEWTONS), ZERO
+            return book.told("rod", said, name, mass * pull, NEWTONS), ZERO
         step, a = book.open("rod"), book.fresh("a", r"\text{c}")
-        pulled = name * self.signed if self.load == ZERO else self.load + name * self.signed
-        along = step.law(name, mass * (bend - a * self.signed))
-        rail = step.law(c.own * a, pulled)
+        pulled = self.driving_force + name * self.signed
+        along = step.law(name, mass * (pull - a * self.signed))
+        rail = step.law(c.sliding_mass * a, pulled)
         step.say(f"Let ${name.name}$ be the force in the rod and ${a.name}$ the acceleration of {c.noun()} forward,")
         step.say(f"which in its own frame pulls back. Along the rod, for {who}: {along}. Along the rail, for")
-        over = c.own * bend if self.load == ZERO else c.own * bend - self.load * self.signed
-        step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.give, NEWTONS)}")
-        step.say(f"and {step.result(a, pulled / c.own, ACCELERATION)}.")
+        over = c.sliding_mass * pull - self.driving_force * self.signed
+        step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
+        step.say(f"and {step.result(a, pulled / c.sliding_mass, ACCELERATION)}.")
         step.close()
         return name, a
 
     @cached_property
     def carriage_acceleration(self) -> Expression:
         """The acceleration of the carriage, forward."""
-        if self.sine == ZERO and self.load == ZERO:
+        if self.sine == ZERO and self.driving_force == ZERO:
             return ZERO
         if not self.lone:
             return self._turned_up[1]
@@ -140,15 +141,15 @@ class CarriageLaws(CarriageAngle):
             return self._pulled[1]
         said = "The rod does not pull along the rail, so the carriage is accelerated by"
         name = self.book.fresh("a", r"\text{c}")
-        return self.book.told("newton", said, name, self.load / self.carriage.own, ACCELERATION)
+        return self.book.told("newton", said, name, self.driving_force / self.carriage.sliding_mass, ACCELERATION)
 
     @cached_property
-    def growth(self) -> Expression:
+    def angular_acceleration(self) -> Expression:
         """The angular acceleration of the arm, towards the lowest point if it is forward of that."""
         if not self.lone:
-            return self._turned_up[0] if self.sine != ZERO or self.load != ZERO else ZERO
+            return self._turned_up[0] if self.sine != ZERO or self.driving_force != ZERO else ZERO
         a = self.carriage_acceleration
-        back = a * self.cosine if a != ZERO else ZERO
+        back = a * self.cosine
         formula = (self.gravity * self.signed + back) / self.length
         if self.book.value(formula) == 0.0:
             return ZERO
@@ -160,18 +161,18 @@ class CarriageLaws(CarriageAngle):
         """Of an arm with a moment of inertia: its torque and Newton's law along the rail."""
         c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
         step, turns, a = book.open("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
-        bent = Power(self.rate, 2) * self.signed if self.rate != ZERO else ZERO
-        held = self.load + s * bent
-        weight = self.gravity * self.signed if self.sine != ZERO else ZERO
-        rail = step.law(c.whole * a, self.load + s * (turns * self.cosine + bent))
+        bent = squares([self.rate]) * self.signed
+        held = self.driving_force + s * bent
+        weight = self.gravity * self.signed
+        rail = step.law(c.total_mass * a, self.driving_force + s * (turns * self.cosine + bent))
         torque = step.law(inertia * turns, s * (weight + a * self.cosine))
         step.say(
             f"Let ${turns.name}$ be the angular acceleration of {self.swings}, back, and ${a.name}$ the acceleration"
         )
         step.say(f"of {c.noun()}, forward. Along the rail, for all: {rail}. About the axle, with the inertial")
-        over = s * (c.whole * weight + self.cosine * held) if held != ZERO else s * c.whole * weight
-        step.say(f"force: {torque}. Together {step.result(turns, over / self.give, ANGULAR_ACCELERATION)}")
-        formula = (held + s * turns * self.cosine) / c.whole
+        over = s * (c.total_mass * weight + self.cosine * held)
+        step.say(f"force: {torque}. Together {step.result(turns, over / self.effective_inertia, ANGULAR_ACCELERATION)}")
+        formula = (held + s * turns * self.cosine) / c.total_mass
         step.say(f"and {step.result(a, formula, ACCELERATION)}.")
         step.close()
         return turns, a

@@ -41,7 +41,7 @@ class FieldEnergy:
         speeds = (self.known.first_speeds.get(number, NIL) for number in self.fields.coordinates)
         first = total(speed * speed for speed in speeds).expression()
         square = self._square()
-        return HALF * self.fields.mass * (square - first) if first != ZERO else HALF * self.fields.mass * square
+        return HALF * self.fields.mass * (square - first)
 
     def _square(self) -> Expression:
         """Of the speed."""

@@ -10,9 +10,10 @@ from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.field_motion import FieldMotion, Turning, motion_in
+from sim2reason.solutions.field_motion import Driven, FieldMotion
 from sim2reason.solutions.fields import Fields
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.magnetic_motion import Crossed, Slowed, Turning
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.told_root import told_root
 from sim2reason.solutions.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
@@ -219,3 +220,17 @@ class FieldMoment:
         square = squares(parts)
         times: list[float] = np.linspace(0.0, self.setting.time, SAMPLES).tolist()
         return max(times, key=lambda t: sign * square.value({**self.book.values, name.name: t}).real)
+
+
+def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
+    """The motion in some fields; UnsolvedError where it has no closed form here."""
+    if fields.resists:
+        return Slowed(fields, launch)
+    drive = fields.drive
+    if fields.turning is not None and drive is not None and drive.along == drive.axis and drive.slope is not None:
+        return Crossed(fields, launch)
+    if fields.turning is not None:
+        return Turning(fields, launch)
+    if fields.damping is not None:
+        raise UnsolvedError("a resistance without a magnetic field")
+    return Driven(fields, launch)

@@ -9,7 +9,6 @@ from sim2reason.dsl.mechanism import Force, Mechanism
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
@@ -48,9 +47,7 @@ class Fields:
         m = setting.mechanism
         self.forces = [number for number, force in enumerate(m.forces) if force.body == body]
         self.coordinates = [m.number[c.name] for c in m.body[body].coordinates]
-        lexicon = setting.lexicon
-        pairs = [(lexicon.mechanism.coordinates[k], lexicon.twin.coordinates[k]) for k in self.coordinates]
-        self.launch = [lexicon.read(Both(a.speed, b.speed)).expression() for a, b in pairs]
+        self.launch = [self._read(lambda m, k=k: m.coordinates[k].speed).expression() for k in self.coordinates]
         self.mass = self._read(lambda m: m.body[body].mass).expression()
         self._checked()
 
@@ -65,8 +62,7 @@ class Fields:
                 raise UnsolvedError("what acts leaves no closed form")
 
     def _read(self, number: Callable[[Mechanism], float]) -> Polynomial:
-        lexicon = self.setting.lexicon
-        return lexicon.read(Both(number(lexicon.mechanism), number(lexicon.twin)))
+        return self.setting.lexicon.of(number)
 
     def _of(self, kind: type) -> int | None:
         """The number of the force of a kind."""
@@ -157,7 +153,7 @@ class Fields:
     def acceleration(
         self, axis: int, time: Expression, rate: Callable[[int], Expression], moved: Callable[[int], Expression]
     ) -> Expression:
-        """Newton's law over the mass: what all forces add up to; a speed that the medium brakes alone is v/(1 + γ t)."""
+        """Newton's law over the mass: what all forces add up to."""
         found: Expression = ZERO
         if self.drive is not None and self.drive.axis == axis:
             found = found + self.drive.at(time, moved)

@@ -104,19 +104,15 @@ class FreeFlights(ABC):
     def acceleration(self, k: int) -> Polynomial:
         """What weight gives along a coordinate."""
         lexicon = self.setting.lexicon
-        g = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2]))
-        down = Both(-lexicon.mechanism.coordinates[k].axis[2], -lexicon.twin.coordinates[k].axis[2])
-        return g * lexicon.read(down)
+        return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
 
     def mass(self, body: str) -> Polynomial:
         """The mass of a body."""
-        lexicon = self.setting.lexicon
-        return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
+        return self.setting.lexicon.of(lambda m: m.body[body].mass)
 
     def _first(self, body: str) -> Leg:
-        lexicon = self.setting.lexicon
-        here, there = lexicon.mechanism.coordinates, lexicon.twin.coordinates
-        return Leg(None, {k: lexicon.read(Both(here[k].speed, there[k].speed)) for k in self.coordinates(body)})
+        read = self.setting.lexicon.of
+        return Leg(None, {k: read(lambda m, k=k: m.coordinates[k].speed) for k in self.coordinates(body)})
 
     def leg(self, body: str, number: int) -> Leg:
         """The flight of a body after so many impacts."""

@@ -150,7 +150,7 @@ class Harmonic:
     def angle_of(self, place: Expression, time: float) -> Expression:
         """The phase ωt at which it is at a place, at about a time."""
         omega = self.numbers[0]
-        apart = place - self.rest if self.rest != ZERO else place
+        apart = place - self.rest
         if self.rest == ZERO:
             base: Expression = ZERO
             plain: Expression = Call("arcsin", self._share(place, self.begun))
@@ -171,7 +171,7 @@ class Harmonic:
             off = abs(value + 2.0 * pi * rounds - omega * time)
             if off < best[0]:
                 best = (off, held if sign > 0.0 else -held, 2.0 * rounds + shift)
-        found = base + best[1] if base != ZERO else best[1]
+        found = base + best[1]
         return found + Number(best[2]) * PI if best[2] else found
 
     def _share(self, one: Expression, other: Expression) -> Expression:

@@ -5,8 +5,7 @@ from abc import ABC, abstractmethod
 from sim2reason.dsl.mechanism import Meeting
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.flights import ALIGNED, FreeFlights, Impact
-from sim2reason.solutions.functions import Power, Root
-from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.functions import Root, squares
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.unit_latex import SECONDS, SPEED
@@ -81,7 +80,7 @@ class Impacts(FreeFlights, ABC):
         """The first time at which gap + rate t + ½ rise t² is zero."""
         double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
         v = rate.expression()
-        root = Root(added(Power(v, 2) if v != ZERO else ZERO, double))
+        root = Root(added(squares([v]), double))
         if self.book.value(rise.expression()) < 0.0:
             return ratio(added(root, v), rise.scaled(-1.0).expression())
         return ratio(added(-v, -root), rise.expression())
@@ -119,8 +118,7 @@ class Impacts(FreeFlights, ABC):
 
     def restitution(self, number: int) -> Polynomial:
         """The coefficient e of a meeting."""
-        here, there = self.setting.lexicon.mechanism.meetings[number], self.setting.lexicon.twin.meetings[number]
-        return self.setting.lexicon.read(Both(here.restitution, there.restitution))
+        return self.setting.lexicon.of(lambda m: m.meetings[number].restitution)
 
     def closing(self, impact: Impact) -> Expression:
         """Along the normal, how fast the two approach just before, of either sign."""

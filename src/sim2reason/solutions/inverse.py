@@ -92,7 +92,7 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
             yield reduce(added, (-term for term in formula.terms if term is not part), value)
         case Product():
             rest = reduce(multiplied, (factor for factor in formula.factors if factor is not part))
-            yield ratio(value, rest) if value != ZERO else ZERO
+            yield ratio(value, rest)
         case Quotient() if part is formula.above:
             yield multiplied(value, formula.below)
         case Quotient() if value != ZERO:

@@ -164,7 +164,7 @@ class KeplerOrbit:
             return TWO * PI if begins_far == far else PI
         begins = self._begins
         turn = PI if far else TWO * PI if self._at(begins) > 0.0 else ZERO
-        formula = turn - begins if turn != ZERO else -begins
+        formula = turn - begins
         where = "farthest" if far else "nearest"
         which = r"180^\circ" if far else "0"
         said = f"It is {where} where $E$ is ${which}$ or whole turns more, so that $E$ has grown by"

@@ -5,7 +5,7 @@ a mass in both, or the sine of an angle in both, is that mass or sine. Entities 
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, reduce
@@ -163,6 +163,10 @@ class Lexicon:
         """The constant of gravitation, where the text says the masses of all that attracts."""
         pulls, heavy = self.mechanism.attractions, [given.value for given in self.givens.values()]
         return pulls[0].constant if pulls and self.mechanism.body[pulls[0].b].mass in heavy else None
+
+    def of(self, number: Callable[[Mechanism], float]) -> Polynomial:
+        """What a number of the mechanism is, as `read` has it."""
+        return self.read(Both(float(number(self.mechanism)), float(number(self.twin))))
 
     def read(self, number: Both) -> Polynomial:
         """What a number is: 0, a simple fraction, or one times something said, or a product of two or a sum of such."""

@@ -1,42 +1,37 @@
-"""A lone body on a level table, held by a single spring from a fixed point: its numbers, by their symbols."""
+"""A body on a level table on which one spring acts that is fixed at its other end."""
 
+from collections.abc import Callable
 from functools import cached_property
 from math import hypot
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.dsl.triples import minus
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.solutions.book import Book
-from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.expressions import Expression, Symbol
 from sim2reason.solutions.functions import Root, squares
-from sim2reason.solutions.lexicon import Both
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.greatest import greatest_target
+from sim2reason.solutions.letters import LETTERS
+from sim2reason.solutions.setting import LEVEL, Setting
+from sim2reason.solutions.swing_angle import Way
 from sim2reason.solutions.unit_latex import METRES
 
+PARTS = "stiffness", "length"
 
-def is_lone_spring(m: Mechanism) -> bool:
-    """Whether a single spring without damping, from a fixed point, is all that acts on a single body."""
-    springs = [line for line in m.lines if isinstance(line.law, Elastic)]
+
+def lone_spring(m: Mechanism) -> Elastic | None:
+    """The law of a single spring from a fixed point that acts on a single body; None where something else acts."""
     other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
-    slides = all(c.kind == "slide" and abs(c.axis[2]) < 1e-9 for c in m.coordinates)
-    if len(springs) != 1 or len(m.lines) != 1 or len(m.bodies) != 1 or len(m.coordinates) != 2 or other or not slides:
-        return False
-    law, ends = springs[0].law, [m.site[site].body for site in springs[0].through]
-    assert isinstance(law, Elastic)
-    return len(ends) == 2 and None in ends and not law.damping and not law.side
+    slides = all(c.kind == "slide" and abs(c.axis[2]) < LEVEL for c in m.coordinates)
+    if len(m.lines) != 1 or len(m.bodies) != 1 or len(m.coordinates) != 2 or other or not slides:
+        return None
+    law, ends = m.lines[0].law, [m.site[site].body for site in m.lines[0].through]
+    plain = isinstance(law, Elastic) and not law.damping and not law.side
+    return law if isinstance(law, Elastic) and plain and len(ends) == 2 and None in ends else None
 
 
-def begins_at_rest(m: Mechanism) -> bool:
-    """Whether nothing moves at the start."""
-    return not any(c.speed for c in m.coordinates)
-
-
-def length_at_first(m: Mechanism) -> float:
-    """How long the spring is at the start, m."""
-    return hypot(*_ends(m))
-
-
-def _ends(m: Mechanism) -> tuple[float, float]:
+def ends(m: Mechanism) -> tuple[float, float]:
     """From the fixed end of the spring to the body at the start, along the coordinates."""
     frames, through = start(m), m.lines[0].through
     fixed, free = sorted(through, key=lambda site: m.site[site].body is not None)
@@ -45,30 +40,42 @@ def _ends(m: Mechanism) -> tuple[float, float]:
     return float(x), float(y)
 
 
+def length(m: Mechanism) -> float:
+    """Of the spring at the start, m."""
+    return hypot(*ends(m))
+
+
+def quantity_of(setting: Setting) -> str:
+    """The quantity that is asked about, be it for its greatest value; empty for a time."""
+    target = greatest_target(setting) if isinstance(setting.query, StretchQuery) else setting.query.target
+    return target.quantity if target is not None else ""
+
+
 class LoneSpring:
-    """What ways to its motion begin with."""
+    """Its numbers in the symbols of the text."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
         """UnreadError where a number is no simple function of those in the text."""
         self.setting, self.book = setting, book
-        lexicon = setting.lexicon
-        sides = (lexicon.mechanism, lexicon.twin)
-        pairs = zip(*(_ends(m) for m in sides), strict=True)
-        self.apart = [lexicon.read(Both(*pair)).expression() for pair in pairs]
-        laws = [m.lines[0].law for m in sides]
-        here, there = laws
-        assert isinstance(here, Elastic)
-        assert isinstance(there, Elastic)
-        self.stiffness = lexicon.read(Both(here.stiffness, there.stiffness)).expression()
-        self.natural = lexicon.read(Both(here.length, there.length)).expression()
-        self.mass = lexicon.read(Both(sides[0].bodies[0].mass, sides[1].bodies[0].mass)).expression()
-        speeds = zip(*([c.speed for c in m.coordinates] for m in sides), strict=True)
-        self.first = [lexicon.read(Both(*pair)).expression() for pair in speeds]
+        self.apart = [self.read(lambda m, n=n: ends(m)[n]) for n in (0, 1)]
+        self.stiffness, self.natural = (self.read(lambda m, of=of: getattr(m.lines[0].law, of)) for of in PARTS)
+        self.mass = self.read(lambda m: m.bodies[0].mass)
+
+    def read(self, number: Callable[[Mechanism], float]) -> Expression:
+        """A number of the mechanism."""
+        return self.setting.lexicon.of(number).expression()
 
     @cached_property
     def length(self) -> Symbol:
         """At the start."""
-        formula = Root(squares(self.apart))
-        return self.book.told(
-            "length", "At first the spring is as long as", self.book.fresh(r"\ell", "1"), formula, METRES
-        )
+        said, name = "At first the spring is as long as", self.book.fresh(r"\ell", "1")
+        return self.book.told("length", said, name, Root(squares(self.apart)), METRES)
+
+    def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
+        """Write the answer, unless it has a name; `turned` gives its formula the sign or the component asked for."""
+        method, said = way
+        formula = turned(getattr(self, method)())
+        if isinstance(formula, Symbol):
+            return formula
+        name = self.book.fresh(LETTERS[quantity_of(self.setting)])
+        return self.book.told("answer", said, name, formula, self.setting.unit)

@@ -10,7 +10,7 @@ from math import cos, pi
 
 from sim2reason.dsl.shape import Shape
 from sim2reason.solutions.expressions import ZERO, Expression, Number
-from sim2reason.solutions.functions import Power
+from sim2reason.solutions.functions import Power, squares
 
 Sizes = Callable[[str], Expression]  # the symbol of a parameter of the body
 
@@ -50,8 +50,8 @@ def joined(parts: list[Part]) -> MassSpread:
     for part in parts:
         center = center + part.share * part.height
         xx = xx + part.share * part.spread.xx
-        zz = zz + part.share * (part.spread.zz + (Power(part.height, 2) if part.height != ZERO else ZERO))
-    return MassSpread(xx, zz - Power(center, 2) if center != ZERO else zz, center)
+        zz = zz + part.share * (part.spread.zz + (squares([part.height])))
+    return MassSpread(xx, zz - squares([center]), center)
 
 
 def _ball(radius: Expression) -> MassSpread:

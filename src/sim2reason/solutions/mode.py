@@ -25,17 +25,16 @@ def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
     found: Expression = ZERO
     for mode in modes:
         inner = _free(mode, t, order) if mode.rate is None else _swung(mode, mode.rate, t, order)
-        found = found + mode.shape[i] * inner if inner != ZERO else found
+        found = found + mode.shape[i] * inner
     return found
 
 
 def _free(mode: Mode, t: Symbol, order: int) -> Expression:
     """Of a mode that nothing drives back: c t + b t²/2."""
     if order == 0:
-        found = mode.swing * t if mode.swing != ZERO else ZERO
-        return found + 0.5 * mode.rise * Power(t, 2) if mode.rise != ZERO else found
+        return mode.swing * t + 0.5 * mode.rise * Power(t, 2)
     if order == 1:
-        return mode.swing + mode.rise * t if mode.rise != ZERO else mode.swing
+        return mode.swing + mode.rise * t
     return mode.rise if order == 2 else ZERO
 
 
@@ -44,9 +43,8 @@ def _swung(mode: Mode, rate: Symbol, t: Symbol, order: int) -> Expression:
     cosine, sine = Call("cos", rate * t), Call("sin", rate * t)
     rises = {0: ONE - cosine, 1: sine, 2: cosine, 3: -sine}[order]
     swings = {0: sine, 1: cosine, 2: -sine, 3: -cosine}[order]
-    found = mode.rise * rises if mode.rise != ZERO else ZERO
-    found = found + mode.swing * swings if mode.swing != ZERO else found
-    return found if order == 0 or found == ZERO else (Power(rate, order) if order > 1 else rate) * found
+    found = mode.rise * rises + mode.swing * swings
+    return found if order == 0 else (Power(rate, order) if order > 1 else rate) * found
 
 
 def place(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:

@@ -58,7 +58,7 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
         aside = Power(c, 2)
     square = multiplied(p, Power(distance, 2))
     quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
-    formula = ratio(added(-q, -Root(added(square, -aside) if aside != ZERO else square)), p)
+    formula = ratio(added(-q, -Root(added(square, -aside))), p)
     step.say(f"{flights.met(impact)} when {law}, that is {quadratic} with {joined(said)}.")
     step.say(f"The first root is {step.result(t, formula, SECONDS)}.")
     step.close()
@@ -66,9 +66,7 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
 
 
 def _distance(flights: Impacts, impact: Impact) -> Expression:
-    lexicon, n = flights.setting.lexicon, impact.meeting
-    both = Both(lexicon.mechanism.meetings[n].distance, lexicon.twin.meetings[n].distance)
-    return lexicon.read(both).expression()
+    return flights.setting.lexicon.of(lambda m: m.meetings[impact.meeting].distance).expression()
 
 
 def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:

@@ -16,7 +16,9 @@ from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, 
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
+from sim2reason.simulation.trace import happened
 from sim2reason.solutions.lexicon import Lexicon, StatedNumber
+from sim2reason.solutions.unit_latex import latex
 
 LEVEL = 1e-9  # the part of a direction that is none
 BEYOND = 1.001  # times the moment that is asked about, to which the motion is followed
@@ -82,6 +84,11 @@ class Setting:
         return self.study.once("motion", lambda: motion(self.mechanism, known)).through(until)
 
     @cached_property
+    def story(self) -> frozenset[str]:
+        """The kinds of what happens before that time."""
+        return frozenset(event.kind for event in happened(self.motion.events, self.time))
+
+    @cached_property
     def answer(self) -> float | None:
         """What the engine says: of the query, of a number that is unknown, or when something is as it is given."""
         if self.sought is not None:
@@ -89,6 +96,11 @@ class Setting:
         if self.unknown and self.stated is not None:
             return float(self.study.scene.value(self.unknown))
         return KINDS[self.query.kind].answer(self.query, self.study)
+
+    @property
+    def unit(self) -> str:
+        """The unit of what the query asks for, in LaTeX."""
+        return latex(KINDS[self.query.kind].measured(self.query).unit)
 
     # ---- names
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Quotient, Symbol, added, multiplied, ratio
-from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.functions import Power, Root, squares
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import STILL, Shared
@@ -254,9 +254,7 @@ class Stage:
         assert self.end.distance is not None
         distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
         step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
-        square = added(
-            Power(begun, 2) if begun != ZERO else ZERO, multiplied(Number(2.0), multiplied(shared.symbol, distance))
-        )
+        square = added(squares([begun]), multiplied(Number(2.0), multiplied(shared.symbol, distance)))
         law = step.law(Power(name, 2), square)
         sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
         step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}.")

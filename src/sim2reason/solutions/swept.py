@@ -45,7 +45,7 @@ def _round(swing: SwingAngle, end: float) -> Expression:
     there = swing.angle
     if there == ZERO or isinstance(there, Number):
         there = Number(float(halves)) * PI if halves else ZERO
-    apart = there - swing.first if swing.first != ZERO else there
+    apart = there - swing.first
     return apart if swing.book.value(apart) >= 0.0 else -apart
 
 

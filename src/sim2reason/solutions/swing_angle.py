@@ -20,6 +20,7 @@ from sim2reason.questions.moments.went_slack import WentSlack
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.letters import LETTERS
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.swing_time import SwingTime
 from sim2reason.solutions.unit_latex import DEGREES, SECONDS
@@ -43,7 +44,7 @@ STRAIGHT = 1e-6  # rad
 TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
 SMALL = "Small swings would have the angular frequency"
-Way = tuple[str, str, str, str]
+Way = tuple[str, str]  # the method that gives a formula, and what is said before it
 
 
 def quantity_of(setting: Setting) -> str:
@@ -76,7 +77,7 @@ class SwingAngle(ABC):
 
     Who makes one sets `first`, the angle at the start, `began`, its value, `now` and `turning`, the angle at the moment
     and its rate, `turned`, by how much it has turned, and `way`, the sign of the rate at first, all for signs alone.
-    `WAYS` has for each quantity the method that gives its formula, its letter, its unit, and what is said before it.
+    `WAYS` has the way to each quantity.
     """
 
     first: Expression
@@ -247,13 +248,13 @@ class SwingAngle(ABC):
         sense = target.sense if target is not None else None
         if sense is not None and sense.vector != UP and any(sense.vector):
             raise UnsolvedError("a component along a direction that is not vertical")
-        kind, base, unit, why = self.WAYS[quantity]
+        (kind, why), unit = self.WAYS[quantity], self.setting.unit
         formula: Expression = getattr(self, kind)()
         if sense is None and self.book.value(formula) < 0.0:
             formula = -formula
         if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
-        return self.book.told("answer", why or "So", self.book.fresh(base), formula, unit)
+        return self.book.told("answer", why or "So", self.book.fresh(LETTERS[quantity]), formula, unit)
 
     @property
     def vertical(self) -> bool:

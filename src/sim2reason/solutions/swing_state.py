@@ -8,12 +8,13 @@ import numpy as np
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.functions import Call, Power, Root, squares
 from sim2reason.solutions.pendulum import geometry, pivot, place
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.swing_angle import SMALL, SwingAngle
 from sim2reason.solutions.unit_latex import ANGULAR_SPEED, DEGREES, SPEED
+
+SAMPLES = 257  # of the way to the moment, which is a few turns at most
 
 
 class SwingState(SwingAngle):
@@ -29,18 +30,27 @@ class SwingState(SwingAngle):
         assert found is not None
         self.body, self.line, _ = found
         lexicon = setting.lexicon
-        here, there = geometry(lexicon.mechanism), geometry(lexicon.twin)
-        self.length = lexicon.read(Both(here[0], there[0])).expression()
-        self.first = lexicon.read(Both(here[1], there[1])).expression()
-        self.launch = lexicon.read(Both(here[2], there[2])).expression()
-        self.gravity = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2])).expression()
-        masses = (lexicon.mechanism.body[self.body].mass, lexicon.twin.body[self.body].mass)
-        self.mass = lexicon.read(Both(*masses)).expression()
+        parts = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
+        self.length, self.first, self.launch = parts
+        self.gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
+        self.mass = lexicon.of(lambda m: m.body[self.body].mass).expression()
         moment = setting.query.moment
         assert moment is not None
-        self.began, (self.now, self.turning) = here[1], self._seen(moment.side(setting.time))
+        when = moment.side(setting.time)
+        self.began, (self.now, self.turning) = geometry(lexicon.mechanism)[1], self._seen(when)
         self.way = 1.0 if self._seen(0.0)[1] >= 0.0 else -1.0
-        self.turned = self.now - self.began
+        self._when_seen = when
+
+    @cached_property
+    def turned(self) -> float:  # type: ignore[override]
+        """Whole turns included: it goes through less than half a turn from sample to sample."""
+        found = pivot(self.setting.mechanism)
+        assert found is not None
+        state = self.setting.study.trace.sample(np.linspace(0.0, self._when_seen, SAMPLES))
+        x, _, z = (part - found[2][n] for n, part in enumerate(state.frames.center(self.body).place))
+        side = 1.0 if place(self.setting.mechanism)[0] >= 0.0 else -1.0
+        angles = np.unwrap(np.arctan2(side * x, -z))
+        return float(angles[-1] - angles[0])
 
     def _seen(self, time: float) -> tuple[float, float]:
         """The angle and its rate at a time, for signs alone."""
@@ -66,7 +76,7 @@ class SwingState(SwingAngle):
     @cached_property
     def spin(self) -> Expression:
         """v₀/ℓ."""
-        return ratio(self.launch, self.length) if self.launch != ZERO else ZERO
+        return ratio(self.launch, self.length)
 
     @property
     def goes_round(self) -> bool:
@@ -81,7 +91,7 @@ class SwingState(SwingAngle):
         m, g, ell, v = self.mass, self.gravity, self.length, self.launch
         high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -Call("cos", name)))
         law = step.law(high, self._energy)
-        ratio_of = ratio(Power(v, 2), multiplied(Number(2.0), multiplied(g, ell))) if v != ZERO else ZERO
+        ratio_of = ratio(squares([v]), multiplied(Number(2.0), multiplied(g, ell)))
         formula = Call("arccos", added(self.cosine_first, -ratio_of))
         said = f"{capital(self.who)} turns back where all its energy is of height"
         step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
@@ -96,8 +106,8 @@ class SwingState(SwingAngle):
         g, ell, v = self.gravity, self.length, self.launch
         circle = step.law(ratio(Power(fast, 2), ell), -multiplied(g, bent))
         gained = multiplied(multiplied(Number(2.0), multiplied(g, ell)), added(bent, -self.cosine_first))
-        energy = step.law(Power(fast, 2), added(Power(v, 2) if v != ZERO else ZERO, gained))
-        over = ratio(Power(v, 2), multiplied(g, ell)) if v != ZERO else ZERO
+        energy = step.law(Power(fast, 2), added(squares([v]), gained))
+        over = ratio(squares([v]), multiplied(g, ell))
         formula = Call("arccos", ratio(added(multiplied(Number(2.0), self.cosine_first), -over), Number(3.0)))
         step.say(f"The string goes slack where weight alone bends the path: {circle}; by energy {energy}.")
         step.say(f"Together, {step.result(name, formula, DEGREES)}")
@@ -119,7 +129,7 @@ class SwingState(SwingAngle):
         """The square of the speed at the moment."""
         moment = self.setting.query.moment
         if isinstance(moment, AtStart):
-            return Power(self.launch, 2) if self.launch != ZERO else ZERO
+            return squares([self.launch])
         if self.still:
             return ZERO
         there = self.cosine
@@ -127,7 +137,7 @@ class SwingState(SwingAngle):
         gained = multiplied(
             multiplied(Number(2.0), multiplied(self.gravity, self.length)), added(there, -self.cosine_first)
         )
-        square = added(Power(self.launch, 2) if self.launch != ZERO else ZERO, gained)
+        square = added(squares([self.launch]), gained)
         law = step.law(Power(name, 2), square)
         step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), SPEED)}.")
         step.close()

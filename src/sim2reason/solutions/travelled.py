@@ -26,6 +26,6 @@ class Travelled(Stretch):
             raise UnsolvedError("its path is no line of its own")
         (part,) = self.way.motion.ratios[own[0]].values()
         for one, other in pairwise(self.places):
-            apart = other - one if one != ZERO else other
+            apart = other - one
             found = found + (apart if book.value(apart) >= 0.0 else -apart)
         return found * abs(part) if abs(part) != 1.0 else found

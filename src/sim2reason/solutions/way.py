@@ -195,6 +195,10 @@ class Way(ABC):
         """The parts of the motion; by default it has none."""
         raise UnsolvedError("no way to what adds up over a motion")
 
+    def work(self, line: str, body: str) -> Symbol | None:
+        """That of a tension which changes all the while; by default it is constant, part by part."""
+        del line, body
+
     def impulse(self, line: str) -> Symbol | None:
         """That of a tension which changes all the while; by default it is constant, part by part."""
         del line

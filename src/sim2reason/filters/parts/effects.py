@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from sim2reason.filters import Candidate
 from sim2reason.questions import Study
 from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading, Simplification
+from sim2reason.questions.tolerance import NEARLY
 
 SAME = 0.02  # of the tolerance: an answer that changes by less is the same
-CLOSE = 1.2  # of the tolerance: one that changes by less may be paid, or nearly
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,7 @@ class Effect:
     @property
     def close(self) -> bool:
         """Whether the answer would be paid, or nearly."""
-        return self.change < CLOSE * self.tolerance
+        return self.change < NEARLY * self.tolerance
 
     @property
     def wrong(self) -> bool:

@@ -7,7 +7,6 @@ from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import Candidate
 from sim2reason.questions import Study
-from sim2reason.simulation.trace import Trace
 
 SHIFT = 1e-3  # relative
 TURN = 10.0  # deg: how far an angle is moved either way, where other numbers are halved and doubled
@@ -76,7 +75,7 @@ def _is_said(scene: Scene, parameter: Parameter) -> bool:
 def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
     """That of the answer to all that is given, each shifted by one part in a thousand."""
     study = candidate.study
-    before = story(study.trace, candidate.time)
+    before = study.trace.story(candidate.time)
     for given in givens(study.scene, candidate.question.unknown):
         other = shifted(study, given, candidate.until)
         answer = candidate.response(other)
@@ -85,7 +84,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
             continue
         time = candidate.kind.time(candidate.question.query, other)
         size = candidate.change_to(answer) / SHIFT
-        yield Elasticity(given, size, reordered=story(other.trace, time) != before)
+        yield Elasticity(given, size, reordered=other.trace.story(time) != before)
 
 
 def matters(candidate: Candidate, found: Elasticity) -> bool:
@@ -118,9 +117,3 @@ def shifted(study: Study, given: Given, until: float | None) -> Study | None:
         if other is not None:
             return other
     return None
-
-
-def story(trace: Trace, time: float | None) -> list[tuple[str, tuple[str, ...]]]:
-    """What happens before a moment, in order; turns change nothing and are left out."""
-    end = time if time is not None else trace.stable_until
-    return [(e.kind, e.subjects) for e in trace.events if e.time < end * (1.0 - 1e-9) and e.kind != "turn"]

@@ -58,8 +58,7 @@ class Variation:
     @property
     def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
         """What happens before that, in order; turns change nothing."""
-        end = self.until * (1.0 - EQUAL)
-        return tuple((e.kind, e.subjects) for e in self.study.trace.events if e.time < end and e.kind != "turn")
+        return self.study.trace.story(self.until)
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import AT_ONCE, at, bears_from, has_met, least
+from sim2reason.questions.choices import at, bears_from, has_met, least
 from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
@@ -21,6 +21,7 @@ from sim2reason.questions.words import Words
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import AT_ONCE
 
 SAME = 2e-3  # relative: what rounds to the same three digits
 JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps there

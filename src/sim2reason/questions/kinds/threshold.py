@@ -11,13 +11,14 @@ from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.tolerance import NEARLY, TOLERANCE
 from sim2reason.questions.trial import Trial
 from sim2reason.questions.unknown import is_usual, some
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import WITNESS, Certificate
 from sim2reason.simulation.channels import Channel
 
-CLOSE = 0.08  # relative: how far from it one of a changed mechanism is looked for, beyond which none is paid
+CLOSE = NEARLY * TOLERANCE  # relative: how far from it one of a changed mechanism is looked for
 SIDE = 5e-3  # relative: how far to either side of it the second engine is asked
 
 

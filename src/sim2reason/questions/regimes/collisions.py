@@ -14,7 +14,6 @@ from sim2reason.questions.words import Words
 
 MOST = 3  # collisions that a clause lists
 ORDERS = 100  # of so many: where more are possible, shorter lists are looked at alone
-BEFORE = 1e-9  # relative: what comes earlier than the moment by no more comes with it
 
 
 @REGIMES.register("collisions")
@@ -35,7 +34,7 @@ class CollideInTurn(Regime):
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether just these come there."""
-        came = [e.subjects for e in study.trace.events if e.kind == "collision" and e.time < until * (1.0 - BEFORE)]
+        came = [subjects for kind, subjects in study.trace.story(until) if kind == "collision"]
         return [*map(set, came)] == [*map(set, self.order)]
 
     def always_told(self, study: Study) -> bool:

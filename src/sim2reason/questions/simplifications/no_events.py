@@ -11,7 +11,7 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_until
 from sim2reason.questions.study import Study
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import Trace, happened
 
 
 @simplification
@@ -24,8 +24,8 @@ class NoEvents(OtherReading):
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where forces are constant and something happens before the moment."""
         end = asked_until(query, study)
-        happened = any(0.0 < event.time < end and event.kind != "turn" for event in study.trace.events)
-        return [""] if happened and not changing(study.mechanism, start(study.mechanism)) else []
+        changes = any(event.time > 0.0 for event in happened(study.trace.events, end))
+        return [""] if changes and not changing(study.mechanism, start(study.mechanism)) else []
 
     def read(self, study: Study) -> Study:
         """With the accelerations and forces of the start."""

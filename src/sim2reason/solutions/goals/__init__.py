@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, Self
 
 from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
@@ -12,6 +12,7 @@ from sim2reason.registry import Registry
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.letters import LETTERS, unit_of_quantity
 from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
 
@@ -141,6 +142,10 @@ class Known(Protocol):
         """The parts of the motion, in order."""
         ...
 
+    def work(self, line: str, body: str) -> Symbol | None:
+        """That of a tension on a body which changes all the while; None where it is constant, part by part."""
+        ...
+
     def impulse(self, line: str) -> Symbol | None:
         """That of a tension which changes all the while; None where it is constant, part by part."""
         ...
@@ -254,6 +259,11 @@ class VectorName:
     base: str
     unit: str
     said: str
+
+    @classmethod
+    def of(cls, quantity: str, said: str = "") -> Self:
+        """As quantities and functionals are; by default by their own words."""
+        return cls(LETTERS[quantity], unit_of_quantity(quantity), said or quantity)
 
 
 def finish(known: Known, formula: Expression, noun: VectorName, mark: str, what: str) -> Symbol:

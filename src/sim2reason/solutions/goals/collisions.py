@@ -9,9 +9,8 @@ from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.goals import GOALS, Goal, Known, Struck, VectorName, finish
 from sim2reason.solutions.goals.sums import IMPULSES
-from sim2reason.solutions.unit_latex import JOULES
 
-LOSS = VectorName("Q", JOULES, "energy")
+LOSS = VectorName.of("energy lost in a collision")
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,6 @@ from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, VectorName, finish, magnitude
-from sim2reason.solutions.unit_latex import METRES
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +27,7 @@ class DistanceGoal(Goal):
         one, other = members(target.subject)
         apart, a, b = known.apart(one, other), known.vector("s", one), known.vector("s", other)
         parts: Components = (apart[0] + b[0] - a[0], apart[1] + b[1] - a[1], apart[2] + b[2] - a[2])
-        noun = VectorName("r", METRES, "position")
+        noun = VectorName.of("distance", "position")
         formula = magnitude(parts, known, noun, other)
         return finish(known, formula, noun, r"\text{rel}", "so the distance is")
 

@@ -7,7 +7,6 @@ from sim2reason.solutions.expressions import Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.goals.turning import squared
-from sim2reason.solutions.unit_latex import JOULES, MOMENTUM, NEWTONS
 
 UP = (0.0, 0.0, 1.0)
 
@@ -60,7 +59,7 @@ class KineticEnergyGoal(Goal):
         if rim:
             half = known.rim_inertia(body).scaled(0.5).expression()
             formula = added(formula, multiplied(half, squared(rim.expression())))
-        noun, mark = VectorName("K", JOULES, "kinetic energy"), known.setting.mark(body)
+        noun, mark = VectorName.of("kinetic energy"), known.setting.mark(body)
         return finish(known, formula, noun, mark, f"the kinetic energy of {known.setting.called(body)}")
 
 
@@ -78,13 +77,13 @@ class PotentialEnergyGoal(Goal):
         body = target.subject
         rise = known.component(DISPLACEMENTS.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()
-        noun, mark = VectorName("U", JOULES, "energy"), known.setting.mark(body)
+        noun, mark = VectorName.of("potential energy"), known.setting.mark(body)
         size = formula if known.book.value(formula) >= 0.0 else -formula
         what = f"the size of the change in the potential energy of {known.setting.called(body)}"
         return finish(known, size, noun, mark, what)
 
 
-GOALS.add("momentum", MassTimes(VectorName("p", MOMENTUM, "momentum"), VELOCITIES))
-GOALS.add("net force", MassTimes(VectorName("F", NEWTONS, "net force"), ACCELERATIONS))
+GOALS.add("momentum", MassTimes(VectorName.of("momentum"), VELOCITIES))
+GOALS.add("net force", MassTimes(VectorName.of("net force"), ACCELERATIONS))
 GOALS.add("kinetic energy", KineticEnergyGoal())
 GOALS.add("potential energy", PotentialEnergyGoal())

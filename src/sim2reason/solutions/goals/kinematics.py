@@ -5,11 +5,10 @@ from dataclasses import dataclass
 from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
-from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SPEED
 
-DISPLACEMENTS = VectorName("s", METRES, "displacement")
-VELOCITIES = VectorName("v", SPEED, "velocity")
-ACCELERATIONS = VectorName("a", ACCELERATION, "acceleration")
+DISPLACEMENTS = VectorName.of("displacement")
+VELOCITIES = VectorName.of("velocity")
+ACCELERATIONS = VectorName.of("acceleration")
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,13 +7,12 @@ from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Expression, Number, Symbol, multiplied
 from sim2reason.solutions.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish
-from sim2reason.solutions.unit_latex import JOULES, METRES, NEWTONS, SPEED
 
-EXTENSION = VectorName("e", METRES, "extension")
-LENGTH = VectorName(r"\ell", METRES, "length")
-RATE = VectorName("u", SPEED, "rate at which it grows")
-FORCE = VectorName("F", NEWTONS, "force")
-ENERGY = VectorName("U", JOULES, "energy")
+EXTENSION = VectorName.of("extension")
+LENGTH = VectorName.of("spring length")
+RATE = VectorName.of("extension rate")
+FORCE = VectorName.of("spring force")
+ENERGY = VectorName.of("spring energy")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,11 +65,5 @@ class SpringGoal(Goal):
         return pull + multiplied(damping.expression(), known.growth("v", line).expression()) if damping else pull
 
 
-for _name, _noun in {
-    "extension": EXTENSION,
-    "spring length": LENGTH,
-    "extension rate": RATE,
-    "spring force": FORCE,
-    "spring energy": ENERGY,
-}.items():
-    GOALS.add(_name, SpringGoal(_noun))
+for _noun in (EXTENSION, LENGTH, RATE, FORCE, ENERGY):
+    GOALS.add(_noun.said, SpringGoal(_noun))

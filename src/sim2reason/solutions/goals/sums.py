@@ -8,14 +8,13 @@ from sim2reason.questions import Target
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Stretch, VectorName, finish, magnitude
-from sim2reason.solutions.goals.kinematics import DISPLACEMENTS, VELOCITIES
+from sim2reason.solutions.goals.kinematics import VELOCITIES
 from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.unit_latex import IMPULSE, JOULES
 
-WORK = VectorName("W", JOULES, "work")
-HEAT = VectorName("Q", JOULES, "energy")
-IMPULSES = VectorName("J", IMPULSE, "impulse")
+WORK = VectorName.of("work of a tension")
+HEAT = VectorName.of("energy dissipated by friction")
+IMPULSES = VectorName.of("impulse of the net force")
 
 
 class SumGoal(Goal):
@@ -101,6 +100,11 @@ class TensionWork(SumGoal):
         name = _tied(target.subject, setting)
         return multiplied(part.force("T", name).expression(), part.moved(target.subject, name).expression())
 
+    def write(self, target: Target, known: Known) -> Symbol:
+        """Part by part, or at once where a strategy has it so."""
+        name = _tied(target.subject, known.setting)
+        return known.work(name, target.subject) or SumGoal.write(self, target, known)
+
     def said(self, target: Target, setting: Setting) -> str:
         """Of a tension, on a body."""
         return f"the work of the tension on {setting.called(target.subject)}"
@@ -159,7 +163,7 @@ class HandWork(SumGoal):
 class PathLength(SumGoal):
     """The distances between turning points."""
 
-    noun = VectorName("d", DISPLACEMENTS.unit, "distance")
+    noun = VectorName.of("distance travelled")
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
         """How far it travels in a part."""

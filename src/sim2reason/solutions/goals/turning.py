@@ -7,15 +7,6 @@ from sim2reason.solutions.expressions import Expression, Symbol, multiplied, rat
 from sim2reason.solutions.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import VELOCITIES
-from sim2reason.solutions.unit_latex import (
-    ANGULAR_ACCELERATION,
-    ANGULAR_MOMENTUM,
-    ANGULAR_SPEED,
-    INERTIA,
-    JOULES,
-    RADIANS,
-    TORQUE,
-)
 
 
 class AboutAxis(Goal):
@@ -121,13 +112,16 @@ def _size(held: Expression, known: Known) -> Expression:
     return held if known.book.value(held) >= 0.0 else -held
 
 
-ANGULAR_VELOCITIES = VectorName(r"\omega", ANGULAR_SPEED, "angular velocity")
-ANGULAR_ACCELERATIONS = VectorName(r"\alpha", ANGULAR_ACCELERATION, "angular acceleration")
+ANGULAR_VELOCITIES = VectorName.of("angular velocity")
+ANGULAR_ACCELERATIONS = VectorName.of("angular acceleration")
 GOALS.add("angular velocity", AngularGoal(ANGULAR_VELOCITIES, "v"))
 GOALS.add("angular acceleration", AngularGoal(ANGULAR_ACCELERATIONS, "a"))
-GOALS.add("angle rolled", AngularGoal(VectorName(r"\phi", RADIANS, "angle"), "s"))
-GOALS.add("moment of inertia", InertiaTimes(VectorName("I", INERTIA, "moment of inertia"), ""))
-GOALS.add("angular momentum", InertiaTimes(VectorName("L", ANGULAR_MOMENTUM, "angular momentum"), "v"))
-GOALS.add("torque", InertiaTimes(VectorName("M", TORQUE, "torque"), "a"))
-GOALS.add("rotational kinetic energy", EnergyOfRim(VectorName("K", JOULES, "energy of rotation")))
-GOALS.add("translational kinetic energy", EnergyOfCenter(VectorName("K", JOULES, "energy of translation")))
+GOALS.add("angle rolled", AngularGoal(VectorName.of("angle rolled", "angle"), "s"))
+GOALS.add("moment of inertia", InertiaTimes(VectorName.of("moment of inertia"), ""))
+GOALS.add("angular momentum", InertiaTimes(VectorName.of("angular momentum"), "v"))
+GOALS.add("torque", InertiaTimes(VectorName.of("torque"), "a"))
+GOALS.add("rotational kinetic energy", EnergyOfRim(VectorName.of("rotational kinetic energy", "energy of rotation")))
+GOALS.add(
+    "translational kinetic energy",
+    EnergyOfCenter(VectorName.of("translational kinetic energy", "energy of translation")),
+)

@@ -11,26 +11,16 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.arm import Arm, Piece, lone_axle
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.functions import Call, Power, Root, squares
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swept import swept
 from sim2reason.solutions.swing_angle import SMALL, SwingAngle, Way, unasked
 from sim2reason.solutions.unit_latex import (
-    ACCELERATION,
     ANGULAR_ACCELERATION,
-    ANGULAR_MOMENTUM,
     ANGULAR_SPEED,
     DEGREES,
-    IMPULSE,
-    INERTIA,
-    JOULES,
-    METRES,
-    MOMENTUM,
-    NEWTONS,
-    SPEED,
-    TORQUE,
 )
 
 HALF, TWO = Number(0.5), Number(2.0)
@@ -145,7 +135,7 @@ class _Turning(SwingAngle):
         step, name = self.book.open("energy"), self.book.fresh(r"\omega")
         law = step.law(HALF * inertia * Power(name, 2), self._energy(there))
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
-        square = Power(self.launch, 2) + square if self.launch != ZERO else square
+        square = squares([self.launch]) + square
         step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
         step.close()
         return name
@@ -158,10 +148,10 @@ class _Turning(SwingAngle):
     def _energy(self, there: Expression) -> Expression:
         """Of motion, at an angle by its cosine."""
         gained = self.arm.moment * self.gravity * (there - self.cosine_first)
-        return HALF * self.arm.inertia * Power(self.launch, 2) + gained if self.launch != ZERO else gained
+        return HALF * self.arm.inertia * squares([self.launch]) + gained
 
     @cached_property
-    def growth(self) -> Expression:
+    def angular_acceleration(self) -> Expression:
         """The angular acceleration, of its size: torque over moment of inertia."""
         if self.sine == ZERO:
             return ZERO
@@ -195,8 +185,8 @@ class _Turning(SwingAngle):
         return (speed if rises else -speed) * self.sine
 
     def _acceleration(self) -> Expression:
-        inward = self.size * Power(self.rate, 2) if self.rate != ZERO else ZERO
-        along = self.size * self.growth
+        inward = self.size * squares([self.rate])
+        along = self.size * self.angular_acceleration
         if self.vertical:
             sign = 1.0 if self.book.value(self.piece.place) > 0.0 else -1.0
             falls = sign * (1.0 if self.falls else -1.0)
@@ -242,13 +232,13 @@ class _Turning(SwingAngle):
         return self.piece.inertia * self.rate
 
     def _torque(self) -> Expression:
-        return self.piece.inertia * self.growth
+        return self.piece.inertia * self.angular_acceleration
 
     def _rate(self) -> Expression:
         return self.rate
 
     def _growth(self) -> Expression:
-        return self.growth
+        return self.angular_acceleration
 
     def _swept(self) -> Expression:
         def seen(time: float) -> tuple[float, float]:
@@ -261,39 +251,29 @@ class _Turning(SwingAngle):
         return self.size * self._swept()
 
     def _impulse(self) -> Expression:
-        begun = self.size * self.launch if self.launch != ZERO else ZERO
-        speed = self.size * self.rate if self.rate != ZERO else ZERO
+        begun = self.size * self.launch
+        speed = self.size * self.rate
         return self.piece.mass * self.change(begun, speed)
 
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "velocity": ("_velocity", "v", SPEED, "The speed is the angular speed times the distance:"),
-        "acceleration": (
-            "_acceleration",
-            "a",
-            ACCELERATION,
-            "Towards the axle and along the circle together,",
-        ),
-        "net force": ("_force", "F", NEWTONS, "Mass times acceleration, towards the axle and along the circle:"),
-        "momentum": ("_momentum", "p", MOMENTUM, "Mass times velocity is"),
-        "kinetic energy": ("_kinetic", "K", JOULES, "The energy of the motion about the axle is"),
-        "translational kinetic energy": ("_moving", "K", JOULES, "By the speed of its centre of mass that is"),
-        "rotational kinetic energy": ("_spinning", "K", JOULES, "By its moment of inertia about its centre that is"),
-        "potential energy": ("_potential", "U", JOULES, "It has risen or sunk, so"),
-        "angular momentum": ("_angular_momentum", "L", ANGULAR_MOMENTUM, "About its centre of mass that is"),
-        "moment of inertia": ("_own", "I", INERTIA, ""),
-        "torque": ("_torque", "M", TORQUE, "About its centre of mass that is"),
-        "angular velocity": ("_rate", r"\omega", ANGULAR_SPEED, ""),
-        "angular acceleration": ("_growth", r"\alpha", ANGULAR_ACCELERATION, ""),
-        "deflection": ("_deflection", r"\phi", DEGREES, ""),
-        "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
-        "total angle": ("_swept", r"\Phi", DEGREES, "Added up between turning points, that is"),
-        "impulse of the net force": (
-            "_impulse",
-            "J",
-            IMPULSE,
-            "Mass times the change of the velocity,",
-        ),
-        "distance travelled": ("_travelled", "d", METRES, "The arc is the radius times the sum of all angles:"),
-        "displacement": ("_chord", "s", METRES, "The chord between the two places is"),
-        "height": ("_rise", "h", METRES, "It is higher than at first by"),
+        "velocity": ("_velocity", "The speed is the angular speed times the distance:"),
+        "acceleration": ("_acceleration", "Towards the axle and along the circle together,"),
+        "net force": ("_force", "Mass times acceleration, towards the axle and along the circle:"),
+        "momentum": ("_momentum", "Mass times velocity is"),
+        "kinetic energy": ("_kinetic", "The energy of the motion about the axle is"),
+        "translational kinetic energy": ("_moving", "By the speed of its centre of mass that is"),
+        "rotational kinetic energy": ("_spinning", "By its moment of inertia about its centre that is"),
+        "potential energy": ("_potential", "It has risen or sunk, so"),
+        "angular momentum": ("_angular_momentum", "About its centre of mass that is"),
+        "moment of inertia": ("_own", ""),
+        "torque": ("_torque", "About its centre of mass that is"),
+        "angular velocity": ("_rate", ""),
+        "angular acceleration": ("_growth", ""),
+        "deflection": ("_deflection", ""),
+        "angle turned": ("_between", "From the start that is"),
+        "total angle": ("_swept", "Added up between turning points, that is"),
+        "impulse of the net force": ("_impulse", "Mass times the change of the velocity,"),
+        "distance travelled": ("_travelled", "The arc is the radius times the sum of all angles:"),
+        "displacement": ("_chord", "The chord between the two places is"),
+        "height": ("_rise", "It is higher than at first by"),
     }

@@ -26,20 +26,9 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swing_angle import Way, quantity_of
 from sim2reason.solutions.unit_latex import (
-    ACCELERATION,
-    ANGULAR_ACCELERATION,
-    ANGULAR_MOMENTUM,
     ANGULAR_SPEED,
-    DEGREES,
-    IMPULSE,
     INERTIA,
-    JOULES,
     KILOGRAMS,
-    METRES,
-    MOMENTUM,
-    NEWTONS,
-    SPEED,
-    TORQUE,
 )
 
 MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Moved, Stopped, TurnedThrough)
@@ -67,8 +56,9 @@ class OnACarriage(Strategy):
         if quantity_of(setting) not in _Asked.WAYS:
             return f"no way to the quantity {quantity_of(setting)}"
         known = isinstance(query.moment, MOMENTS) or (isinstance(query, StretchQuery) and query.kind == "extremum")
-        slack = any(event.kind == "slack" and event.time < setting.time for event in setting.motion.events)
-        return "" if known and not slack else "a string goes slack" if slack else "only integration gives the angle"
+        if "slack" in setting.story:
+            return "a string goes slack"
+        return "" if known else "only integration gives the angle"
 
     def write(self, setting: Setting, book: Book) -> str:
         """The angle, what is kept, and what is asked."""
@@ -93,7 +83,7 @@ class _Asked(CarriageLaws):
     @property
     def _rides(self) -> bool:
         """Whether it is asked of what moves along with the carriage."""
-        return self.subject in self.carriage.rim
+        return self.subject in self.carriage.moving_along
 
     @property
     def _weighs(self) -> Expression:
@@ -112,12 +102,14 @@ class _Asked(CarriageLaws):
         book, c = self.book, self.carriage
         if self.lone:
             said = "Relative to each other they oscillate as a body would that has the reduced mass"
-            reduced = book.told("reduced", said, book.fresh(r"\mu"), c.own * self.mass / c.whole, KILOGRAMS)
+            reduced = book.told(
+                "reduced", said, book.fresh(r"\mu"), c.sliding_mass * self.mass / c.total_mass, KILOGRAMS
+            )
             said = "Near the lowest point weight drives it back in proportion to its distance from there, so"
             formula = Root(self.mass * self.gravity / (self.length * reduced))
         else:
             said = "As their momenta cancel, the carriage moves with the arm, whose moment of inertia counts as"
-            formula = self.arm.inertia - Power(self.moment, 2) / c.whole
+            formula = self.arm.inertia - Power(self.moment, 2) / c.total_mass
             reduced = book.told("reduced", said, book.fresh("I", r"\text{r}"), formula, INERTIA)
             said = "For small angles the torque of gravity drives it back in proportion to the angle, so that"
             formula = Root((self.moment if book.value(self.moment) > 0.0 else -self.moment) * self.gravity / reduced)
@@ -134,13 +126,13 @@ class _Asked(CarriageLaws):
         """The velocity of what is on the arm upward."""
         if self._rides:
             raise UnsolvedError("what rides is asked along the rail")
-        up = self._radius * self.rate * self.sine if self.sine != ZERO else ZERO
+        up = self._radius * self.rate * self.sine
         return up if self.now * self.turning >= 0.0 else -up
 
     def _squared(self) -> Expression:
         if self._rides:
-            return Power(self.speed, 2) if self.speed != ZERO else ZERO
-        up = self._radius * self.rate * self.sine if self.sine != ZERO else ZERO
+            return squares([self.speed])
+        up = self._radius * self.rate * self.sine
         return squares([self._ahead(), up])
 
     def _velocity(self) -> Expression:
@@ -216,13 +208,11 @@ class _Asked(CarriageLaws):
 
     def _parts(self) -> tuple[Expression, Expression]:
         """Of the acceleration of a piece, along the rail and upward."""
-        r, bend = self._radius, Power(self.rate, 2) if self.rate != ZERO else ZERO
-        turned = self.growth * self.cosine if self.growth != ZERO else ZERO
-        turned = turned + bend * self.signed if self.sine != ZERO else turned
+        r, bend = self._radius, squares([self.rate])
+        turned = self.angular_acceleration * self.cosine + bend * self.signed
         up = bend * self.cosine
-        up = up - self.growth * self.signed if ZERO not in (self.growth, self.sine) else up
-        along = self.carriage_acceleration - r * turned if turned != ZERO else self.carriage_acceleration
-        return along, r * up if up != ZERO else ZERO
+        up = up - self.angular_acceleration * self.signed if ZERO not in (self.angular_acceleration, self.sine) else up
+        return self.carriage_acceleration - r * turned, r * up
 
     def _force(self) -> Expression:
         if self._rides:
@@ -242,7 +232,7 @@ class _Asked(CarriageLaws):
         a = self.carriage_acceleration
         down = a if self.carriage.towards(pull.line) > 0.0 else -a
         mass = self.carriage.mass(pull.body)
-        return mass * self.gravity if a == ZERO else mass * (self.gravity - down)
+        return mass * (self.gravity - down)
 
     def _rod(self) -> Expression:
         if self.lone:
@@ -250,39 +240,34 @@ class _Asked(CarriageLaws):
         pulled = self.gravity * self.cosine
         if ZERO not in (self.sine, self.carriage_acceleration):
             pulled = pulled - self.carriage_acceleration * self.signed
-        bent = self.moment * Power(self.rate, 2) if self.rate != ZERO else ZERO
+        bent = self.moment * squares([self.rate])
         return self.mass * pulled + bent
 
     def _growing(self) -> Expression:
-        return self.growth
+        return self.angular_acceleration
 
     def _torque(self) -> Expression:
-        return self.arm.piece(self.subject).inertia * self.growth
+        return self.arm.piece(self.subject).inertia * self.angular_acceleration
 
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "velocity": ("_velocity", "v", SPEED, "Along the rail and upward together, relative to the ground,"),
-        "momentum": ("_momentum", "p", MOMENTUM, "Mass times velocity is"),
-        "kinetic energy": ("_kinetic", "K", JOULES, "The kinetic energy is"),
-        "translational kinetic energy": ("_moving_energy", "K", JOULES, "By the speed of its centre that is"),
-        "rotational kinetic energy": (
-            "_spinning",
-            "K",
-            JOULES,
-            "By its moment of inertia about its centre that is",
-        ),
-        "potential energy": ("_potential", "U", JOULES, "It has risen or sunk, so"),
-        "angular velocity": ("_turning", r"\omega", ANGULAR_SPEED, ""),
-        "angular momentum": ("_angular_momentum", "L", ANGULAR_MOMENTUM, "About its centre of mass that is"),
-        "displacement": ("_chord", "s", METRES, "Along the rail and upward together, it is away from its place by"),
-        "height": ("_height", "h", METRES, "It is higher than at first by"),
-        "deflection": ("_deflection", r"\phi", DEGREES, ""),
-        "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
-        "acceleration": ("_acceleration", "a", ACCELERATION, "Relative to the ground that is"),
-        "net force": ("_force", "F", NEWTONS, "All forces on it together amount to"),
-        "tension": ("_pull", "T", NEWTONS, "It holds what hangs from it, which is as fast as the carriage:"),
-        "rod force": ("_rod", "T", NEWTONS, "It holds what it carries, which moves with the carriage:"),
-        "angular acceleration": ("_growing", r"\alpha", ANGULAR_ACCELERATION, ""),
-        "torque": ("_torque", "M", TORQUE, "About its centre of mass that is"),
-        "distance travelled": ("_travelled", "d", METRES, ""),
-        "impulse of the net force": ("_impulse", "J", IMPULSE, "From rest, the change of the momentum is"),
+        "velocity": ("_velocity", "Along the rail and upward together, relative to the ground,"),
+        "momentum": ("_momentum", "Mass times velocity is"),
+        "kinetic energy": ("_kinetic", "The kinetic energy is"),
+        "translational kinetic energy": ("_moving_energy", "By the speed of its centre that is"),
+        "rotational kinetic energy": ("_spinning", "By its moment of inertia about its centre that is"),
+        "potential energy": ("_potential", "It has risen or sunk, so"),
+        "angular velocity": ("_turning", ""),
+        "angular momentum": ("_angular_momentum", "About its centre of mass that is"),
+        "displacement": ("_chord", "Along the rail and upward together, it is away from its place by"),
+        "height": ("_height", "It is higher than at first by"),
+        "deflection": ("_deflection", ""),
+        "angle turned": ("_between", "From the start that is"),
+        "acceleration": ("_acceleration", "Relative to the ground that is"),
+        "net force": ("_force", "All forces on it together amount to"),
+        "tension": ("_pull", "It holds what hangs from it, which is as fast as the carriage:"),
+        "rod force": ("_rod", "It holds what it carries, which moves with the carriage:"),
+        "angular acceleration": ("_growing", ""),
+        "torque": ("_torque", "About its centre of mass that is"),
+        "distance travelled": ("_travelled", ""),
+        "impulse of the net force": ("_impulse", "From rest, the change of the momentum is"),
     }

@@ -44,7 +44,7 @@ class ConstantAcceleration(Strategy):
         """Why it does not apply."""
         if unknown := no_goal(setting, MOMENTS):
             return unknown
-        if any(event.kind == "collision" and event.time < setting.time for event in setting.study.trace.events):
+        if "collision" in setting.story:
             return "there are collisions"
         return ""
 

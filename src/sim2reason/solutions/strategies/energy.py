@@ -20,7 +20,7 @@ from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.fractions import over
-from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.functions import Power, Root, squares
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.greatest import greatest_target, time_of_greatest
 from sim2reason.solutions.linear_motion import fewest_free, nonlinear
@@ -118,7 +118,7 @@ class EnergyWay(SingleWay):
         return self.first(self._i).expression()
 
     def _kinetic(self, v: Expression) -> Expression:
-        return HALF * self._mass * Power(v, 2)
+        return HALF * self._mass * squares([v])
 
     # ---- the moment
 
@@ -156,14 +156,14 @@ class EnergyWay(SingleWay):
             said = f"{capital(self.setting.springs[moment.name])} has its natural length at"
             return self.book.told("place", said, self.name, formula, METRES)
         time = self._lasting
-        formula = self._first * time if self._first != ZERO else ZERO
+        formula = self._first * time
         formula = formula + HALF * self._rise * Power(time, 2)
         return self.book.told("distance", "In this time it comes as far as", self.name, formula, METRES)
 
     def _turning(self) -> Symbol:
         """Where all work has used up the kinetic energy of the start."""
         step, name = self.book.open("energy"), self.name
-        first = self._kinetic(self._first) if self._first != ZERO else ZERO
+        first = self._kinetic(self._first)
         law = step.law(first + self._work(name), ZERO)
         load, stiffness = self.motion.load(self._i), self.motion.stiffness(self._i, self._i)
         if not stiffness:
@@ -210,16 +210,16 @@ class EnergyWay(SingleWay):
             return self._first
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             time = self._lasting
-            formula = self._first + self._rise * time if self._first != ZERO else self._rise * time
+            formula = self._first + self._rise * time
             return self.book.told("speed", "After this time", self.book.fresh("v"), formula, SPEED)
         work = self._work(self._place)
         if work == ZERO:
             raise UnsolvedError("nothing does work")
         step, name = self.book.open("energy"), self.book.fresh("v")
-        first = self._kinetic(self._first) if self._first != ZERO else ZERO
+        first = self._kinetic(self._first)
         law = step.law(self._kinetic(name), first + work)
         inner = 2.0 * work / self._mass
-        root = Root(Power(self._first, 2) + inner if self._first != ZERO else inner)
+        root = Root(squares([self._first]) + inner)
         rate = f"the rate ${name.name}$ of ${self.name.name}$"
         step.say(f"At {rate}, the kinetic energy on the left grows by the work of all forces: {law},")
         step.say(f"so {step.result(name, root if self._engine[1] >= 0.0 else -root, SPEED)}.")
@@ -234,7 +234,7 @@ class EnergyWay(SingleWay):
             if isinstance(self.query.moment, AtTime) and not self.greatest:
                 raise UnsolvedError("energy says nothing of times where springs pull")
             stiffness = self.motion.stiffness(self._i, self._i)
-            pulls = pulls - stiffness.expression() * self._place if self._place != ZERO else pulls
+            pulls = pulls - stiffness.expression() * self._place
         if pulls == ZERO:
             raise UnsolvedError("nothing is accelerated")
         step, name = self.book.open("power"), self.book.fresh("a")
@@ -264,7 +264,7 @@ class EnergyWay(SingleWay):
         """By the mean of both speeds."""
         if self.motion.springs:
             raise UnsolvedError("energy says nothing of times where springs pull")
-        whole = self._speed + self._first if self._first != ZERO else self._speed
+        whole = self._speed + self._first
         if self._speed == ZERO:
             whole = self._first
         said = "At a constant acceleration the mean speed is half the sum of the first and the last:"

@@ -14,19 +14,20 @@ from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.field_energy import FieldEnergy
 from sim2reason.solutions.field_moment import FieldMoment
-from sim2reason.solutions.field_motion import FieldMotion, Turning
+from sim2reason.solutions.field_motion import FieldMotion
 from sim2reason.solutions.fields import AXES, Fields
 from sim2reason.solutions.goals import GOALS, Components
+from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
+from sim2reason.solutions.magnetic_motion import Turning
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import ACCELERATION, JOULES, METRES, SPEED
+from sim2reason.solutions.unit_latex import JOULES
 from sim2reason.solutions.way import Way
 
-UNITS = {"s": METRES, "v": SPEED, "a": ACCELERATION}
-NOUNS = {"s": "displacement", "v": "velocity", "a": "acceleration"}
+NOUNS = {noun.base: noun for noun in (DISPLACEMENTS, VELOCITIES, ACCELERATIONS)}
 MOMENTS = (AtStart, AtTime, Away, Stopped)
 QUANTITIES = (
     *("displacement", "velocity", "acceleration", "net force", "momentum", "kinetic energy"),
@@ -179,8 +180,8 @@ class _InFields(Way):
             return distance if self.book.value(formula) > 0.0 else -distance
         if formula == ZERO or isinstance(formula, Symbol) or (kind == "v" and formula == self.fields.launch[axis]):
             return formula
-        said = f"Its {NOUNS[kind]} along {AXES[axis]} is"
-        return self.book.told("component", said, self.book.fresh(kind, AXES[axis]), formula, UNITS[kind])
+        said = f"Its {NOUNS[kind].said} along {AXES[axis]} is"
+        return self.book.told("component", said, self.book.fresh(kind, AXES[axis]), formula, NOUNS[kind].unit)
 
     def vector(self, kind: str, body: str) -> Components:
         """Its size alone, where that is all that is asked for and is known without its components."""

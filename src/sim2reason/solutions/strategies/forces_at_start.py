@@ -87,8 +87,7 @@ class _AtStart(Way):
 
     def mass(self, body: str) -> Polynomial:
         """The mass of a body."""
-        lexicon = self.setting.lexicon
-        return lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
+        return self.setting.lexicon.of(lambda m: m.body[body].mass)
 
     def force(self, kind: str, name: str) -> Symbol:
         """None by itself."""
@@ -177,9 +176,7 @@ class _AtStart(Way):
 
     def _weight(self, k: int) -> Polynomial:
         lexicon = self.setting.lexicon
-        down = lexicon.read(Both(-self._axes[k][0][2], -self._axes[k][1][2]))
-        g = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2])) if down else NIL
-        return g * down
+        return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
 
     def _springs(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
         """Each spring: its pull, from the body to its other end, its length."""

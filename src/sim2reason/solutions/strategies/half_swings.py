@@ -51,7 +51,7 @@ class _Swinging(Oscillating):
     def _segments(self) -> list[Segment]:
         return [s for s in self.setting.motion.segments if s.start < self.setting.time * (1.0 - 1e-9) or s.start == 0.0]
 
-    @property
+    @cached_property
     def segment(self) -> Segment:
         """The last one."""
         return self._segments[-1]

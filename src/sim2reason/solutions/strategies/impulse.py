@@ -22,7 +22,6 @@ from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, a
 from sim2reason.solutions.flights import Impact, Leg
 from sim2reason.solutions.functions import Power, Root
 from sim2reason.solutions.goals import Stretch, Struck
-from sim2reason.solutions.lexicon import Both
 from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.oblique import Flights
 from sim2reason.solutions.polynomials import NIL, Polynomial
@@ -180,9 +179,8 @@ class _Struck(Way):
 
     def _landing(self, body: str) -> Symbol:
         """When a body that flies comes down to the ground, where its description ends."""
-        lexicon, here = self.setting.lexicon, self.mechanism.coordinates
-        k = next(k for k in self.moving([body]) if here[k].lower > -inf)
-        height = lexicon.read(Both(-here[k].lower, -lexicon.twin.coordinates[k].lower))
+        k = next(k for k in self.moving([body]) if self.mechanism.coordinates[k].lower > -inf)
+        height = self.setting.lexicon.of(lambda m: -m.coordinates[k].lower)
         leg = self.flights.leg(body, self.flights.count(body, None))
         said = f"{capital(self.setting.called(body))} reaches the ground when"
         return self._flown(leg.speeds[k], height, k, said, leg)

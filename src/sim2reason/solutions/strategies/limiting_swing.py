@@ -10,8 +10,7 @@ from sim2reason.questions.outcomes.goes_slack import GoesSlack
 from sim2reason.solutions.arm import Arm, lone_axle
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Call, Power
-from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.functions import Call, Power, squares
 from sim2reason.solutions.pendulum import geometry, pivot
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
@@ -67,10 +66,9 @@ def _of_axle(setting: Setting, book: Book) -> Symbol:
 def _of_body(setting: Setting, book: Book) -> Symbol:
     """Of a small body, over its mass: v² on top, or where its string would go slack."""
     lexicon, query = setting.lexicon, setting.query
-    pairs = zip(geometry(lexicon.mechanism), geometry(lexicon.twin), strict=True)
-    length, angle, launch = (lexicon.read(Both(*pair)).expression() for pair in pairs)
-    gravity = lexicon.read(Both(-lexicon.mechanism.gravity[2], -lexicon.twin.gravity[2])).expression()
-    level = (Power(launch, 2) if launch != ZERO else ZERO) - TWO * gravity * length * Call("cos", angle)
+    length, angle, launch = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
+    gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
+    level = (squares([launch])) - TWO * gravity * length * Call("cos", angle)
     assert isinstance(query, ThresholdQuery)
     if isinstance(query.outcome, GoesRound):
         said, formula = "By energy, the square of the speed on top is", level - TWO * gravity * length

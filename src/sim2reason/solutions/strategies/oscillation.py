@@ -32,7 +32,10 @@ from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.travelled import EARLY, Travelled
 from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
-SUMS = ("distance travelled", "impulse of the net force", "impulse of a tension", "energy dissipated by friction")
+SUMS = (
+    *("distance travelled", "impulse of the net force", "impulse of a tension", "work of a tension"),
+    "energy dissipated by friction",
+)
 PAIR = 2  # free coordinates, of which one mode is left where a momentum is kept
 
 
@@ -180,7 +183,7 @@ class Oscillating(SingleWay):
                 return self._relaxed(moment.name)
             if isinstance(moment, Moved):
                 whole = self.moved_to(moment)
-                return whole - self.begin if self.begin != ZERO else whole
+                return whole - self.begin
         if held.turns(self._since):
             return self.book.told("place", "It turns back at", held.name, held.turning(self._since), METRES)
         if abs(held.where(self._since)[0] - held.numbers[1]) > 1e-6 * held.size:
@@ -191,7 +194,7 @@ class Oscillating(SingleWay):
         """Where a spring has its natural length."""
         part = self.motion.drawn(self._number(spring), self.motion.free[0])
         formula = (self.spring("strain", spring).scaled(-1.0 / part)).expression()
-        formula = formula - self.begin if self.begin != ZERO else formula
+        formula = formula - self.begin
         if formula == ZERO:
             return ZERO
         name = self.setting.springs[spring]
@@ -215,7 +218,7 @@ class Oscillating(SingleWay):
         else:
             sign = 1.0 if held.where(self._since)[1] > 0.0 else -1.0
             place, rest = self._place, held.rest
-            apart = place if rest == ZERO else -rest if place == ZERO else place - rest
+            apart = place - rest
             if place == rest:
                 formula = held.rate * held.amplitude
                 what = "At the place of balance it is fastest,"
@@ -250,7 +253,7 @@ class Oscillating(SingleWay):
     @cached_property
     def _acceleration(self) -> Symbol:
         held, place, rest = self.harmonic, self._place, self.harmonic.rest
-        apart = rest if place == ZERO else -place if rest == ZERO else rest - place
+        apart = rest - place
         formula = Power(held.rate, 2) * apart
         said = "It is accelerated towards the place of balance by"
         return self.book.told("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)

@@ -113,7 +113,7 @@ class _Burning(Burning):
         step = self.book.open("time")
         law = step.law(distance, path)
         root = NumericRoot(path - distance, name.name, self.setting.time)
-        who = capital(self.setting.called(self.burns[0].body))
+        who = capital(self.setting.called(self.burn.body))
         step.say(f"{who} has moved so far when {law}; found numerically, {step.result(name, root, SECONDS)}.")
         step.close()
         return name
@@ -134,7 +134,7 @@ class _Burning(Burning):
         rest = distance - high
         if not self.gravity:
             return self.book.told("time", "The rest of the way it goes at this speed, in", name, rest / fast, SECONDS)
-        later = self.setting.time - self.burns[0].until
+        later = self.setting.time - self.burn.until
         falls = later > self.book.value(fast) / self.book.value(g)
         root = Root(Power(fast, 2) - 2.0 * g * rest)
         return self._fallen(name, distance, (fast + root if falls else fast - root) / g)
@@ -251,7 +251,7 @@ class _Burning(Burning):
         """Along its way."""
         axis = self.mechanism.coordinates[0].axis
         along = sum(a * b for a, b in zip(axis, way, strict=True))
-        return self.rate(kind, 0).scaled(round(along)) if abs(along) > 0.5 and body == self.burns[0].body else NIL
+        return self.rate(kind, 0).scaled(round(along)) if abs(along) > 0.5 and body == self.burn.body else NIL
 
 
 def _tops(setting: Setting) -> bool:

@@ -11,8 +11,8 @@ from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.lexicon import Both, UnreadError
+from sim2reason.solutions.functions import Call, Power, Root, squares
+from sim2reason.solutions.lexicon import UnreadError
 from sim2reason.solutions.mass_spread import candidates, mass_spread
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
@@ -82,8 +82,7 @@ class _Rocking:
         self.launch = speed / self.radius
 
     def _read(self, number: Callable[[Mechanism], float]) -> Expression:
-        lexicon = self.setting.lexicon
-        return lexicon.read(Both(float(number(lexicon.mechanism)), float(number(lexicon.twin)))).expression()
+        return self.setting.lexicon.of(number).expression()
 
     def _size(self, field: str) -> Expression:
         given = self.setting.given(f"{self.body}.{field}")
@@ -153,7 +152,7 @@ class _Rocking:
         (ex, ez), (ux, uz) = self.aside, self.uphill
         grown = self.growth
         found: list[Expression] = []
-        square = Power(self.launch, 2) if self.launch != ZERO else ZERO
+        square = squares([self.launch])
         for label, along, turned, inward in (("x", ux, ez, ex), ("z", uz, -ex, ez)):
             formula = self.radius * grown * along + self.offset * grown * turned - self.offset * square * inward
             way = "to the right" if label == "x" else "upward"

@@ -1,9 +1,11 @@
 """Spring along a line: a body that one spring pulls from rest oscillates harmonically along that spring."""
 
+from collections.abc import Mapping
 from functools import cached_property
 from math import acos, sqrt
+from typing import ClassVar
 
-from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
@@ -15,20 +17,16 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
-from sim2reason.solutions.lone_spring import LoneSpring, begins_at_rest, is_lone_spring, length_at_first
+from sim2reason.solutions.lone_spring import LoneSpring, length, lone_spring
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swing_angle import Way
 from sim2reason.solutions.unit_latex import (
-    ACCELERATION,
     ANGULAR_SPEED,
-    JOULES,
     METRES,
-    MOMENTUM,
-    NEWTONS,
     RADIANS,
     SECONDS,
-    SPEED,
 )
 
 HALF, TWO = Number(0.5), Number(2.0)
@@ -45,7 +43,8 @@ class SpringLine(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether there is no lone body on a spring."""
-        return "" if is_lone_spring(mechanism) and begins_at_rest(mechanism) else "no lone body is let go on a spring"
+        rest = not any(coordinate.speed for coordinate in mechanism.coordinates)
+        return "" if rest and lone_spring(mechanism) else "no lone body is let go on a single spring"
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
@@ -69,9 +68,9 @@ class SpringLine(Strategy):
 def _reaches_its_end(setting: Setting) -> bool:
     """Whether the body comes to the fixed point by the moment, where the force turns round."""
     m, query = setting.mechanism, setting.query
-    law = m.lines[0].law
-    assert isinstance(law, Elastic)
-    strain = length_at_first(m) - law.length
+    law = lone_spring(m)
+    assert law is not None
+    strain = length(m) - law.length
     if strain < law.length or isinstance(query.moment, NaturalLength):
         return False
     if isinstance(query, StretchQuery):
@@ -139,28 +138,19 @@ class _Oscillating(LoneSpring):
         if isinstance(query, PeriodQuery):
             return self._period(query)
         if isinstance(query, StretchQuery):
-            kind, base, unit, said = self.GREATEST[query.functional]
-            formula: Expression = getattr(self, kind)()
-            return (
-                formula
-                if isinstance(formula, Symbol)
-                else self.book.told("answer", said, self.book.fresh(base), formula, unit)
-            )
+            return self.answer(self.GREATEST[query.functional], lambda formula: formula)
         if query.target is None:
             formula = self.phase / self.rate
             return self.book.told("time", "At this phase the time is", self.book.fresh("t"), formula, SECONDS)
-        kind, base, unit, said = self.WAYS[query.target.quantity]
-        formula = getattr(self, kind)()
-        sense = query.target.sense
+        return self.answer(self.WAYS[query.target.quantity], self._turned)
+
+    def _turned(self, formula: Expression) -> Expression:
+        """Its component that is asked for, or its size."""
+        target = self.setting.query.target
+        sense = target.sense if target is not None else None
         if sense is not None and any(sense.vector):
-            formula = formula * self._along(sense.vector)
-        elif self.book.value(formula) < 0.0:
-            formula = -formula
-        return (
-            formula
-            if isinstance(formula, Symbol)
-            else self.book.told("answer", said, self.book.fresh(base), formula, unit)
-        )
+            return formula * self._along(sense.vector)
+        return formula if self.book.value(formula) >= 0.0 else -formula
 
     def _along(self, way: tuple[float, float, float]) -> Expression:
         """The component of the direction from the fixed end to the body."""
@@ -217,29 +207,24 @@ class _Oscillating(LoneSpring):
     def _whole(self) -> Expression:
         return HALF * self.stiffness * Power(self.strain, 2)
 
-    GREATEST = {  # noqa: RUF012 - by functional: which formula, its letter, its unit, what is said
-        "greatest speed": ("_fastest", "v", SPEED, "It is fastest at the natural length:"),
-        "greatest kinetic energy": (
-            "_whole",
-            "K",
-            JOULES,
-            "It has all the energy of the spring at its natural length:",
-        ),
-        "greatest extension": ("_amplitude", "x", METRES, "That is the amplitude,"),
-        "greatest compression": ("_amplitude", "x", METRES, "That is the amplitude,"),
-        "greatest spring energy": ("_whole", "U", JOULES, "At either end of the oscillation it is the same:"),
-        "greatest displacement": ("_farthest", "d", METRES, "The other end of the oscillation is away by"),
+    GREATEST: ClassVar[Mapping[str, Way]] = {
+        "greatest speed": ("_fastest", "It is fastest at the natural length:"),
+        "greatest kinetic energy": ("_whole", "It has all the energy of the spring at its natural length:"),
+        "greatest extension": ("_amplitude", "That is the amplitude,"),
+        "greatest compression": ("_amplitude", "That is the amplitude,"),
+        "greatest spring energy": ("_whole", "At either end of the oscillation it is the same:"),
+        "greatest displacement": ("_farthest", "The other end of the oscillation is away by"),
     }
-    WAYS = {  # noqa: RUF012 - by quantity: which formula, its letter, its unit, what is said
-        "extension": ("_extension", "x", METRES, "It is longer or shorter than when relaxed by"),
-        "spring length": ("_current_length", r"\ell", METRES, "The natural length and the extension are"),
-        "spring force": ("_pull", "F", NEWTONS, "The spring pulls or pushes with"),
-        "spring energy": ("_stored", "U", JOULES, "It stores"),
-        "extension rate": ("_speed", "v", SPEED, "The extension changes at the rate"),
-        "velocity": ("_speed", "v", SPEED, "The velocity is the rate of change of the extension:"),
-        "momentum": ("_momentum", "p", MOMENTUM, "Mass times velocity:"),
-        "kinetic energy": ("_kinetic", "K", JOULES, "The kinetic energy is"),
-        "net force": ("_force", "F", NEWTONS, "The force of the spring is"),
-        "acceleration": ("_acceleration", "a", ACCELERATION, "The force of the spring over the mass:"),
-        "displacement": ("_moved", "s", METRES, "It has come as far as the extension has changed:"),
+    WAYS: ClassVar[Mapping[str, Way]] = {
+        "extension": ("_extension", "It is longer or shorter than when relaxed by"),
+        "spring length": ("_current_length", "The natural length and the extension are"),
+        "spring force": ("_pull", "The spring pulls or pushes with"),
+        "spring energy": ("_stored", "It stores"),
+        "extension rate": ("_speed", "The extension changes at the rate"),
+        "velocity": ("_speed", "The velocity is the rate of change of the extension:"),
+        "momentum": ("_momentum", "Mass times velocity:"),
+        "kinetic energy": ("_kinetic", "The kinetic energy is"),
+        "net force": ("_force", "The force of the spring is"),
+        "acceleration": ("_acceleration", "The force of the spring over the mass:"),
+        "displacement": ("_moved", "It has come as far as the extension has changed:"),
     }

@@ -13,18 +13,6 @@ from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swept import swept
 from sim2reason.solutions.swing_angle import Way, unasked
 from sim2reason.solutions.swing_state import SwingState
-from sim2reason.solutions.unit_latex import (
-    ACCELERATION,
-    ANGULAR_ACCELERATION,
-    ANGULAR_SPEED,
-    DEGREES,
-    IMPULSE,
-    JOULES,
-    METRES,
-    MOMENTUM,
-    NEWTONS,
-    SPEED,
-)
 
 
 @strategy
@@ -43,8 +31,7 @@ class Swing(Strategy):
         """Why it does not apply."""
         if unknown := unasked(setting, _Angular.WAYS):
             return unknown
-        kinds = {event.kind for event in setting.motion.events if event.time < setting.time * (1.0 - 1e-9)}
-        return "it leaves its circle" if kinds & {"slack", "taut"} else ""
+        return "it leaves its circle" if setting.story & {"slack", "taut"} else ""
 
     def write(self, setting: Setting, book: Book) -> str:
         """The angle, the speed, and what is asked."""
@@ -74,12 +61,12 @@ class _Angular(SwingState):
     def _pull(self) -> Expression:
         """T = m g cos φ + m v²/ℓ."""
         weight = multiplied(multiplied(self.mass, self.gravity), self.cosine)
-        bend = multiplied(self.mass, ratio(self.squared, self.length)) if self.squared != ZERO else ZERO
+        bend = multiplied(self.mass, ratio(self.squared, self.length))
         return added(weight, bend)
 
     def _acceleration(self) -> Expression:
         """Towards the point about which it swings v²/ℓ, along the arc g sin φ."""
-        inward = ratio(self.squared, self.length) if self.squared != ZERO else ZERO
+        inward = ratio(self.squared, self.length)
         along = multiplied(self.gravity, self.sine)
         if self.vertical:
             return added(multiplied(inward, self.cosine), -multiplied(along, self.sine))
@@ -115,51 +102,21 @@ class _Angular(SwingState):
         return multiplied(self.mass, self.change(self.launch, self.speed))
 
     WAYS: ClassVar[Mapping[str, Way]] = {
-        "velocity": ("_velocity", "v", SPEED, ""),
-        "kinetic energy": ("_kinetic", "K", JOULES, "Its kinetic energy is"),
-        "potential energy": ("_potential", "U", JOULES, "It has risen or sunk, so"),
-        "momentum": ("_momentum", "p", MOMENTUM, "Its momentum is"),
-        "tension": (
-            "_pull",
-            "T",
-            NEWTONS,
-            "It holds the part of the weight along it and bends the path into a circle:",
-        ),
-        "rod force": (
-            "_pull",
-            "T",
-            NEWTONS,
-            "It holds the part of the weight along it and bends the path into a circle:",
-        ),
-        "acceleration": (
-            "_acceleration",
-            "a",
-            ACCELERATION,
-            "Towards the fixed point and along the arc together,",
-        ),
-        "net force": (
-            "_force",
-            "F",
-            NEWTONS,
-            "Mass times acceleration, towards the fixed point and along the arc:",
-        ),
-        "angular velocity": ("_spin", r"\omega", ANGULAR_SPEED, "The speed over the radius is"),
-        "angular acceleration": (
-            "_spin_up",
-            r"\alpha",
-            ANGULAR_ACCELERATION,
-            "The acceleration along the arc over the radius is",
-        ),
-        "deflection": ("_deflection", r"\phi", DEGREES, ""),
-        "angle turned": ("_between", r"\phi", DEGREES, "From the start that is"),
-        "total angle": ("_swept", r"\Phi", DEGREES, "Added up between turning points, that is"),
-        "impulse of the net force": (
-            "_impulse",
-            "J",
-            IMPULSE,
-            "Mass times the change of the velocity,",
-        ),
-        "distance travelled": ("_travelled", "d", METRES, "The arc is the radius times the sum of all angles:"),
-        "height": ("_height", "h", METRES, "It is higher than at first by"),
-        "displacement": ("_chord", "s", METRES, "The chord between the two places is"),
+        "velocity": ("_velocity", ""),
+        "kinetic energy": ("_kinetic", "Its kinetic energy is"),
+        "potential energy": ("_potential", "It has risen or sunk, so"),
+        "momentum": ("_momentum", "Its momentum is"),
+        "tension": ("_pull", "It holds the part of the weight along it and bends the path into a circle:"),
+        "rod force": ("_pull", "It holds the part of the weight along it and bends the path into a circle:"),
+        "acceleration": ("_acceleration", "Towards the fixed point and along the arc together,"),
+        "net force": ("_force", "Mass times acceleration, towards the fixed point and along the arc:"),
+        "angular velocity": ("_spin", "The speed over the radius is"),
+        "angular acceleration": ("_spin_up", "The acceleration along the arc over the radius is"),
+        "deflection": ("_deflection", ""),
+        "angle turned": ("_between", "From the start that is"),
+        "total angle": ("_swept", "Added up between turning points, that is"),
+        "impulse of the net force": ("_impulse", "Mass times the change of the velocity,"),
+        "distance travelled": ("_travelled", "The arc is the radius times the sum of all angles:"),
+        "height": ("_height", "It is higher than at first by"),
+        "displacement": ("_chord", "The chord between the two places is"),
     }

@@ -1,0 +1,201 @@
+"""Central spring: a body that a single spring leads round its fixed end; energy and angular momentum are kept.
+
+See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 10, on central forces.
+"""
+
+from collections.abc import Mapping
+from functools import cached_property
+from math import hypot
+from typing import ClassVar
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.solutions.book import Book, UnsolvedError
+from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.functions import Power, Root, squares
+from sim2reason.solutions.greatest import time_of_greatest
+from sim2reason.solutions.lone_spring import LoneSpring, ends, lone_spring, quantity_of
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.swing_angle import Way
+from sim2reason.solutions.told_root import told_root
+from sim2reason.solutions.unit_latex import JOULES, METRES, SPEED, latex
+
+HALF = Number(0.5)
+MOMENTS = (MostCompressed, MostStretched, NaturalLength)
+NEAR = 1e-3  # relative: of a place that a search has found
+STRAIGHT = 1e-6  # of its speed: it goes straight to or from the fixed end
+
+
+@strategy
+class CentralSpring(Strategy):
+    """A body on a level table that is launched across a single spring, at an extreme or the natural length of that."""
+
+    name = "energy and angular momentum on a spring"
+    cost = 1.1
+    kinds = frozenset({"event", "extremum"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether nothing is launched across a lone spring."""
+        moves = any(coordinate.speed for coordinate in mechanism.coordinates)
+        return "" if moves and lone_spring(mechanism) else "no lone body is launched on a single spring"
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """At the natural length; an extreme one is the root of an equation of the fourth degree."""
+        del mechanism
+        return frozenset({"event"})
+
+    def refusal(self, setting: Setting) -> str:
+        """Why it does not apply."""
+        query, quantity = setting.query, quantity_of(setting)
+        if not isinstance(query, StretchQuery) and not isinstance(query.moment, MOMENTS):
+            return "only integration gives the place"
+        return "" if quantity in _Round.WAYS else f"no way to the quantity {quantity}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """What is kept, the length of the spring, and what is asked."""
+        way = _Round(setting, book)
+        return way.answer(way.WAYS[quantity_of(setting)], way.signed).name
+
+
+class _Round(LoneSpring):
+    """What is asked of it."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnsolvedError where it goes straight along the spring."""
+        super().__init__(setting, book)
+        self.launch = [self.read(lambda m, n=n: m.coordinates[n].speed) for n in (0, 1)]
+        (x, y), (u, v) = ends(setting.mechanism), (c.speed for c in setting.mechanism.coordinates)
+        if abs(x * v - y * u) <= STRAIGHT * hypot(x, y) * hypot(u, v):
+            raise UnsolvedError("it moves straight along the spring")
+
+    # ---- what is kept
+
+    @cached_property
+    def energy(self) -> Symbol:
+        """Of motion and spring."""
+        launched = HALF * self.mass * squares(self.launch)
+        stored = HALF * self.stiffness * Power(self.length - self.natural, 2)
+        said = "The energy of the motion and of the spring is kept:"
+        return self.book.told("energy", said, self.book.fresh("E"), launched + stored, JOULES)
+
+    @cached_property
+    def swirl(self) -> Expression:
+        """The angular momentum about the fixed end per unit of mass, of its size."""
+        (x, y), (u, v) = self.apart, self.launch
+        formula = x * v - y * u
+        formula = formula if self.book.value(formula) > 0.0 else -formula
+        said = "The spring pulls towards its fixed end, so that the angular momentum about that is kept, too; per unit"
+        return self.book.told("swirl", f"{said} of mass it is", self.book.fresh("h"), formula, latex("m^2/s"))
+
+    # ---- the moment
+
+    @cached_property
+    def _seen(self) -> tuple[float, float]:
+        """The length of the spring at the moment, m, and its rate over the speed, by the engine."""
+        extreme = isinstance(self.setting.query, StretchQuery)
+        time = time_of_greatest(self.setting) if extreme else self.setting.time
+        state = self.setting.study.trace.sample(np.array([time]))
+        place = np.array(ends(self.setting.mechanism)) + state.q[0]
+        far = float(np.hypot(*place))
+        return far, float(place @ state.v[0]) / (far * float(np.hypot(*state.v[0])))
+
+    @cached_property
+    def relaxed(self) -> bool:
+        """Whether it has its natural length then, not an extreme one."""
+        if not isinstance(self.setting.query, StretchQuery):
+            return isinstance(self.setting.query.moment, NaturalLength)
+        (far, rate), natural = self._seen, self.book.value(self.natural)
+        if abs(far - natural) <= NEAR * natural:
+            return True
+        if abs(rate) > NEAR:
+            raise UnsolvedError("the greatest value is taken somewhere on the way")
+        return False
+
+    @cached_property
+    def there(self) -> Expression:
+        """The length of the spring at the moment."""
+        return self.natural if self.relaxed else self._extreme
+
+    @cached_property
+    def _extreme(self) -> Symbol:
+        name, step = self.book.fresh(r"\ell"), self.book.open("extreme")
+        across = HALF * self.mass * Power(self.swirl / name, 2)
+        stored = HALF * self.stiffness * Power(name - self.natural, 2)
+        residual = across + stored - self.energy
+        step.say("Where its length is extreme the velocity is square to the spring, so that it is the angular momentum")
+        step.say(f"over that length: {step.law(across + stored, self.energy)}.")
+        step.say(told_root(self.book, step, name, residual, self._seen[0], METRES, "Numerically,"))
+        step.close()
+        return name
+
+    @cached_property
+    def speed(self) -> Symbol:
+        """At the moment."""
+        name = self.book.fresh("v")
+        if not self.relaxed:
+            return self.book.told("speed", "The speed there is", name, self.swirl / self.there, SPEED)
+        step = self.book.open("speed")
+        law = step.law(HALF * self.mass * Power(name, 2), self.energy)
+        formula = Root(2.0 * self.energy / self.mass)
+        step.say(f"At the natural length all energy is that of motion: {law}, so {step.result(name, formula, SPEED)}.")
+        step.close()
+        return name
+
+    # ---- what is asked
+
+    def signed(self, formula: Expression) -> Expression:
+        """With its sign where one is asked for, else its size."""
+        target = self.setting.query.target
+        sense = target.sense if target is not None else None
+        if sense is not None and any(sense.vector):
+            raise UnsolvedError("a component along a direction of the table")
+        return -formula if sense is None and self.book.value(formula) < 0.0 else formula
+
+    def _speed(self) -> Expression:
+        return self.speed
+
+    def _momentum(self) -> Expression:
+        return self.mass * self.speed
+
+    def _kinetic(self) -> Expression:
+        return self.energy if self.relaxed else HALF * self.mass * Power(self.speed, 2)
+
+    def _extension(self) -> Expression:
+        return self.there - self.natural if not self.relaxed else ZERO
+
+    def _current_length(self) -> Expression:
+        return self.there
+
+    def _pull(self) -> Expression:
+        return self.stiffness * self._extension()
+
+    def _stored(self) -> Expression:
+        return HALF * self.stiffness * Power(self._extension(), 2)
+
+    def _acceleration(self) -> Expression:
+        return self._pull() / self.mass
+
+    def _rate(self) -> Expression:
+        if not self.relaxed:
+            raise UnsolvedError("it does not grow then")
+        along = Root(Power(self.speed, 2) - Power(self.swirl / self.natural, 2))
+        return along if self._seen[1] > 0.0 else -along
+
+    WAYS: ClassVar[Mapping[str, Way]] = {
+        "velocity": ("_speed", ""),
+        "momentum": ("_momentum", "Mass times velocity:"),
+        "kinetic energy": ("_kinetic", "The kinetic energy is"),
+        "extension": ("_extension", "It is longer or shorter than when relaxed by"),
+        "spring length": ("_current_length", ""),
+        "spring force": ("_pull", "The spring pulls or pushes with"),
+        "spring energy": ("_stored", "It stores"),
+        "extension rate": ("_rate", "Without its part across the spring the velocity is"),
+        "net force": ("_pull", "The force of the spring is"),
+        "acceleration": ("_acceleration", "The force of the spring over the mass:"),
+    }
