@@ -258,11 +258,7 @@ ZERO, ONE = Number(0.0), Number(1.0)
 
 def ratio(above: Expression, below: Expression) -> Expression:
     """A fraction whose denominator does not begin with a minus sign."""
-    if above == ZERO:
-        return ZERO
-    if below.negative:
-        above, below = -above, -below
-    return above if below == ONE else Quotient(above, below)
+    return -above / -below if below.negative else above / below
 
 
 def lifted(value: "Expression | float") -> Expression:

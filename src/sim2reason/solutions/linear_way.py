@@ -8,8 +8,7 @@ from sim2reason.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.elimination import solved
-from sim2reason.solutions.expressions import Expression, Number, Symbol
-from sim2reason.solutions.functions import Power, squares, summed
+from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.goals import Components
 from sim2reason.solutions.greatest import greatest_target, time_of_greatest
 from sim2reason.solutions.linear_motion import LinearMotion
@@ -17,10 +16,10 @@ from sim2reason.solutions.newton import Newton, Row
 from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.unit_latex import IMPULSE, JOULES, NEWTONS
+from sim2reason.solutions.tension_work import tension_work
+from sim2reason.solutions.unit_latex import IMPULSE, NEWTONS
 from sim2reason.solutions.way import STILL, Way
 
-HALF = Number(0.5)
 TIMES = {0.5: "half as far as", 2.0: "twice as far as", 1.0: "as far as"}
 
 
@@ -250,37 +249,9 @@ class LinearWay(Way):
         return found.symbol
 
     def work(self, line: str, body: str) -> Symbol | None:
-        """Of a tension, by the kinetic energy that a body gains from it, its weight and springs with a fixed end."""
+        """Of a tension, by the kinetic energy that a body gains from all that acts on it."""
         del line
-        (k, *others), target, goal = self.moving([body]), self.target, self.goal
-        if others or target is None or goal is None:
-            raise UnsolvedError("the body moves along no line of its own")
-        row, asked = self.newton.newton(k), goal.force(target, self.setting)
-        pulls = {f"S{n}": n for n in self.motion.laws.springs if f"S{n}" in row.forces.names()}
-        steady = row.forces.without([asked, *pulls])
-        unknown = {name for name in steady.names() if name[0] in "TNf" and name[1:].isdigit()}
-        if unknown or not all(self._fixed(n) for n in pulls.values()):
-            raise UnsolvedError("other forces than the tension change, too")
-        found, speed, before = self.book.fresh("W"), self.rate("v", k), self.first_speeds.get(k, NIL)
-        gained = (row.inertia.coefficient(f"q{k}") * (speed * speed - before * before)).scaled(0.5).expression()
-        rest = (steady * self.rate("s", k)).expression() + summed(self._released(n) for n in pulls.values())
-        step, who = self.book.open("work"), self.setting.called(body)
-        law = step.law(found + rest, gained)
-        said = f"All that acts on {who} together gives it its kinetic energy: {law}, so"
-        step.say(f"{said} {step.result(found, gained - rest, JOULES)}.")
-        step.close()
-        return found
-
-    def _fixed(self, number: int) -> bool:
-        """Whether a spring is fixed at one end."""
-        return any(self.mechanism.site[site].body is None for site in self.mechanism.lines[number].through)
-
-    def _released(self, number: int) -> Expression:
-        """The energy that a spring has given off."""
-        line = self.mechanism.lines[number].name
-        strain, growth = self.spring("strain", line).expression(), self.growth("s", line).expression()
-        apart = squares([strain]) - Power(strain + growth, 2)
-        return HALF * self.spring("stiffness", line).expression() * apart
+        return tension_work(self, body)
 
     def clock(self) -> Symbol:
         """The time of the moment; by default nothing takes one."""
