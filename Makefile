@@ -7,10 +7,10 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check lint types contracts docs format clean
+.PHONY: help demo test test-ray check lint types contracts docs format clean
 
 help: ## say what can be made
-	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
+	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
 
 .venv/pip:
 	@test -n "$(PYTHON)" || { echo "make: no Python 3.11 or newer found; install one, or say: make PYTHON=/path/to/python3.11" >&2; exit 2; }
@@ -38,6 +38,15 @@ demo: .venv/core ## 100 problems over all recipes, one figure, three problems wi
 
 test: .venv/dev ## all tests, in parallel
 	$(BIN)/pytest --numprocesses auto --dist worksteal
+
+.venv-ray/done: .venv/pip requirements/ray.txt pyproject.toml
+	$(PYTHON) -m venv .venv-ray
+	.venv-ray/bin/python -m pip install --quiet --requirement requirements/ray.txt
+	.venv-ray/bin/python -m pip install --quiet --no-deps --editable .
+	@touch $@
+
+test-ray: .venv-ray/done ## the tests that need Ray, on a local cluster, in an environment of their own
+	.venv-ray/bin/python -m pytest tests/datasets/places
 
 check: lint types contracts ## style, types and contracts
 

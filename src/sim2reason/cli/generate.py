@@ -6,10 +6,11 @@ from typing import Unpack
 import click
 
 from sim2reason.cli import console
-from sim2reason.datasets.build import PATIENCE, build, build_part
+from sim2reason.datasets.build import build, build_part
 from sim2reason.datasets.cells import empty
 from sim2reason.datasets.generate import ALL, ITEMS, Names, Order, configured
 from sim2reason.datasets.manifest import Manifest
+from sim2reason.datasets.places import HERE, PATIENCE
 from sim2reason.datasets.plan import LARGEST, LARGEST_SHARD, MAKER, SHARD, SI
 
 EXAMPLE = """\b
@@ -74,6 +75,12 @@ def _pairs(ctx: click.Context, param: click.Parameter, value: str) -> dict[str, 
     "--workers", type=click.IntRange(1), help="Processes; they never change the result. [default: one per core]"
 )
 @click.option(
+    "--on",
+    default=HERE,
+    show_default=True,
+    help="Where to work: here, or on a cluster of Ray by ray or ray://HOST:PORT. It never changes the result.",
+)
+@click.option(
     "--split",
     callback=_pairs,
     default="",
@@ -93,15 +100,17 @@ def _pairs(ctx: click.Context, param: click.Parameter, value: str) -> dict[str, 
 @click.option("--json", "to_json", is_flag=True, help="Print the manifest for a program to read.")
 @click.option("--patience", type=click.FloatRange(0.1), default=PATIENCE, hidden=True)
 @click.option("--maker", default=MAKER, hidden=True)
-def command(out: Path, part: str, workers: int | None, to_json: bool, patience: float, **order: Unpack[Order]) -> int:
+def command(
+    out: Path, part: str, workers: int | None, on: str, to_json: bool, patience: float, **order: Unpack[Order]
+) -> int:
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
     config = configured(**order)
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("problems", config.items) as advance:
         if part:
-            build_part(out, config, _part(part), workers=workers, patience=patience, advance=advance)
+            build_part(out, config, _part(part), workers=workers, patience=patience, advance=advance, on=on)
             return 0
-        manifest = build(out, config, workers=workers, patience=patience, advance=advance)
+        manifest = build(out, config, workers=workers, patience=patience, advance=advance, on=on)
     if to_json:
         console.as_json(manifest.model_dump(mode="json"))
     else:

@@ -1,8 +1,8 @@
 """Build a dataset, or go on with one: shards first, duplicates out, then the card, and the manifest last."""
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing
+from functools import partial
 from pathlib import Path
 
 from sim2reason.datasets import shard_files
@@ -12,15 +12,13 @@ from sim2reason.datasets.distinct import marks
 from sim2reason.datasets.finish import finish
 from sim2reason.datasets.journal import Journal
 from sim2reason.datasets.manifest import Counts, Manifest, RefusedPosition, Shard, merged
+from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
 from sim2reason.datasets.plan import MAKER, Config
-from sim2reason.datasets.pool import run
 from sim2reason.datasets.splits import split_of
 from sim2reason.datasets.work_queue import WorkQueue
 from sim2reason.datasets.worker import Attempt
 from sim2reason.errors import DatasetError
 
-PATIENCE = 120.0
-"""Seconds after which a batch counts as hung: a safety net, far above what any item needs."""
 Part = tuple[int, int]
 """Of N processes that share the work, this one's number, from 0, and N."""
 
@@ -32,18 +30,18 @@ def build(
     workers: int | None = None,
     patience: float = PATIENCE,
     advance: Callable[[int], object] = lambda _: None,
+    on: str = HERE,
 ) -> Manifest:
     """Fill the folder `out` with the dataset of `config`, and give its manifest.
 
     May be interrupted at any moment: the next call makes what is missing or damaged, and ends in the same
-    bytes, whatever the number of `workers` (default: one per core that this process may use). A dataset of fewer items
-    and otherwise the same configuration is gone on with, too. `advance` is called with the number of positions that are
-    done. DatasetError if `out` holds anything else, or a weight makes no sense.
+    bytes, whatever the number of `workers` (default: one per core) and wherever they are (`on` is a name in `PLACES`).
+    A dataset of fewer items and otherwise the same configuration is gone on with, too. `advance` is called with the
+    number of positions that are done. DatasetError if `out` holds anything else, or a weight makes no sense.
     """
-    out = _folder(out, config)
-    with locked(out):
+    with opened(on, partial(Crew, config.maker, workers, patience)) as run, locked(out := _folder(out, config)):
         journal = Journal(out, config)
-        _fill(journal, range(config.shards), workers, patience, advance)
+        _fill(journal, range(config.shards), run, advance)
         manifest = finish(journal)
         journal.close()
     return manifest
@@ -57,6 +55,7 @@ def build_part(
     workers: int | None = None,
     patience: float = PATIENCE,
     advance: Callable[[int], object] = lambda _: None,
+    on: str = HERE,
 ) -> None:
     """Make every N-th shard of a dataset, beside other processes that make the others; `build` then ends the work.
 
@@ -66,19 +65,16 @@ def build_part(
     number, parts = part
     if not 0 <= number < parts:
         raise DatasetError(f"part {number + 1}/{parts}: there is none; count from 1/{parts} to {parts}/{parts}")
-    out = _folder(out, config)
-    with locked(out, shared=True):
+    with (
+        opened(on, partial(Crew, config.maker, workers, patience)) as run,
+        locked(out := _folder(out, config), shared=True),
+    ):
         journal = Journal(out, config, alone=False)
         mine = journal.folder / f"part-{number + 1}-of-{parts}{LOCK}"
         mine.touch()
         with locked(mine):
-            _fill(journal, range(number, config.shards, parts), workers, patience, advance)
+            _fill(journal, range(number, config.shards, parts), run, advance)
             mine.unlink()
-
-
-def cores() -> int:
-    """How many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _folder(out: Path | str, config: Config) -> Path:
@@ -92,9 +88,7 @@ def _folder(out: Path | str, config: Config) -> Path:
     return out
 
 
-def _fill(
-    journal: Journal, numbers: range, workers: int | None, patience: float, advance: Callable[[int], object]
-) -> None:
+def _fill(journal: Journal, numbers: range, run: Run, advance: Callable[[int], object]) -> None:
     """Make those of some shards that do not stand."""
     config = journal.plan.config
 
@@ -106,7 +100,7 @@ def _fill(
                 advance(len(config.positions(number)))
 
     queue = WorkQueue(config, missing())
-    with closing(run(queue.next, config.maker, workers or cores(), patience)) as replies:
+    with closing(run(queue.next)) as replies:
         for batch, reply in replies:
             before = queue.done
             for number, outcomes in queue.settle(batch, reply):

@@ -8,6 +8,7 @@ from pydantic import ValidationError
 
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.places import HERE
 from sim2reason.datasets.plan import MAKER, SI, Config
 from sim2reason.errors import DatasetError
 from sim2reason.questions import MODES
@@ -48,18 +49,21 @@ def generate(
     *,
     workers: int | None = None,
     advance: Callable[[int], object] = lambda _: None,
+    on: str = HERE,
     **order: Unpack[Order],
 ) -> Dataset:
     """Fill the folder `out` with problems, or go on with what stands there, and open it.
 
-    The same order gives the same bytes, whatever the number of `workers` (default: one per core); with more `items` a
-    dataset grows. `advance` is called with the number of positions that are done.
+    The same order gives the same bytes, whatever the number of `workers` (default: one per core) and wherever they work
+    (`on`: ``here``, ``ray`` or ``ray://HOST:PORT``); with more `items` a dataset grows. `advance` is called with the
+    number of positions that are done.
 
     Raises:
-        UnknownNameError: no such recipe, difficulty, mode or units.
-        DatasetError: an order that makes no sense, or a folder that holds anything else.
+        UnknownNameError: no such recipe, difficulty, mode, units or place.
+        DatasetError: an order that makes no sense, a folder that holds anything else, or a place where nobody works.
+        MissingExtraError: the place needs a package that is not installed.
     """
-    build(out, configured(**order), workers=workers, advance=advance)
+    build(out, configured(**order), workers=workers, advance=advance, on=on)
     return Dataset(out)
 
 

@@ -3,8 +3,8 @@
 from collections import deque
 from collections.abc import Iterable, Iterator
 
+from sim2reason.datasets.places import Reply
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.pool import Reply
 from sim2reason.datasets.worker import Attempt, Batch
 
 BATCH = 10  # items: half a second of work, so that talking to a worker costs little

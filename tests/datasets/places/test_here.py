@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from sim2reason.datasets.places.here import run
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.pool import run
 from sim2reason.datasets.worker import Batch, outcome
 
 CONFIG = Config(items=40, recipes=("pulley",), difficulties=("easy",), maker="fake_makers:steady")

@@ -1,22 +1,23 @@
-"""Worker processes that can be killed one by one.
+"""On this machine: worker processes that can be killed one by one.
 
 One pipe per worker and no lock between them: a worker that crashes, hangs or is killed takes only its own
 batch with it. (`concurrent.futures` loses the whole pool to one crash.)
 """
 
+import os
 import time
 from collections.abc import Callable, Generator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
-from sim2reason.datasets.worker import Attempt, Batch, Message, serve
+from sim2reason.datasets.places import HERE, PLACES, Crew, Reply, Run, Source
+from sim2reason.datasets.worker import Batch, Message, serve
 from sim2reason.errors import DatasetError
 
-Reply = list[Attempt] | str
-"""The outcomes of a batch, or why there are none: ``crashed …`` or ``hung …``."""
 _SPAWN = get_context("forkserver")  # a fork of a process with threads may deadlock
 STARTING = 60.0  # s: a worker may take so long to begin on a busy machine, whatever a batch may take
 
@@ -78,14 +79,25 @@ class _Worker:
         self.pipe.close()  # not before: a worker that finds nobody at the other end would complain
 
 
-def run(
-    source: Callable[[], Batch | None], maker: str, workers: int, patience: float
-) -> Generator[tuple[Batch, Reply], None, None]:
+@PLACES.register(HERE)
+@contextmanager
+def here(crew: Crew) -> Generator[Run, None, None]:
+    """This machine; DatasetError for an address, for it has none."""
+    if crew.address:
+        raise DatasetError(f"--on {HERE}://{crew.address}: this machine needs no address; say --on {HERE}")
+    yield partial(run, maker=crew.maker, workers=crew.workers or cores(), patience=crew.patience)
+
+
+def cores() -> int:
+    """How many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def run(source: Source, maker: str, workers: int, patience: float) -> Generator[tuple[Batch, Reply], None, None]:
     """Have `workers` processes work on what `source` gives, and give each batch back with its reply.
 
-    `source` is asked again after every reply, and gives None while there is nothing to do. A batch that
-    takes longer than `patience` (s) is hung: its worker is killed. Replies come in any order. DatasetError
-    if the maker can't be imported or no process begins. However the generator ends, no worker stays.
+    A batch that takes longer than `patience` (s) is hung: its worker is killed. DatasetError if the maker can't be
+    imported or no process begins. However the generator ends, no worker stays.
     """
     crew: list[_Worker] = []
     try:
@@ -110,9 +122,7 @@ def run(
             worker.stop()
 
 
-def _employ(
-    crew: list[_Worker], source: Callable[[], Batch | None], workers: int, start: Callable[[], _Worker]
-) -> None:
+def _employ(crew: list[_Worker], source: Source, workers: int, start: Callable[[], _Worker]) -> None:
     """Give every idle worker a batch, and start new workers for more."""
     idle = [worker for worker in crew if worker.batch is None]
     while idle or len(crew) < workers:

@@ -1,0 +1,50 @@
+"""Where the work is done: on this machine or elsewhere. Each place is one module, found by its name.
+
+A place makes items and gives them back; it never sees the folder that they are written to, so nothing is shared.
+"""
+
+from collections.abc import Callable, Generator
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+
+from sim2reason.datasets.worker import Attempt, Batch
+from sim2reason.registry import Registry
+
+__all__ = ["HERE", "PATIENCE", "PLACES", "Crew", "Place", "Reply", "Run", "Source", "opened"]
+
+HERE = "here"
+"""The place where work is done unless another is named."""
+PATIENCE = 120.0
+"""Seconds after which a batch counts as hung: a safety net, far above what any item needs."""
+
+
+@dataclass(frozen=True, slots=True)
+class Crew:
+    """Who shall work."""
+
+    maker: str
+    workers: int | None = None
+    """How many processes; None: one for each core of the place."""
+    patience: float = PATIENCE
+    address: str = ""
+    """What stands behind ``://`` in the name of the place."""
+
+
+Reply = list[Attempt] | str
+"""The outcomes of a batch, or why there are none: ``crashed …`` or ``hung …``."""
+Source = Callable[[], Batch | None]
+"""Gives the next batch; None while there is nothing to do. It is asked again after every reply."""
+Run = Callable[[Source], Generator[tuple[Batch, Reply], None, None]]
+"""Have a crew work on what a source gives: each batch comes back once, with its reply, in any order."""
+Place = Callable[[Crew], AbstractContextManager[Run]]
+"""Gather a crew; whatever way the block ends, no worker of it stays.
+
+On entering it raises `DatasetError` if nobody can work there, and `MissingExtraError` if a package lacks.
+"""
+PLACES: Registry[Place] = Registry("datasets.places")
+
+
+def opened(name: str, crew: Callable[[str], Crew]) -> AbstractContextManager[Run]:
+    """The place called ``NAME`` or ``NAME://ADDRESS``, with the crew for that address; UnknownNameError if none is."""
+    place, _, address = name.partition("://")
+    return PLACES[place](crew(address))

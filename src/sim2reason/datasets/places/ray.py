@@ -1,0 +1,100 @@
+"""On a cluster of Ray: batches are its tasks, which it gives to other workers when theirs die.
+
+Workers send items back and see no file of ours. Each machine of the cluster needs the same packages as this one, since
+their versions decide the bytes.
+"""
+
+import faulthandler
+import os
+import socket
+from collections.abc import Generator
+from contextlib import contextmanager
+from functools import cache, partial
+from importlib import import_module
+from typing import Any, Final
+
+from sim2reason.datasets.places import PLACES, Crew, Reply, Run, Source
+from sim2reason.datasets.plan import Maker, load_maker, versions
+from sim2reason.datasets.worker import Attempt, Batch, collect_seldom, outcome
+from sim2reason.errors import DatasetError, MissingExtraError
+
+RETRIES: Final = 3  # of a batch whose worker or machine dies; then `WorkQueue` tries its positions one by one
+WAITING: Final = 2  # batches for each core, so that none waits for the next
+KNOCK: Final = 5.0  # s
+
+
+@PLACES.register("ray")
+@contextmanager
+def on_ray(crew: Crew) -> Generator[Run, None, None]:
+    """Join the cluster at HOST:PORT, else the one that this machine belongs to, else begin one on its cores.
+
+    DatasetError if nobody answers there, MissingExtraError without Ray.
+    """
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # else Ray reports to its makers
+    try:
+        ray: Any = import_module("ray")
+    except ImportError as error:
+        raise MissingExtraError("ray", "ray") from error
+    where = f"ray://{crew.address}" if crew.address else None
+    try:
+        if where:  # nobody may be there: Ray itself would wait for half a minute
+            host, _, port = crew.address.rpartition(":")
+            socket.create_connection((host, int(port)), timeout=KNOCK).close()
+        ray.init(address=where, log_to_driver=False, logging_level="ERROR")
+    except (OSError, ImportError, RuntimeError, ValueError, OverflowError) as error:
+        remedy = "start one: ray start --head --ray-client-server-port=PORT, and say --on ray://HOST:PORT"
+        raise DatasetError(f"--on {where or 'ray'}: no cluster answers ({_line(error)}); {remedy}") from error
+    try:
+        yield partial(_replies, ray, crew)
+    finally:
+        ray.shutdown()
+
+
+def _replies(ray: Any, crew: Crew, source: Source) -> Generator[tuple[Batch, Reply], None, None]:  # noqa: ANN401 - a module
+    task, held = ray.remote(num_cpus=1, max_retries=RETRIES)(attempts), dict[Any, Batch]()
+    try:
+        while True:
+            most = crew.workers or WAITING * int(ray.cluster_resources().get("CPU", 1))  # a cluster may grow
+            while len(held) < most and (batch := source()) is not None:
+                held[task.remote(batch, crew.maker, crew.patience, versions())] = batch
+            if not held:
+                return
+            for done in ray.wait(list(held))[0]:
+                yield held.pop(done), _reply(ray, done)
+    finally:
+        for begun in held:
+            ray.cancel(begun, force=True)
+
+
+def _reply(ray: Any, done: Any) -> Reply:  # noqa: ANN401 - a module and what it gives
+    lost = ray.exceptions
+    try:
+        return ray.get(done)
+    except (lost.WorkerCrashedError, lost.NodeDiedError, lost.OutOfMemoryError, lost.ObjectLostError):
+        return "crashed its worker"
+    except (lost.RayError, ConnectionError) as error:
+        cause = getattr(error, "cause", error)
+        raise cause if isinstance(cause, DatasetError) else DatasetError(f"--on ray: {_line(cause)}") from error
+
+
+def attempts(batch: Batch, maker: str, patience: float, expected: dict[str, str]) -> list[Attempt]:
+    """What a worker does: a batch, or its own end if that takes too long (s). DatasetError for other versions."""
+    if other := [f"{name} {mine} ≠ {expected[name]}" for name, mine in versions().items() if mine != expected[name]]:
+        raise DatasetError(f"{socket.gethostname()}: {', '.join(other)}; all machines of a cluster need the same")
+    faulthandler.dump_traceback_later(patience, exit=True)
+    try:
+        make = _prepared(maker)
+        return [outcome(make, position, request) for position, request in batch]
+    finally:
+        faulthandler.cancel_dump_traceback_later()
+
+
+@cache
+def _prepared(maker: str) -> Maker:
+    make = load_maker(maker)
+    collect_seldom()
+    return make
+
+
+def _line(error: BaseException) -> str:
+    return " ".join(str(error).split())[:300] or type(error).__name__
