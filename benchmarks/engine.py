@@ -1,15 +1,18 @@
-"""How many scenes a CPU-second the exact engine simulates: python benchmarks/engine.py [scenes per family].
+"""How many scenes a CPU-second the exact engine simulates.
+
+    python benchmarks/engine.py [scenes per family] [--rounds N] [--against COMMIT]
 
 Each scene is built, then simulated from its mechanism: motion over 2 s, events, and its state at two times,
 as the sensitivity filter asks for. Times are of one process's CPU; building is not counted.
 """
 
-import sys
+import json
 from collections.abc import Callable
 from math import cos, pi, sin
 from time import process_time
 
 import numpy as np
+from against import PHASE, fixed_loop, medians, parser, script_against
 
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
@@ -82,19 +85,33 @@ def measure(draw: Callable[[Rng], Builder], count: int) -> tuple[float, float, f
     return 1e3 * spent / count, np.mean([len(m.bodies) for m in mechanisms]).item(), events / count
 
 
-def main(count: int) -> None:
-    families: dict[str, Callable[[Rng], Builder]] = {
-        "Atwood": lambda rng: nested(rng, 1),
-        "nested, light pulleys": nested,
-        "nested, heavy pulleys": lambda rng: nested(rng, 3, 0.5),
-        "rough movable wedge": ramp,
-        "discs on a table": table,
-    }
-    for name, draw in families.items():
-        milliseconds, bodies, events = measure(draw, count)
+FAMILIES: dict[str, Callable[[Rng], Builder]] = {
+    "Atwood": lambda rng: nested(rng, 1),
+    "nested, light pulleys": nested,
+    "nested, heavy pulleys": lambda rng: nested(rng, 3, 0.5),
+    "rough movable wedge": ramp,
+    "discs on a table": table,
+}
+
+
+def main() -> None:
+    options = parser(__doc__)
+    options.add_argument("count", type=int, nargs="?", default=200, help="scenes of each family (default: 200)")
+    given = options.parse_args()
+    if given.against:
+        script_against(__file__, given.against, given.rounds, str(given.count))
+        return
+    rounds = [{name: measure(draw, given.count) for name, draw in FAMILIES.items()} for _ in range(given.rounds)]
+    if given.figures:
+        print(json.dumps({name: 1e3 / found[0] for name, found in rounds[0].items()} | {PHASE: fixed_loop()}))
+        return
+    fastest = medians([{name: found[0] for name, found in each.items()} for each in rounds])
+    for name, (_, bodies, events) in rounds[0].items():
+        milliseconds = fastest[name]
         rate = 1e3 / milliseconds
         print(f"{name:24} {bodies:4.1f} bodies {events:4.1f} events {milliseconds:6.3f} ms {rate:7.0f} scenes/CPU-s")
+    print(f"{PHASE} {fixed_loop():.1f}")
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 500)
+    main()

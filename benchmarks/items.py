@@ -1,11 +1,17 @@
-"""Items and scenes per CPU-second over all recipes: python benchmarks/items.py [items per cell] [mode].
+"""Items and scenes per CPU-second over all recipes.
+
+    python benchmarks/items.py [items per cell] [mode] [--rounds N] [--against COMMIT]
 
 Every item is certified, of a scene of its own, with all filters and both engines counted. Then: a set from two
 workers, their CPU time included; scenes by the exact engine alone; the first item of a fresh process; the import.
 With a mode, its items alone.
+
+With --against, items of the recipes that the commit has, made by both trees turn about: of all kinds of question and by
+all filters, of those kinds only that the commit has, and by those filters only, too.
 """
 
 import ctypes
+import json
 import os
 import resource
 import subprocess
@@ -15,6 +21,8 @@ from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
+
+from against import PHASE, ROOT, Figures, checked_out, compare, fixed_loop, medians, parser, told
 
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Request
@@ -31,28 +39,85 @@ RUNS = 5
 SUBREAPER = 36  # PR_SET_CHILD_SUBREAPER
 CELLS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
 FIRST = "import sim2reason; sim2reason.item(recipe='hybrid', difficulty='hard', mode='numeric', seed=1, index=0)"
+NAMES = """
+from sim2reason.filters import FILTERS
+from sim2reason.questions import KINDS
+from sim2reason.recipes import RECIPES
+print(*(",".join(names) for names in (RECIPES, KINDS, FILTERS)))
+"""
+# Of a package of any age: how many items a CPU-second, but for some kinds of question and some filters.
+LOOP = f"""
+import json, sys
+from time import process_time
+sys.path.insert(0, {str(Path(__file__).parent)!r})
+from against import PHASE, fixed_loop
+from sim2reason import filters
+from sim2reason.datasets import worker
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Request
+count, mode, recipes = int(sys.argv[1]), sys.argv[2], sys.argv[3].split(",")
+kinds, refusing = (set(names.split(",")) - {{""}} for names in sys.argv[4:6])
+if refusing:
+    kept = [found for found in filters.in_order() if found[0] not in refusing]
+    filters.in_order = lambda: kept
+weights = {{"weights": tuple((kind, 0.0) for kind in sorted(kinds))}} if kinds else {{}}
+make(Request(recipes[0], "easy", mode, {SEED + 1}, 0))
+getattr(worker, "collect_seldom", lambda: None)()
+cells = [(recipe, difficulty) for recipe in recipes for difficulty in ("easy", "medium", "hard")]
+start = process_time()
+made = [make(Request(*cell, mode, {SEED}, index, **weights)).item for cell in cells for index in range(count)]
+rate = sum(item is not None for item in made) / (process_time() - start)
+print(json.dumps({{"items / CPU-s": rate, PHASE: fixed_loop()}}))
+"""
 
 
-def items(count: int, mode: str) -> None:
+def beside(commit: str, count: int, mode: str, rounds: int) -> None:
+    """An earlier commit and this tree turn about."""
+    with checked_out(commit) as tree:
+        recipes, kinds, filters = told((tree, ["-c", NAMES])).split()
+        _, *here = told((ROOT, ["-c", NAMES])).split()
+        newer = [
+            ",".join(sorted(set(n.split(",")) - set(o.split(",")))) for n, o in zip(here, (kinds, filters), strict=True)
+        ]
+        plain = ["-c", LOOP, str(count), mode, recipes]
+        orders = {
+            commit: (tree, [*plain, "", ""]),
+            "this tree": (ROOT, [*plain, "", ""]),
+            "same kinds": (ROOT, [*plain, newer[0], ""]),
+            "same kinds and filters": (ROOT, [*plain, *newer]),
+        }
+        print(f"recipes {recipes}; kinds {kinds}; filters {filters}")
+        compare(orders, rounds)
+
+
+def items(count: int, mode: str, rounds: int) -> None:
     """Cell by cell in this process, set up as a worker is, after one item to load what is loaded lazily."""
     make(Request("pulley", "easy", mode, SEED + 1, 0))
     collect_seldom()
-    total, texts = 0.0, set[str]()
+    found: list[Figures] = []
+    for turn in range(rounds):
+        found.append(one_round(count, mode))
+        print(f"round {turn + 1}: all {found[-1]['all']:.1f} items / CPU-s, {PHASE} {found[-1][PHASE]:.1f}", flush=True)
+    for name, rate in medians(found).items():
+        print(f"{name:26} {rate:6.1f}" + " items of unique scenes / CPU-s" * (name != PHASE), flush=True)
+
+
+def one_round(count: int, mode: str) -> Figures:
+    """Rates of each cell and of all."""
+    total, texts, found = 0.0, set[str](), Figures()
     for recipe, difficulty in CELLS:
-        start, found = process_time(), set[str]()
-        for index in range(count):
-            item = make(Request(recipe, difficulty, mode, SEED, index)).item
-            if item is not None:
-                found.add(item.scene)
-        spent = process_time() - start
-        total, texts = total + spent, texts | found
-        print(f"{recipe:10} {difficulty:7} {len(found) / spent:6.1f} items of unique scenes / CPU-s", flush=True)
-    print(f"all        {len(texts) / total:14.1f} items of unique scenes / CPU-s", flush=True)
+        start = process_time()
+        made = [make(Request(recipe, difficulty, mode, SEED, index)).item for index in range(count)]
+        spent, scenes = process_time() - start, {item.scene for item in made if item is not None}
+        found[f"{recipe} {difficulty}"] = len(scenes) / spent
+        total, texts = total + spent, texts | scenes
+    return found | {"all": len(texts) / total, PHASE: fixed_loop()}
 
 
 def adopt_orphans() -> None:
-    """Become the parent of what outlives its own, as the server of workers does; else its time is lost (Linux)."""
-    ctypes.CDLL(None).prctl(SUBREAPER, 1, 0, 0, 0)
+    """Become the parent of what outlives its own, as the server of workers does; else its time is lost. Linux alone can."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(SUBREAPER, 1, 0, 0, 0)
 
 
 def children() -> float:
@@ -69,16 +134,16 @@ def children() -> float:
 def dataset(count: int) -> None:
     """A set as the command line makes it, with two workers."""
     with TemporaryDirectory() as folder:
-        options = ["--items", str(count), "--recipe", "all", "--difficulty", "all", "--workers", "2"]
+        options = ["--items", str(count), "--recipe", "all", "--difficulty", "all", "--workers", "2", "--json"]
         before = children()
-        run(["generate", str(Path(folder) / "set"), *options])
+        rows = json.loads(run(["generate", str(Path(folder) / "set"), *options]))["rows"]
         spent = children() - before
-    print(f"generate   {count / spent:14.1f} items / CPU-s, two workers, starting and writing included", flush=True)
+    print(f"generate   {rows / spent:14.1f} items / CPU-s, two workers, starting and writing included", flush=True)
 
 
-def run(arguments: list[str]) -> None:
+def run(arguments: list[str]) -> str:
     code = "import sys; from sim2reason.cli import main; main(sys.argv[1:])"
-    subprocess.run([sys.executable, "-c", code, *arguments], check=True, stdout=subprocess.DEVNULL)
+    return subprocess.run([sys.executable, "-c", code, *arguments], check=True, stdout=subprocess.PIPE).stdout.decode()
 
 
 def scenes() -> None:
@@ -107,12 +172,19 @@ def fresh_process(code: str) -> tuple[float, float]:
     return sorted(found)[RUNS // 2]
 
 
-def main(count: int = 20, mode: str = "") -> None:
-    adopt_orphans()
-    items(count, mode or "numeric")
-    if mode:
+def main() -> None:
+    options = parser(__doc__)
+    options.add_argument("count", type=int, nargs="?", default=4, help="items of each cell (default: 4)")
+    options.add_argument("mode", nargs="?", default="", help="the mode of question alone (default: numeric, and more)")
+    given = options.parse_args()
+    if given.against:
+        beside(given.against, given.count, given.mode or "numeric", given.rounds)
         return
-    dataset(len(CELLS) * count)
+    adopt_orphans()
+    items(given.count, given.mode or "numeric", given.rounds)
+    if given.mode:
+        return
+    dataset(len(CELLS) * given.count)
     scenes()
     for name, code in (("first item", FIRST), ("import", "import sim2reason")):
         cpu, wall = fresh_process(code)
@@ -120,4 +192,4 @@ def main(count: int = 20, mode: str = "") -> None:
 
 
 if __name__ == "__main__":
-    main(*map(int, sys.argv[1:2]), *sys.argv[2:3])
+    main()
