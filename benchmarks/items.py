@@ -43,7 +43,8 @@ NAMES = """
 from sim2reason.filters import FILTERS
 from sim2reason.questions import KINDS
 from sim2reason.recipes import RECIPES
-print(*(",".join(names) for names in (RECIPES, KINDS, FILTERS)))
+for names in (RECIPES, KINDS, FILTERS):
+    print(",".join(names))
 """
 # Of a package of any age: how many items a CPU-second, but for some kinds of question and some filters.
 LOOP = f"""
@@ -74,8 +75,8 @@ print(json.dumps({{"items / CPU-s": rate, PHASE: fixed_loop()}}))
 def beside(commit: str, count: int, mode: str, rounds: int) -> None:
     """An earlier commit and this tree turn about."""
     with checked_out(commit) as tree:
-        recipes, kinds, filters = told((tree, ["-c", NAMES])).split()
-        _, *here = told((ROOT, ["-c", NAMES])).split()
+        recipes, kinds, filters = told((tree, ["-c", NAMES])).splitlines()
+        _, *here = told((ROOT, ["-c", NAMES])).splitlines()
         newer = [
             ",".join(sorted(set(n.split(",")) - set(o.split(",")))) for n, o in zip(here, (kinds, filters), strict=True)
         ]
@@ -115,7 +116,7 @@ def one_round(count: int, mode: str) -> Figures:
 
 
 def adopt_orphans() -> None:
-    """Become the parent of what outlives its own, as the server of workers does; else its time is lost. Linux alone can."""
+    """Become the parent of what outlives its own, as workers do their server, or its time is lost; on Linux alone."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(SUBREAPER, 1, 0, 0, 0)
 

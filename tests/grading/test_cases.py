@@ -166,7 +166,20 @@ def test_what_earns_nothing_and_hits_nothing(answer: str) -> None:
         (r"\sin(30)", 0.5, "", "wrong"),
         (r"5\text{ N m}", 5, "J", "correct"),
         (r"9.8 \text{ furlongs}", 9.8, "m", "unreadable"),
-        ("1 h 30 min", 5400, "s", "unreadable"),
+        ("1 h 30 min", 5400, "s", "correct"),
+        ("1 h 30 min", 3600, "s", "wrong"),
+        ("1 h 1 min", 3600, "s", "unreadable"),
+        ("1 m 20 cm", 1.2, "m", "correct"),
+        (r"-1\,\text{m}\,20\,\text{cm}", -1.2, "m", "correct"),
+        ("1.5 m 20 cm", 1.7, "m", "unreadable"),
+        ("20 cm 1 m", 1.2, "m", "unreadable"),
+        ("1 m 120 cm", 2.2, "m", "unreadable"),
+        ("1 m 20 s", 1.2, "m", "unreadable"),
+        ("36 kph", 10, "m/s", "correct"),
+        ("9.8 (in m/s²)", 9.8, "m/s^2", "correct"),
+        (r"9.8\text{ in m/s}^2", 9.8, "m/s^2", "correct"),
+        ("9.8 (in m)", 9.8, "m/s^2", "wrong unit"),
+        ("9.8 in", 9.8, "m", "unreadable"),
         ("1.5 x 10^3 N", 1500, "N", "correct"),
         (r"1\text{ au}", 1.496e11, "m", "correct"),
         (r"1\text{ yr}", 3.156e7, "s", "correct"),
@@ -258,6 +271,23 @@ def test_number_refuses_what_cannot_be_graded(bad: dict[str, object]) -> None:
 )
 def test_formula_policy(answer: str, reference: str, outcome: str) -> None:
     assert drawn(answer, reference).outcome == outcome
+
+
+@pytest.mark.parametrize(
+    ("answer", "reference", "here"),
+    [
+        (r"mg\cdot 3+19.6(h-3)", "mgh", {"m": 2.0, "g": 9.8, "h": 3.0}),
+        ("|m_2-m_1|g", "(m_2-m_1)g", {"m_1": 1.0, "m_2": 3.0, "g": 9.8}),
+        ("|m_2-m_1|g", "(m_2-m_1)g", {"m_1": 1.0, "m_2": 12.0, "g": 9.8}),
+        (r"g\theta", r"g\sin\theta", {"g": 9.8, "theta": 0.001}),
+        (r"g\tan\theta", r"g\sin\theta", {"g": 9.8, "theta": 0.001}),
+    ],
+)
+def test_what_holds_near_the_numbers_of_one_item_only(answer: str, reference: str, here: dict[str, float]) -> None:
+    """Fresh values move all symbols at once, and far enough that a difference changes its sign."""
+    for bindings in (here, None):
+        assert not drawn(answer, reference, bindings).reward
+        assert drawn(reference, reference, bindings).reward
 
 
 def test_e_is_a_symbol_where_the_table_has_it() -> None:

@@ -84,6 +84,16 @@ def test_the_same_again_must_agree() -> None:
     assert boxed(r"3.2\text{ m/s }(3.2\text{ kg})", 3.2).outcome == Outcome.WRONG
 
 
+def test_a_magnitude_with_its_direction_may_stand_behind_a_signed_value() -> None:
+    for positive in ("up", ""):
+        assert boxed(r"-3.2\text{ m/s (i.e., }3.2\text{ m/s downward)}", -3.2, positive).reward
+    assert boxed("-3.2 m/s (3.2 m/s upward)", -3.2, "up").outcome == Outcome.WRONG
+    assert boxed("3.2 m/s (3.2 m/s downward)", 3.2, "up").outcome == Outcome.WRONG
+    assert boxed("3.2 m/s downward (-3.2 m/s)", -3.2, "up").reward
+    assert boxed("-3.2 m/s (3.2 m/s)", -3.2, "up").outcome == Outcome.WRONG
+    assert boxed("-3.2 m/s (4 m/s downward)", -3.2).outcome == Outcome.WRONG
+
+
 @pytest.mark.parametrize(
     ("positive", "ahead", "back"),
     [

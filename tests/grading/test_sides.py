@@ -51,12 +51,53 @@ def test_sides_in_numbers_that_agree(before: str) -> None:
     assert not boxed(rf"a = 2\cdot {before} = 9.8\text{{ m/s}}^2").reward
 
 
-@pytest.mark.parametrize(
-    "name", ["a", "a_A", "a_{x=2}", "|a|", r"\vec{a}'", "a(2)", r"\ddot x", r"\Delta v", "a^*", "ma"]
-)
+@pytest.mark.parametrize("name", ["a", "a_A", "a_{x=2}", "|a|", r"\vec{a}'", "a(2)", r"\ddot x", r"\Delta v", "a^*"])
 def test_names(name: str) -> None:
     assert boxed(f"{name} = 9.8").reward
     assert boxed(f"{name} = 4.9").outcome == Outcome.WRONG
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *(f"the {word} of the acceleration" for word in ("square", "cube", "sine", "cosine", "logarithm", "root")),
+        *(
+            "one third of the acceleration",
+            "two tenths of it",
+            "sum of the accelerations",
+            "ratio of the accelerations",
+        ),
+        *("acceleration times mass", "acceleration per mass", "mean square acceleration", "rate of the acceleration"),
+    ],
+)
+def test_words_that_make_another_quantity(name: str) -> None:
+    for said in (rf"\text{{{name} is }}9.8", rf"\text{{{name}}} = 9.8", rf"\text{{{name}: }}9.8"):
+        assert not boxed(said).reward
+
+
+def test_words_that_name_a_thing_are_no_operations() -> None:
+    for name in ("acceleration of the cube", "acceleration of the third block", "Block A", "For block A"):
+        assert boxed(rf"\text{{{name}: }}9.8").reward
+    assert not boxed(r"\text{Block B: }4.9, \text{ Block A: }9.8").reward
+    assert not boxed(r"\text{acceleration}^2 = 9.8").reward
+
+
+@pytest.mark.parametrize("product", ["xy", "ma", "m a", r"v \cdot t", "mgh"])
+def test_a_product_with_another_dimension_is_no_name(product: str) -> None:
+    assert boxed(f"{product} = 9.8").outcome == Outcome.UNREADABLE
+    assert boxed(f"a = {product} = 9.8").reward
+
+
+def test_a_product_with_the_asked_dimension_is_a_step() -> None:
+    assert boxed("mgh = 9.8", unit="J").reward
+    assert boxed("ma = 9.8", unit="N").reward
+    assert boxed("kq = 9.8", unit="N").reward, "letters that may be anything"
+
+
+def test_a_condition_in_numbers_could_be_an_answer() -> None:
+    assert boxed(r"\text{for }12, 9.8").outcome == Outcome.UNREADABLE
+    assert boxed(r"\text{at }t = 12, 9.8").reward
+    assert boxed(r"\text{for block 12, }9.8").reward
 
 
 @pytest.mark.parametrize("joint", [r"\Rightarrow", r"\implies", r"\text{ so }", ",", r"\therefore", "⇒"])

@@ -16,7 +16,7 @@ from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.number import number
 from sim2reason.grading.parser import parse
-from sim2reason.grading.points import POINTS, Bindings, Ranges, drawn, sound
+from sim2reason.grading.points import POINTS, Bindings, Ranges, drawn, sound, turned
 from sim2reason.grading.remarks import Direction
 from sim2reason.grading.score import Outcome, Refused, Score
 from sim2reason.grading.sides import Statement, flattened, is_signed, statement, unwrapped
@@ -118,6 +118,9 @@ def _truth(
         raise FormulaError(f"the reference {reference!r} has no value at its bindings")
     held = sound(node, bindings)
     fresh = sound(node, list(drawn(node, table, bindings, ranges, reference)))
+    signs = {value > 0 for _, value in (*held, *fresh)}
+    if bindings and len(signs) == 1 and (signed or len(bindings) < POINTS):
+        fresh += sound(node, turned(node, table, bindings, 1.0 if True in signs else -1.0, reference))
     if len(bindings) < POINTS:
         return _kept(reference, table, [*held, *fresh])
     if not signed:  # where a magnitude comes out negative, its formula does not hold

@@ -8,7 +8,7 @@ from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
 from sim2reason.grading.unit_spelling import is_unit
 
-__all__ = ["check", "has_numbers", "is_bare", "is_change", "is_compound", "is_name", "is_plain", "names"]
+__all__ = ["check", "has_numbers", "is_bare", "is_change", "is_compound", "is_name", "is_plain", "is_pure", "names"]
 
 _QUANTITY_WORDS: Final = """
     answer result solution value speed velocity acceleration deceleration retardation force tension thrust weight mass
@@ -24,7 +24,8 @@ _DENYING: Final = """
     no not never nor neither none nothing but except excluding without unlike wrong false incorrect untrue isn aren wasn
     cannot most least exceeds exceeding maybe perhaps possibly either or nearly almost hardly instead rather anything
     everything unequal differs different isnt doesnt non negative minus negated inverse reciprocal half twice double
-    thrice squared cubed root
+    thrice squared cubed root sine cosine cotangent secant cosecant logarithm logarithmic exponential derivative
+    integral times plus divided multiplied added subtracted
 """
 _DENIALS: Final = frozenset(_DENYING.split())
 _COMPARING: Final = """
@@ -32,6 +33,16 @@ _COMPARING: Final = """
     opposite
 """
 _COMPARISONS: Final = frozenset(_COMPARING.split())  # deny at the end and before *than*; else tell one from another
+_CHANGING: Final = """
+    square cube sine cosine tangent secant log exponent third quarter fifth tenth hundredth sum product quotient
+    difference percentage percent multiple rate logarithm
+"""
+_OPERATIONS: Final = frozenset(_CHANGING.split())  # make another quantity of what follows *of*; else name a thing
+_PURE: Final = frozenset({"ratio", "fraction", "efficiency"})  # of anything, pure numbers
+_OBJECTS: Final = frozenset(
+    {"block", "body", "cart", "ball", "bob", "car", "disc", "disk", "object", "particle", "case"}
+)
+_LEADING: Final = frozenset({"for", "the", "of", "in"})  # before an object
 _CHANGES: Final = frozenset({"delta", "Delta", "δ", "Δ", "d", "Sigma", "Σ"})
 _NAMES: Final = frozenset({"word", "symbol"})
 _NUMBERS: Final = frozenset({"number", "part", "constant"})
@@ -109,7 +120,7 @@ def _words(side: Sequence[Token]) -> list[Token]:
 def is_bare(side: Sequence[Token]) -> bool:
     """Whether a side is one name, with marks, bars and what it depends on: ``|v_A'|``, ``v(2)``, *speed of A*."""
     if words := _words(side):
-        return not has_numbers(side) or _is_called(side, words)
+        return not _is_power(side) and (not has_numbers(side) or _is_called(side, words))
     outside = _outside(side) or list(side)
     kinds = {token.kind for token in outside}
     if kinds & {"minus", "dash", "plus", "slash", "fraction", "root", "number", "part", "script", "over", "function"}:
@@ -141,7 +152,7 @@ def is_name(side: Sequence[Token]) -> bool:
     if not side or has_numbers(side):
         return False
     words = _words(side)
-    return _names_quantity(words) if words else is_bare(side)
+    return (_names_quantity(words) or _names_object(side, words)) if words else is_bare(side)
 
 
 def _names_quantity(words: Sequence[Token]) -> bool:
@@ -150,11 +161,23 @@ def _names_quantity(words: Sequence[Token]) -> bool:
     return bool(singular & _QUANTITIES) and _denial(words) is None
 
 
+def _names_object(side: Sequence[Token], words: Sequence[Token]) -> bool:
+    """Whether a side names nothing but an object, which has what is asked: *Block A*."""
+    lowered = [word.text.lower() for word in words]
+    others = [token for token in side if token not in words]
+    plain = all(token.kind in _NAMES and len(token.text) == 1 for token in others) and len(others) <= 1
+    return plain and bool(lowered) and lowered[-1] in _OBJECTS and set(lowered[:-1]) <= _LEADING
+
+
 def _denial(words: Sequence[Token]) -> Token | None:
     """The first word that keeps a side from being equal to what it names."""
-    for word, following in zip(words, [*words[1:], None], strict=False):
-        compares = word.text.lower() in _COMPARISONS and (following is None or following.text.lower() == "than")
-        if compares or word.text.lower() in _DENIALS:
+    lowered = ["", *(word.text.lower() for word in words), ""]
+    for at, word in enumerate(words, 1):
+        before, name, after = lowered[at - 1 : at + 2]
+        compares = name in _COMPARISONS and after in {"", "than"}
+        changes = name.removesuffix("s") in _OPERATIONS and after == "of"
+        divides = name == "per" and not is_unit(words[at].text if at < len(words) else "")
+        if compares or changes or divides or name in _DENIALS or (before, name) == ("mean", "square"):
             return word
     return None
 
@@ -162,7 +185,8 @@ def _denial(words: Sequence[Token]) -> Token | None:
 def _is_called(side: Sequence[Token], words: Sequence[Token]) -> bool:
     """Whether a side with numbers is a name in words all the same: *speed of block 1*."""
     inside = [token for token in side if token.kind not in {"open", "close"}]
-    return inside[0] is words[0] and _names_quantity(words) and all(token.kind not in _OPERATORS for token in inside)
+    called = inside[0] is words[0] and _names_quantity(words) and not _is_power(side)
+    return called and all(token.kind not in _OPERATORS for token in inside)
 
 
 def check(sides: Sequence[Sequence[Token]]) -> None:
@@ -176,7 +200,7 @@ def check(sides: Sequence[Sequence[Token]]) -> None:
             stranger = next((word for word in words if not is_unit(word.text)), None)
             if stranger is not None and not (_is_call(side) or _is_called(side, words)):
                 raise _unreadable(f"{stranger.text!r} stands among numbers and is no unit")
-        elif words and not _names_quantity(words):
+        elif words and (_is_power(side) or not (_names_quantity(words) or _names_object(side, words))):
             raise _unreadable(f"{words[0].text!r} is no word for a quantity that is known here")
 
 
@@ -196,3 +220,8 @@ def is_plain(side: Sequence[Token]) -> bool:
     """Whether a side begins with a number and has no operator: a value with its unit, if it can be read."""
     first = 1 if len(side) > 1 and side[0].kind in _SIGNS else 0
     return side[first].kind == "number" and all(token.kind not in _OPERATORS for token in side[first + 1 :])
+
+
+def is_pure(side: Sequence[Token]) -> bool:
+    """Whether the words on a side name a pure number."""
+    return any(word.text.lower() in _PURE for word in _words(side))

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from sim2reason.dsl.units import Dimension, Unit, UnitError, parse_unit
 from sim2reason.grading import arithmetic, labels, remarks
+from sim2reason.grading.compound import smaller_part
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.left_units import unit_on_left
 from sim2reason.grading.lenient import last_quantity
@@ -18,6 +19,7 @@ from sim2reason.grading.sides import Statement, flattened, is_signed, statement,
 from sim2reason.grading.spelling import balanced, spelled
 from sim2reason.grading.tokens import Token, tokenize
 from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.grading.usual_symbols import may_be
 
 __all__ = ["number"]
 
@@ -33,6 +35,11 @@ class _Quantity(NamedTuple):
     unit: Unit | None = None
     signed: bool = False
     remark: Remark = _NO_REMARK
+
+    def signed_by(self, positive: str, *, below_zero: bool) -> "_Quantity":
+        """With the sign that its directions give it; `Refused` where they should and can't."""
+        sign = remarks.sign_for(self.remark.directions, positive, written=self.signed, below_zero=below_zero)
+        return self._replace(value=sign * self.value)
 
 
 def number(
@@ -63,8 +70,9 @@ def number(
     asked = None if unit is None else parse_unit(unit)
     try:
         said = _answer(response, asked, lenient=lenient)
-        sign = remarks.sign_for(said.remark.directions, positive, written=said.signed, below_zero=reference < 0)
-        return _judge(sign * said.value, said.unit, reference, asked, tolerance)
+        signed = said.signed_by(positive, below_zero=reference < 0)
+        _check_again(said, signed, asked, positive)
+        return _judge(signed.value, said.unit, reference, asked, tolerance)
     except Refused as refused:
         return refused.score
 
@@ -103,13 +111,19 @@ def _stated(content: str, asked: Unit | None) -> _Quantity:
 
 def _quantity(content: str, tokens: Sequence[Token], asked: Unit | None) -> _Quantity:
     node, taken, refusal = parse(tokens, unit_follows=True)
-    unit, remark = None, _NO_REMARK
-    if taken < len(tokens):
-        tail = balanced(content[tokens[taken].begin : tokens[-1].finish])
-        unit, remark = _behind(tail, asked, refusal)
     value = arithmetic.value(node, {})
     if value is None:
         raise Refused(Outcome.WRONG, "the value is not a finite real number")
+    unit, remark = None, _NO_REMARK
+    if taken < len(tokens):
+        tail = balanced(content[tokens[taken].begin : tokens[-1].finish])
+        try:
+            unit, remark = _behind(tail, asked, refusal)
+        except Refused:
+            two = smaller_part(tokens[taken - 1].text, tail, asked) if taken <= 2 else None
+            if two is None:
+                raise
+            unit, value = two[0], value + math.copysign(two[1], value)
     return _Quantity(value, unit, is_signed(tokens) or value < 0, remark)
 
 
@@ -134,7 +148,7 @@ def _behind(tail: str, asked: Unit | None, refusal: Refused | None) -> tuple[Uni
 
 
 def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) -> None:
-    """Refuse where a side in numbers, or the same value in brackets, says something else."""
+    """Refuse where a side in numbers says something else."""
     for side in map(unwrapped, said.before):
         shown = content[side[0].begin : side[-1].finish]
         try:
@@ -144,12 +158,33 @@ def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) 
             raise Refused(Outcome.UNREADABLE, f"{shown!r} before the value: {refused.why}") from refused
         if claim is None:
             said.refuse_unsolved(side)
+            _refuse_others(shown, said, side, asked)
         elif not _agree(claim, found, asked):
             raise Refused(Outcome.WRONG, f"{shown!r} does not agree with the value behind it")
-    for text in found.remark.again:
+
+
+def _check_again(said: _Quantity, signed: _Quantity, asked: Unit | None, positive: str) -> None:
+    """Refuse where brackets say another value; a magnitude with a direction may stand there for a signed one."""
+    for text in said.remark.again:
         again = _quantity(text, statement(flattened(tokenize(text, frozenset()))).value, asked)
-        if not _agree(again, found, asked):
+        told = again.remark.directions and not again.signed
+        if told and positive:
+            agrees = _agree(again.signed_by(positive, below_zero=False), signed, asked)
+        elif told:
+            agrees = _agree(again, said._replace(value=abs(said.value)), asked)
+        else:
+            agrees = _agree(again, signed if again.signed else said, asked)
+        if not agrees:
             raise Refused(Outcome.WRONG, f"{text!r} in brackets does not agree with the value before it")
+
+
+def _refuse_others(shown: str, said: Statement, side: Sequence[Token], asked: Unit | None) -> None:
+    """Refuse a side that is another quantity than the asked one."""
+    if asked is None:
+        return
+    pure = any(asked.dimension) and labels.is_pure(side)
+    if pure or not (said.named or may_be(side, asked)):
+        raise Refused(Outcome.UNREADABLE, f"{shown!r} before the value is no quantity in {asked.display or 'numbers'}")
 
 
 def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:

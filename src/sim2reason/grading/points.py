@@ -9,13 +9,15 @@ from typing import Final
 from sim2reason.grading import arithmetic
 from sim2reason.grading.arithmetic import Node
 
-__all__ = ["POINTS", "Bindings", "Ranges", "drawn", "sound"]
+__all__ = ["POINTS", "Bindings", "Ranges", "drawn", "sound", "turned"]
 
 POINTS: Final = 8
 TRIES: Final = 128
 USUAL: Final = 0.2, 1.5  # all alike and positive, as physical quantities are; angles acute
 WIDE: Final = 1e-3, 5.0  # over decades, where one part of a formula outweighs the others
 AROUND: Final = 3.0  # the largest factor by which a given value is moved
+AFAR: Final = 20.0  # where a sign is looked for that the given values do not have
+FAR_TRIES, TURNED = 24, 2
 RIGHT_ANGLE: Final = math.pi / 2
 STEP: Final = 1e-9
 STEEPEST: Final = 1e4  # of the relative change of a value to that of its symbols: beyond, its digits are lost
@@ -46,6 +48,13 @@ def drawn(
         yield from _valued(node, (_within(ends, seed, attempt, low) for attempt in range(TRIES)))
 
 
+def turned(node: Node, table: Collection[str], given: Sequence[Bindings], sign: float, seed: str) -> list[Bindings]:
+    """Points farther away where the reference has the other sign, if there are: there a magnitude shows."""
+    names = sorted(table)
+    far = (_around(given[attempt % len(given)], names, seed, POINTS + attempt, AFAR) for attempt in range(FAR_TRIES))
+    return list(islice((point for point in far if (arithmetic.value(node, point) or 0.0) * sign < 0.0), TURNED))
+
+
 def _valued(node: Node, points: Iterator[Bindings]) -> Iterator[Bindings]:
     return islice((point for point in points if sound(node, [point])), POINTS)
 
@@ -70,14 +79,14 @@ def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
     return point
 
 
-def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int) -> Bindings:
+def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = AROUND) -> Bindings:
     """All of a point moved at once, each by a factor; an acute angle up to a right one, and zero to something."""
     point: dict[str, float] = {}
     for name in names:
         value, share = given[name], _share(seed, attempt, name)
         acute = _is_angle(name) and 0 < value < RIGHT_ANGLE
-        most = 0.99 * RIGHT_ANGLE / value if acute else AROUND
-        point[name] = value / AROUND * (most * AROUND) ** share if value else share
+        most = 0.99 * RIGHT_ANGLE / value if acute else far
+        point[name] = value / far * (most * far) ** share if value else share
     return point
 
 

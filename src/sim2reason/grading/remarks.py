@@ -21,6 +21,7 @@ __all__ = [
     "cut",
     "direction_of",
     "is_blank",
+    "printed",
     "read",
     "sign_for",
 ]
@@ -128,7 +129,7 @@ def cut(tail: str) -> tuple[str, str]:
 
 def _remarks(inside: str) -> bool:
     """Whether a bracket holds a remark and no unit."""
-    plain = _plain(inside).lstrip()
+    plain = printed(inside).lstrip()
     word = re.match(r"[A-Za-zµΩ]+|[-−+≈=0-9]|\\approx", plain)
     if word is None or plain.startswith("1/"):
         return False
@@ -137,10 +138,11 @@ def _remarks(inside: str) -> bool:
 
 def is_blank(text: str) -> bool:
     """Whether nothing is left of a text without its braces, spaces and full stops."""
-    return not _plain(text).strip(" \t\n.")
+    return not printed(text).strip(" \t\n.")
 
 
-def _plain(text: str) -> str:
+def printed(text: str) -> str:
+    """A text without the commands and signs that print does not show, with spaces in their place."""
     return _WRAPPER.sub(" ", text)
 
 
@@ -152,7 +154,7 @@ def read(text: str) -> Remark:
     directions: list[Direction] = []
     again: list[str] = []
     for bracket, piece in _pieces(text):
-        plain = _plain(piece).strip(" \t\n.:")
+        plain = printed(piece).strip(" \t\n.:")
         if not plain:
             continue
         if bracket and re.match(r"[-−+0-9\\.]", bare := _AGAIN.sub("", plain, count=1)) and not _accuracy(plain):
@@ -205,7 +207,7 @@ def _lowered(plain: str) -> list[str]:
 
 def direction_of(text: str) -> Direction | None:
     """The one direction that words speak of; None if there is none, or more than one."""
-    words = _lowered(_plain(text))
+    words = _lowered(printed(text))
     found = {_WAYS[word] for word in words if word in _WAYS} | {_AXES[word] for word in words if word in _AXES}
     return Direction(*found.pop()) if len(found) == 1 else None
 

@@ -20,6 +20,7 @@ _SPECIAL: Final = frozenset({"relation", "hedge", "soft", "arrow", "step", "colo
 _STEPS: Final = frozenset({"so", "hence", "thus", "therefore", "thereby"})
 _SAYS: Final = frozenset({"is", "equals", "was"})
 _CONDITIONS: Final = frozenset({"at", "when", "for", "after", "with", "given", "from", "since"})
+_NUMERIC: Final = frozenset({"number", "part", "plus", "minus", "dash", "slash", "times"})
 _SEPARATORS: Final = (",", ";", "\\", "&")
 
 Tokens = list[Token]
@@ -162,6 +163,8 @@ def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> None:
     """Refuse an earlier statement that is another answer; a condition, or an equation to be solved, is none."""
     if tokens[0].kind == "word" and tokens[0].text.lower() in _CONDITIONS:
         given = _sides(tokens[1:])[0][0]
+        if given and all(token.kind in _NUMERIC for token in given):
+            raise _unreadable("a condition in numbers names nothing, and could be an answer")
         if name and labels.is_bare(given) and labels.names(given)[:1] == labels.names(name)[:1]:
             raise _unreadable("what is asked has a value in a condition, too")
         return
@@ -188,7 +191,7 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
     if named and relations[-1].text == "~" and labels.has_numbers(named[-1]):
         raise Refused(Outcome.WRONG, "a range is not one value")
     labels.check(named)
-    claims = tuple(side for side in named if labels.has_numbers(side) or len(side) > 1)
+    claims = tuple(side for side in named if labels.has_numbers(side) or len(side) > 1 or len(labels.names(side)) > 1)
     return Statement(
         value, claims, _doubt(value), bool(relations) and relations[-1].text == "≈", any(map(labels.is_bare, named))
     )

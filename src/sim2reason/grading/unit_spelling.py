@@ -38,6 +38,8 @@ _REWRITTEN: Final = tuple(
         (r"(?<=[A-Za-z])(-?[1-4])(?![0-9])", r"^{\1}"),
         (r"(?<![A-Za-z])K[gG]s?(?![A-Za-z])|(?<![A-Za-z])kgs(?![A-Za-z])", "kg"),
         (r"(?<![A-Za-z])(sec|min|hr)s?\.", r"\1"),
+        (r"(?<![A-Za-z])kmph(?![A-Za-z])|(?<![A-Za-z])kph(?![A-Za-z])", "km/h"),
+        (r"\A((?:[\s~({]|\\[ ,;:!]|\\text(?![A-Za-z]))*)in(?=[\s~\\]+[^\s~\\(){}])", r"\1 "),
     )
 )
 _STRAY: Final = re.compile(r"(?:^|[\s}·*])1(?!\s*[/}])")
