@@ -7,7 +7,7 @@ workers, their CPU time included; scenes by the exact engine alone; the first it
 With a mode, its items alone.
 
 With --against, items of the recipes that the commit has, made by both trees turn about: of all kinds of question and by
-all filters, of those kinds only that the commit has, and by those filters only, too.
+all filters, and where this tree has more, of those kinds only that the commit has, by those filters only, and both.
 """
 
 import ctypes
@@ -81,12 +81,13 @@ def beside(commit: str, count: int, mode: str, rounds: int) -> None:
             ",".join(sorted(set(n.split(",")) - set(o.split(",")))) for n, o in zip(here, (kinds, filters), strict=True)
         ]
         plain = ["-c", LOOP, str(count), mode, recipes]
-        orders = {
-            commit: (tree, [*plain, "", ""]),
-            "this tree": (ROOT, [*plain, "", ""]),
-            "same kinds": (ROOT, [*plain, newer[0], ""]),
-            "same kinds and filters": (ROOT, [*plain, *newer]),
-        }
+        orders = {commit: (tree, [*plain, "", ""]), "this tree": (ROOT, [*plain, "", ""])}
+        if newer[0]:
+            orders["same kinds"] = ROOT, [*plain, newer[0], ""]
+        if newer[1]:
+            orders["same filters"] = ROOT, [*plain, "", newer[1]]
+        if all(newer):
+            orders["same kinds and filters"] = ROOT, [*plain, *newer]
         print(f"recipes {recipes}; kinds {kinds}; filters {filters}")
         compare(orders, rounds)
 

@@ -45,6 +45,7 @@ class Study:
         self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
         self._readings: dict[str, Study | None] = {}
         self._known: dict[Hashable, object] = {}
+        self._scenes: dict[tuple[tuple[str, float], ...], Scene | None] = {}
 
     @classmethod
     def of(cls, scene: Scene, times: Array) -> Self:
@@ -75,11 +76,18 @@ class Study:
 
     def with_values(self, values: Mapping[str, float], until: float | None = None) -> "Study | None":
         """The motion with other values at some addresses of the scene, until a time, s; None if there is none."""
-        try:
-            scene = self.scene.having_all(values)
-        except (SceneError, ValueError):
-            return None
-        return self.variant(scene, until)
+        scene = self._having(values)
+        return None if scene is None else self.variant(scene, until)
+
+    def _having(self, values: Mapping[str, float]) -> Scene | None:
+        """The scene with other values, or None if there is none; several filters ask for the same ones."""
+        key = tuple(values.items())
+        if key not in self._scenes:
+            try:
+                self._scenes[key] = self.scene.having_all(values)
+            except (SceneError, ValueError):
+                self._scenes[key] = None
+        return self._scenes[key]
 
     def changed(self, name: Hashable, change: Change, until: float | None = None) -> "Study | None":
         """The scene with its mechanism changed, and the motion of that; `name` is that of the change among all."""
