@@ -1,5 +1,6 @@
 """What commands and signs mean in an answer: the closed vocabulary of the tokenizer."""
 
+import re
 from typing import Final
 
 __all__ = [
@@ -9,10 +10,14 @@ __all__ = [
     "GREEK",
     "GREEK_NAMES",
     "HEDGES",
+    "LAYOUT",
     "SCRIPTS",
     "SIGNS",
     "SOFT_HEDGES",
+    "SPACES",
+    "SWITCHES",
     "VARIANTS",
+    "either",
 ]
 
 _ELEMENTARY: Final = """
@@ -97,6 +102,25 @@ SIGNS: Final = {
     "∞": ("constant", "inf"),
     "π": ("constant", "pi"),
 }
+_FONT: Final = """
+    rm bf it sf tt sc bfseries normalfont upshape itshape boldmath
+"""
+_PASSED: Final = """
+    quad qquad thinspace displaystyle textstyle left right rm bf it
+"""
+_LAID_OUT: Final = """
+    enspace enskip medspace thickspace nobreakspace normalsize small large Large LARGE huge Huge scriptstyle limits
+    mathstrut strut centering nonumber notag middle allowbreak
+"""
+SWITCHES: Final = tuple(_FONT.split())  # of the font, up to the next brace
+SPACES: Final = tuple(_PASSED.split())  # what the tokenizer passes over
+LAYOUT: Final = (*_LAID_OUT.split(), *(name for name in SWITCHES if name not in SPACES))  # rarer: taken out before
 HEDGES: Final = frozenset({"or", "either", "versus", "vs"})
 SOFT_HEDGES: Final = frozenset({"and", "to", "between", "through"})  # a list between numbers, harmless in words
 CLOSES: Final = {"(": ")", "[": "]", "{": "}", "\\{": "\\}"}
+
+
+def either(kind: str, text: str = "") -> str:
+    """A pattern for the names of the commands of one kind, or of those that also mean one thing."""
+    names = (name for name, (is_of, means) in COMMANDS.items() if is_of.split()[0] == kind and text in {"", means})
+    return "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from sim2reason.grading.alphabet import COMMANDS, SIGNS, SPACES, either
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.unit_spelling import is_unit
 
@@ -72,15 +73,11 @@ STARTERS: Final = _WORDS | {"counter", "anti"} - {"is", "it", "this", "that", "w
 _ALTERNATIVES: Final = frozenset({"or", "and", "either", "not"})
 
 _BREAK: Final = re.compile(
-    r"(?P<comma>(?<!\\)[,;])|(?P<bracket>[(\[])|(?P<arrow>\\(?:up|down|left|right|longleft|longright)arrow(?![A-Za-z])"
-    r"|\\to(?![A-Za-z])|[→←↑↓])|(?P<word>(?<![\\A-Za-z])[A-Za-z]{2,})"
+    rf"(?P<comma>(?<!\\)[,;])|(?P<bracket>[(\[])|(?P<arrow>\\(?:{either('arrow')})(?![A-Za-z])|[→←↑↓])"
+    r"|(?P<word>(?<![\\A-Za-z])[A-Za-z]{2,})"
 )
-_WRAPPER: Final = re.compile(
-    r"\\(?:text(?:rm|up|normal|sf|bf|it|tt)?|math(?:rm|bf|sf|it)|mbox|emph|bm|boldsymbol|left|right|rm|bf|it|q?quad)"
-    r"(?![A-Za-z])|[{}$~]|\\[ ,;:!>]"
-)
-_ARROWS: Final = re.compile(r"\\(?:long)?(up|down|left|right)arrow|\\to(?![A-Za-z])|([→←↑↓])")
-_ARROW_SIGNS: Final = {"→": "right", "←": "left", "↑": "up", "↓": "down", "": "right"}
+_WRAPPER: Final = re.compile(rf"\\(?:{either('open', '{')}|{'|'.join(SPACES)})(?![A-Za-z])|[{{}}$~]|\\[ ,;:!>]")
+_ARROWS: Final = re.compile(rf"\\({either('arrow')})(?![A-Za-z])|([→←↑↓])")
 _COUNT: Final = r"(?:[0-9]{1,2}|one|two|three|four|five|six)"
 _ACCURACY: Final = re.compile(
     rf"(?:(?:rounded|correct|given|accurate)\s+)?(?:to\s+)?{_COUNT}[\s-]*(?:s\.?\s?f\.?|sig(?:nificant)?\.?[\s-]*"
@@ -198,7 +195,7 @@ def _directions(plain: str) -> list[Direction]:
 
 def _lowered(plain: str) -> list[str]:
     """The words of a phrase, each direction as one of `_WAYS`, an axis that is named alone as *x-axis*."""
-    lowered = _ARROWS.sub(lambda arrow: f" {arrow[1] or _ARROW_SIGNS[arrow[2] or '']} ", plain).lower()
+    lowered = _ARROWS.sub(lambda arrow: f" {(COMMANDS[arrow[1]] if arrow[1] else SIGNS[arrow[2]])[1]} ", plain).lower()
     lowered = re.sub(r"\b(?:counter|anti)[\s-]clockwise\b", "counterclockwise", lowered)
     lowered = _AXIS.sub(lambda axis: f" {'-' if (axis[1] or axis[2]) in 'negative-−–' else '+'}{axis[3]} ", lowered)
     words = (word.strip(".,:;()") for word in re.split(r"[\s/]+", _LETTER_AXIS.sub(r"\1-axis", lowered)))

@@ -8,6 +8,7 @@ import re
 from typing import Final
 
 from sim2reason.grading import siunitx
+from sim2reason.grading.alphabet import LAYOUT, either
 from sim2reason.grading.score import Outcome, Refused
 
 __all__ = ["balanced", "spelled"]
@@ -15,13 +16,9 @@ __all__ = ["balanced", "spelled"]
 _HIDING: Final = re.compile(r"\\(?:[hv]?phantom|smash|[lrc]lap|math[lrc]lap|transparent|opacity)(?![A-Za-z])")
 _USUAL: Final = r"[,;:! ]|(?:frac|times|cdot|text|mathrm|sqrt|approx|left|right|circ|theta|mu|quad)(?![A-Za-z])"
 _TRIGGER: Final = re.compile(rf"[*`$º˚…<&]|\^\s*\{{?\s*(?:o|\\[tm])|tg|\.\.|i\.e|\{{\s*[-−+=}}]|\\(?!{_USUAL})")
-_LAYOUT: Final = (
-    r"enspace|enskip|medspace|thickspace|nobreakspace|normalsize|small|large|Large|LARGE|huge|Huge|scriptstyle|limits"
-    r"|mathstrut|strut|boldmath|bfseries|normalfont|upshape|itshape|sf|tt|sc|centering|nonumber|notag|middle|allowbreak"
-)
 _ALIGNED: Final = r"(?:aligned|align\*?|gathered|gather\*?|equation\*?|split|displaymath|math)"
 _DOTS: Final = r"(?:\\[lc]?dots[cbmio]?(?![A-Za-z])|\.{3}|…)"
-_RELATION: Final = r"(?==|≈|\\(?:approx|simeq|cong|equiv)(?![A-Za-z]))"
+_RELATION: Final = rf"(?==|≈|\\(?:{either('relation', '=')}|{either('relation', '≈')})(?![A-Za-z]))"
 _REWRITTEN: Final = tuple(
     (re.compile(pattern), replacement)
     for pattern, replacement in (
@@ -29,7 +26,7 @@ _REWRITTEN: Final = tuple(
         (r"\\text\s*\{\s*-\s*\}", "-"),
         (r"\\text\s*\{\s*--\s*\}", "–"),
         (r"\\[hm]space\*?\s*\{\s*[0-9.]+\s*(?:mm|cm|pt|em|ex|mu|in)\s*\}", r"\\ "),
-        (rf"\\(?:{_LAYOUT})(?![A-Za-z])", r"\\ "),
+        (rf"\\(?:{'|'.join(LAYOUT)})(?![A-Za-z])", r"\\ "),
         (r"\\[()\[\]]|[$`]", " "),
         (r"\\tag\*?\s*\{[0-9.*]{1,5}\}", " "),
         (rf"\\(?:begin|end)\s*\{{\s*{_ALIGNED}\s*\}}|\\begin\s*\{{array\}}\s*\{{[lcr]\}}|\\end\s*\{{array\}}", " "),
@@ -40,7 +37,7 @@ _REWRITTEN: Final = tuple(
         (r"[º˚]|\\textdegree(?![A-Za-z])", "°"),
         (r"(?<=[0-9})])\s*\^\s*\{?\s*(?:\\(?:text|mathrm)\s*\{\s*)?o\s*\}{0,2}(?![A-Za-z])", "°"),
         (rf"([0-9]\.[0-9]+)\s*{_DOTS}(?!\s*[0-9.])", r"\1"),
-        (r"\\(?:text|mathrm|mbox)\s*\{\s*\}", " "),
+        (rf"\\(?:{either('open', '{')})\s*\{{\s*\}}", " "),
         (r"(?<![A-Za-z])\{\s*\}", ""),
         (r"(?<![A-Za-z^_])\{\s*([-−+=]|\\cdot|\\times)\s*\}", r"\1 "),
     )

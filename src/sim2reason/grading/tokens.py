@@ -18,6 +18,7 @@ from sim2reason.grading.alphabet import (
     SCRIPTS,
     SIGNS,
     SOFT_HEDGES,
+    SPACES,
     VARIANTS,
 )
 from sim2reason.grading.score import Outcome, Refused
@@ -44,9 +45,7 @@ class Token(NamedTuple):
     label: str = ""
 
 
-_SPACE = (
-    r"(?:[\s~$]|\\[ ,;:!>]|\\(?:q?quad|thinspace|displaystyle|textstyle|left|right|[bB]igg?[lr]?|rm|bf|it)(?![A-Za-z]))"
-)
+_SPACE = rf"(?:[\s~$]|\\[ ,;:!>]|\\(?:{'|'.join(SPACES)}|[bB]igg?[lr]?)(?![A-Za-z]))"
 _INK: Final = (
     "red|blue|green|black|orange|purple|teal|brown|cyan|magenta|violet|[Gg]ray|navy|ForestGreen|RoyalBlue|maroon"
 )

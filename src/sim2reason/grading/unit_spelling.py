@@ -12,22 +12,20 @@ from functools import lru_cache
 from typing import Final
 
 from sim2reason.dsl.units import Unit, UnitError, parse_unit
+from sim2reason.grading.alphabet import SWITCHES, either
 
 __all__ = ["is_unit", "unit_in"]
 
-_WRAPPERS: Final = (
-    r"\\(?:textbf|textit|textsf|texttt|textsc|textmd|mathbf|mathsf|mathtt|mathit|bm|boldsymbol|emph|underline|hbox"
-    r"|ensuremath|operatorname\*)\s*(?=\{)"
-)
+_WRAPPERS: Final = rf"\\(?:{either('open', '{')}|operatorname\*)\s*(?=\{{)"
 _REWRITTEN: Final = tuple(
     (re.compile(pattern), replacement)
     for pattern, replacement in (
         (_WRAPPERS, r"\\text"),
-        (r"\\(?:bf|sf|tt|it|middle|normalfont)(?![A-Za-z])", " "),
+        (rf"\\(?:{'|'.join((*SWITCHES, 'middle'))})(?![A-Za-z])", " "),
         (r"(?:\^|\*\*)\s*(?:\{\s*)?\\(?:text|mathrm)\s*\{\s*([-−–+]?[0-9])\s*\}(?:\s*\})?", r"^{\1}"),
         (r"(?:\^|\*\*)\s*\(\s*([-−–+]?[0-9])\s*\)", r"^{\1}"),
-        (r"[•∙]|\\(?:bullet|cdotp|ast|star)(?![A-Za-z])", "·"),
-        (r"\\(?:sfrac|nicefrac|tfrac|cfrac)(?![A-Za-z])", r"\\frac"),
+        (rf"[•∙]|\\(?:{either('times')})(?![A-Za-z])", "·"),
+        (rf"\\(?:{either('fraction')})(?![A-Za-z])", r"\\frac"),
         (r"\{([^{}]{1,40})\\over(?![A-Za-z])([^{}]{1,40})\}", r"\\frac{\1}{\2}"),
         (r"(?:\\left\s*|\\big[lr]?\s*)?\[", "("),
         (r"(?:\\right\s*|\\big[lr]?\s*)?\]", ")"),
