@@ -22,6 +22,7 @@ from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import UnknownNameError
+from sim2reason.exports import EXPORTS
 from sim2reason.figures.curves import panels
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.writer import describe
@@ -47,7 +48,7 @@ REGISTRIES: Mapping[str, Registry[Any]] = {
     registry.kind: registry
     for registry in (
         *(ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, FILTERS, CHECKS),
-        *(KINDS, MODES, MOMENTS, FUNCTIONALS, REGIMES),
+        *(KINDS, MODES, MOMENTS, FUNCTIONALS, REGIMES, EXPORTS),
     )
 }
 MEMBERS = [(kind, name) for kind, registry in REGISTRIES.items() for name in registry]

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from sim2reason.dsl.mechanism import Mechanism
     from sim2reason.dsl.scene import Scene
     from sim2reason.errors import Sim2ReasonError
+    from sim2reason.exports.parts.export import export
     from sim2reason.grading import Score
     from sim2reason.parsing import parse_scene
     from sim2reason.prose import describe
@@ -36,6 +37,7 @@ _HOMES = {
     "certify": "simulation.scenes",
     "describe": "prose",
     "dump": "scene_files",
+    "export": "exports.parts.export",
     "generate": "datasets.generate",
     "grade": "datasets.grade",
     "item": "datasets.items",
@@ -58,6 +60,7 @@ __all__ = [
     "certify",
     "describe",
     "dump",
+    "export",
     "generate",
     "grade",
     "item",

@@ -5,7 +5,7 @@ import os
 import time
 from dataclasses import replace
 
-from sim2reason.datasets.item import Answer, Item, Provenance, QueryRecord
+from sim2reason.datasets.item import Answer, Binding, Distractor, FormulaRecord, Item, Provenance, QueryRecord
 from sim2reason.datasets.plan import Made, Request
 
 BAD = 7  # the index of the item that goes wrong
@@ -95,3 +95,39 @@ def one_scene(request: Request) -> Made:
     """Steady, but of one scene, about which each asks something else."""
     made = steady(request)
     return Made(made.item and made.item.model_copy(update={"scene": "scene: {}\n"}), made.rejected)
+
+
+def with_answers(request: Request) -> Made:
+    """Steady, but of all kinds of answers: a weight, a signed component, a count, a formula; with wrong ones."""
+    made = steady(request)
+    if made.item is None:
+        return made
+    value = made.item.answer.value
+    answer, form = [
+        (Answer(value=value, unit="N"), "Give your answer in N, to three significant figures, inside \\boxed{}."),
+        (
+            Answer(value=-value, unit="m/s", sign="up"),
+            "State the answer in m/s to three significant figures, inside \\boxed{}.",
+        ),
+        (Answer(value=float(round(value)), unit=""), "Give your answer as a whole number, inside \\boxed{}."),
+        (_weight(value), "Give your answer in terms of $m$ and $g$, inside \\boxed{}."),
+    ][request.index % 4]
+    wrong = [2.0, 1.02, -1.0, 0.5, 3.0, 0.01][: 1 + request.index % 6]
+    changes = {
+        "prompt": f"A block of mass {value:.4g} kg rests. What is asked? {form}",
+        "answer": answer,
+        "distractors": tuple(
+            Distractor(
+                value=factor * answer.value, simplification=f"times {factor}", reason=f"It is {factor} times that."
+            )
+            for factor in wrong
+            if abs(factor - 1.0) > answer.tolerance
+        ),
+    }
+    return replace(made, item=made.item.model_copy(update=changes))
+
+
+def _weight(value: float) -> Answer:
+    bindings = tuple(Binding(numbers=(m, 9.8), answer=9.8 * m) for m in (value / 9.8, *(0.5 + n for n in range(8))))
+    formula = FormulaRecord(latex="m g", symbols=("m", "g"), units=("kg", "m/s^2"), bindings=bindings)
+    return Answer(value=value, unit="N", formula=formula)

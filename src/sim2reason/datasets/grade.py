@@ -8,11 +8,11 @@ from typing import NamedTuple, cast
 
 from pydantic import BaseModel, JsonValue, ValidationError
 
-from sim2reason.datasets.item import Item
+from sim2reason.datasets.item import Answer, Item
 from sim2reason.errors import DatasetError
 from sim2reason.grading import Outcome, Score, formula, number
 
-__all__ = ["Response", "Tally", "grade", "line", "responses", "tallies"]
+__all__ = ["Response", "Tally", "grade", "grade_answer", "line", "responses", "tallies"]
 
 
 class Response(BaseModel):
@@ -28,7 +28,11 @@ def grade(item: Item, response: object, *, lenient: bool = False) -> Score:
     A direction in place of a sign is read by the item's words for what is positive. `lenient` takes the last number
     where there is no box: for evaluation, never for a reward. No formula is so taken.
     """
-    answer = item.answer
+    return grade_answer(item.answer, response, lenient=lenient)
+
+
+def grade_answer(answer: Answer, response: object, *, lenient: bool = False) -> Score:
+    """The same for whoever holds the answer alone, as the rows of exports do."""
     if answer.formula is not None:
         held = answer.formula
         return formula(response, held.latex, held.points, symbols=held.symbols, positive=answer.sign)

@@ -1,7 +1,8 @@
-"""The reward: numbers with units, and formulas, graded without ever running what they say."""
+"""The reward: numbers with units, formulas and letters, graded without ever running what they say."""
 
+from sim2reason.grading.choice import choice
 from sim2reason.grading.formula import FormulaError, formula
 from sim2reason.grading.number import number
 from sim2reason.grading.score import Outcome, Score
 
-__all__ = ["FormulaError", "Outcome", "Score", "formula", "number"]
+__all__ = ["FormulaError", "Outcome", "Score", "choice", "formula", "number"]

@@ -77,17 +77,23 @@ def parse_prompt(
     Raises:
         TextError: the text means no scene, more than one, or asks nothing that this library asks.
     """
-    form = next((match for pattern in _FORMS if (match := pattern.search(text))), None)
-    if form is None:
-        raise TextError("prompt", "its last sentence does not say how to answer", "end it with one of the known forms")
+    body, unit = without_form(text)
     refused: TextError | None = None
-    for told in in_si(text[: form.start()]):
+    for told in in_si(body):
         for shape, draft in _drafts(told):
             try:
-                return _understood(_stated(draft, given), form[1], shape, rng, given)
+                return _understood(_stated(draft, given), unit, shape, rng, given)
             except TextError as error:
                 refused = error if refused is None or error.place == "prompt" else refused
     raise refused or TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
+
+
+def without_form(text: str) -> tuple[str, str]:
+    """A prompt without its last sentence, and the unit that this sentence asks for; TextError if it is none of ours."""
+    form = next((match for pattern in _FORMS if (match := pattern.search(text))), None)
+    if form is None:
+        raise TextError("prompt", "its last sentence does not say how to answer", "end it with one of the known forms")
+    return text[: form.start()], form[1]
 
 
 def _drafts(text: str) -> Iterator[tuple[str, Draft]]:

@@ -1,0 +1,46 @@
+"""Export a dataset for a library that trains or evaluates models."""
+
+from pathlib import Path
+
+import click
+
+from sim2reason.cli import console
+
+EXAMPLE = """\b
+Example:
+    sim2reason export problems --to hf --out problems-hf
+    sim2reason export problems --to verl --out problems-verl --split train,test
+    sim2reason list exports
+
+The folder holds all that the library needs besides itself and sim2reason; its README.md says how to use it.
+Exit code 0: written; 2: wrong input, or a folder that is not empty.
+"""
+
+
+@click.command("export", epilog=EXAMPLE)
+@click.argument("problems", metavar="OUT", type=click.Path(path_type=Path))
+@click.option("--to", required=True, help="The library or form; see: sim2reason list exports")
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    required=True,
+    help="The folder to be written, a new one.",
+)
+@click.option("--split", default="", help="Splits, separated by commas. [default: all]")
+@click.option("--json", "to_json", is_flag=True, help="For a program to read: {folder, rows, left_out}.")
+def command(problems: Path, to: str, out: Path, split: str, to_json: bool) -> None:
+    """Write the dataset in OUT as another library reads it, into a folder of its own."""
+    from sim2reason.datasets.dataset import Dataset
+    from sim2reason.exports import EXPORTS
+    from sim2reason.exports.parts.export import export
+
+    lacks = EXPORTS[to].lacks
+    with console.progress("problems", len(Dataset(problems))) as advance:
+        done = export(problems, out, to=to, split=console.words(split) if split else (), advance=advance)
+    if to_json:
+        console.as_json({"folder": str(done.folder), "rows": done.rows, "left_out": done.left_out})
+        return
+    console.table(["split", "problems"], list(done.rows.items()))
+    if done.left_out:
+        click.echo(f"{done.left_out} left out: {lacks}")
+    click.echo(f"{sum(done.rows.values())} problems in {out}; how to use them: {out / 'README.md'}")

@@ -1,0 +1,67 @@
+"""Exports: a dataset as the libraries for training and evaluation read it, one file for each."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, ClassVar, NamedTuple, TypeVar
+
+from sim2reason.datasets.item import Item
+from sim2reason.registry import Registry
+
+FILES = Path(__file__).parent / "files"
+Row = Mapping[str, Any]
+Column = type[str] | type[int] | type[float] | list["Column"] | dict[str, "Column"]
+"""What a column of a Parquet file holds: a plain type, a list of one, or a record of several."""
+
+
+class Place(NamedTuple):
+    """Where a row stands: in the file of which split, and how many rows are before it."""
+
+    split: str
+    number: int
+
+
+class Export(ABC):
+    """One library's way to hold problems. All that the rest knows of it stands on its class.
+
+    The folder that is written holds a file of rows for each split, and all that stands in `files`: Python as it is,
+    other texts with ``{split}`` (the one to evaluate on), ``{splits}`` (a list with their rows) and ``{source}``.
+
+    Class data:
+        name: under which it is registered.
+        data: the name of a split's file; ``{split}`` stands for the split.
+        columns: those of a Parquet file; empty for JSON lines.
+        lacks: why `row` leaves an item out, in words; empty where it never does.
+        files: the folder whose content is copied; by default that of its name in ``sim2reason/exports/files``.
+    """
+
+    name: ClassVar[str]
+    data: ClassVar[str] = "data/{split}.jsonl"
+    columns: ClassVar[Mapping[str, Column]] = {}
+    lacks: ClassVar[str] = ""
+    files: ClassVar[Path | None] = None
+
+    @abstractmethod
+    def row(self, item: Item, place: Place) -> Row | None:
+        """What a file says of an item; None to leave it out."""
+
+    @property
+    def folder(self) -> Path:
+        """Where the files lie that are copied beside the data."""
+        return self.files or FILES / self.name
+
+
+def check_data(name: str, member: object) -> None:
+    """Refuse an export all of whose splits would go to one file, with ValueError."""
+    if "{split}" not in getattr(member, "data", ""):
+        raise ValueError(f"exports: {name!r} writes all splits to one file; say {{split}} in its `data`")
+
+
+E = TypeVar("E", bound=Export)
+EXPORTS: Registry[Export] = Registry("exports", check_data)
+
+
+def target(cls: type[E]) -> type[E]:
+    """Enter an export under its name."""
+    EXPORTS.add(cls.name, cls())
+    return cls

@@ -1,0 +1,21 @@
+"""What sim2reason.yaml needs: the problems beside it, and the grade of a response."""
+
+from pathlib import Path
+
+import datasets
+
+from sim2reason.rewards import score
+
+DATA = Path(__file__).resolve().parent / "data"
+
+
+def problems(**settings: object) -> datasets.DatasetDict:
+    """All splits of this folder."""
+    del settings
+    files = {path.stem: str(path) for path in sorted(DATA.glob("*.jsonl"))}
+    return datasets.load_dataset("json", data_files=files)
+
+
+def process_results(doc: dict[str, str], results: list[str]) -> dict[str, float]:
+    """One response to one problem."""
+    return {"accuracy": score(doc["solution"], results[0]).reward}

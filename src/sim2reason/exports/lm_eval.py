@@ -1,0 +1,19 @@
+"""EleutherAI's evaluation harness, lm-eval."""
+
+from sim2reason.datasets.item import Item
+from sim2reason.exports import Export, Place, Row, target
+from sim2reason.exports.parts.messages import facts
+from sim2reason.rewards import answered, boxed, solution
+
+
+@target
+class HarnessTask(Export):
+    """lm-eval: a task in YAML with its Python file."""
+
+    name = "lm-eval"
+
+    def row(self, item: Item, place: Place) -> Row:
+        """A document; the target is what a worked example shows, and `solution` what is graded by."""
+        del place
+        shown = boxed(answered(item))
+        return {"id": item.id, "prompt": item.prompt, "target": shown, "solution": solution(item), **facts(item)}

@@ -1,0 +1,145 @@
+"""Exporting a dataset: from its shards to the folder that another library reads, all of it or nothing."""
+
+import shutil
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sim2reason.datasets.atomic_files import locked, put, put_text, sync
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.errors import DatasetError
+from sim2reason.exports import EXPORTS, Export, Place, Row
+from sim2reason.exports.parts import row_files
+
+EVALUATED = "test", "validation"
+"""The splits to evaluate on, the best first; without them, the last one."""
+
+
+@dataclass(frozen=True)
+class Exported:
+    """What was written, and where."""
+
+    folder: Path
+    rows: dict[str, int]
+    """By split. One without rows has no file."""
+    left_out: int
+    """Items that this format can't hold, which the export says in `lacks`."""
+
+
+def export(
+    problems: Path | str,
+    out: Path | str,
+    *,
+    to: str,
+    split: Sequence[str] = (),
+    advance: Callable[[int], object] = lambda _: None,
+) -> Exported:
+    """Write a dataset as another library reads it: into the folder `out`, which must be new or empty.
+
+    The same dataset gives the same bytes. Shards are read one after the other, and a kill leaves no half of a folder.
+
+    Args:
+        problems: a folder that `generate` has finished.
+        out: the folder to be written.
+        to: the name of an export, as ``sim2reason list exports`` has it.
+        split: those to be written; all by default.
+        advance: called with the number of items that are done.
+
+    Raises:
+        UnknownNameError: no such export.
+        DatasetError: no finished dataset, no such split, no item that fits, or a folder that holds anything.
+    """
+    format_, dataset, folder = EXPORTS[to], Dataset(problems), Path(out)
+    with _replacing(folder) as place:
+        writing = _Writing(format_, dataset, place, advance)
+        rows = {name: writing.split(name) for name in _splits(dataset, (split,) if isinstance(split, str) else split)}
+        rows = {name: count for name, count in rows.items() if count}
+        if not rows:
+            lacking = f": {format_.lacks}" if format_.lacks else ""
+            raise DatasetError(f"{problems}: holds no problem for {to}{lacking}; give another dataset or split")
+        _copy(format_, place, rows, dataset)
+    return Exported(folder, rows, writing.left_out)
+
+
+def _splits(dataset: Dataset, chosen: Sequence[str]) -> list[str]:
+    """The splits to be written, in the dataset's order; DatasetError for one that it lacks."""
+    for name in chosen:
+        dataset.items(name)  # says which splits there are
+    return [name for name in dataset.manifest.config.split if not chosen or name in chosen]
+
+
+@dataclass
+class _Writing:
+    """The writing of one export, with a count of what it leaves out."""
+
+    export: Export
+    dataset: Dataset
+    place: Path
+    advance: Callable[[int], object]
+    left_out: int = field(default=0, init=False)
+
+    def split(self, name: str) -> int:
+        """Write the file of a split and give the number of its rows; one without rows gets none."""
+        path, count = self.place / self.export.data.format(split=name), 0
+
+        def fill(temporary: Path) -> None:
+            nonlocal count
+            count = row_files.write(temporary, self._rows(name), self.export.columns)
+
+        path.parent.mkdir(parents=True, exist_ok=True)
+        put(path, fill, self.place)
+        if not count:
+            path.unlink()
+        return count
+
+    def _rows(self, split: str) -> Iterator[Row]:
+        count = 0
+        for item in self.dataset.items(split):
+            row = self.export.row(item, Place(split, count))
+            if row is None:
+                self.left_out += 1
+            else:
+                yield row
+                count += 1
+            self.advance(1)
+
+
+def _copy(export: Export, place: Path, rows: dict[str, int], dataset: Dataset) -> None:
+    """Put beside the data what else the library needs: Python as it is, other texts with their marks filled in."""
+    counts = "\n".join(f"- `{export.data.format(split=name)}`: {count} problems" for name, count in rows.items())
+    marks = {
+        "{split}": next((name for name in EVALUATED if name in rows), list(rows)[-1]),
+        "{splits}": counts,
+        "{source}": f"configuration {dataset.manifest.config_hash[:12]}",
+    }
+    for source in sorted(path for path in export.folder.rglob("*") if path.is_file() and path.suffix != ".pyc"):
+        text = source.read_text(encoding="utf-8")
+        for mark, value in marks.items() if source.suffix != ".py" else ():
+            text = text.replace(mark, value)
+        path = place / source.relative_to(export.folder)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        put_text(path, text, place)
+
+
+@contextmanager
+def _replacing(folder: Path) -> Generator[Path, None, None]:
+    """A folder beside `folder` that takes its name when the block ends well, and is removed when it doesn't."""
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise DatasetError(f"{folder}: is there already, and nothing is overwritten; give a new folder or remove it")
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    place = folder.resolve().with_name(f".{folder.resolve().name}.export")
+    place.mkdir(exist_ok=True)
+    with locked(place):
+        try:
+            _clear(place)  # what a kill has left
+            yield place
+            place.replace(folder.resolve())
+            sync(folder.resolve().parent)
+        finally:
+            shutil.rmtree(place, ignore_errors=True)
+
+
+def _clear(place: Path) -> None:
+    for path in place.iterdir():
+        shutil.rmtree(path) if path.is_dir() else path.unlink()

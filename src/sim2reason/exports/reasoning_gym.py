@@ -1,0 +1,19 @@
+"""Reasoning Gym."""
+
+from sim2reason.datasets.item import Item
+from sim2reason.exports import Export, Place, Row, target
+from sim2reason.exports.parts.messages import facts
+from sim2reason.rewards import answered, solution
+
+
+@target
+class ReasoningGym(Export):
+    """Reasoning Gym: a dataset that registers itself when its file is imported."""
+
+    name = "reasoning-gym"
+
+    def row(self, item: Item, place: Place) -> Row:
+        """A question with an answer that passes, and what it is graded by."""
+        del place
+        told = {"id": item.id, "solution": solution(item), **facts(item)}
+        return {"question": item.prompt, "answer": answered(item), "metadata": told}

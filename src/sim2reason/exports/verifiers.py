@@ -1,0 +1,19 @@
+"""Prime Intellect's verifiers, whose environments prime-rl trains in."""
+
+from sim2reason.datasets.item import Item
+from sim2reason.exports import Export, Place, Row, target
+from sim2reason.exports.parts.messages import facts
+from sim2reason.rewards import solution
+
+
+@target
+class VerifiersTaskset(Export):
+    """verifiers: a v1 taskset, as a package to be installed."""
+
+    name = "verifiers"
+    data = "sim2reason_problems/data/{split}.jsonl"
+
+    def row(self, item: Item, place: Place) -> Row:
+        """The data of a task."""
+        del place
+        return {"id": item.id, "prompt": item.prompt, "solution": solution(item), **facts(item)}

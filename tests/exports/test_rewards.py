@@ -1,0 +1,83 @@
+"""The solutions that rows carry, and the signatures of trainers, over every export: one grader behind all."""
+
+import json
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from sim2reason import rewards
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.grade import grade
+from sim2reason.datasets.item import Item
+from sim2reason.errors import DatasetError
+from sim2reason.exports import EXPORTS, Place
+
+TARGETS = [name for name in EXPORTS if name != "multiple-choice"]
+
+
+@pytest.fixture(scope="module")
+def items(problems: Path) -> list[Item]:
+    return list(Dataset(problems))
+
+
+def solution(row: object) -> str:
+    """The solution, wherever a row has it."""
+    if isinstance(row, dict):
+        for key, value in row.items():
+            if key in {"solution", "ground_truth"}:
+                return value
+            if found := solution(value):
+                return found
+    return ""
+
+
+@pytest.mark.parametrize("to", TARGETS)
+def test_right_answers_pass_and_distractors_do_not(items: list[Item], to: str) -> None:
+    wrong = 0
+    for number, item in enumerate(items):
+        held = solution(EXPORTS[to].row(item, Place("train", number)))
+        assert rewards.compute_score("sim2reason", rewards.boxed(rewards.answered(item)), held) == 1.0
+        for distractor in item.distractors:
+            wrong += 1
+            assert rewards.compute_score("sim2reason", rf"\boxed{{{distractor.value:.6g}}}", held, {}, more=1) == 0.0
+    assert wrong > len(items)
+
+
+def test_a_solution_grades_as_its_item_does(items: list[Item]) -> None:
+    for item in items:
+        for said in (r"\boxed{9.8}", r"\boxed{m g}", "nothing", None, [{"role": "assistant", "content": r"\boxed{1}"}]):
+            assert rewards.score(rewards.solution(item), said) == grade(item, said)
+
+
+def test_a_solution_says_all_that_matters_though_defaults_may_change(items: list[Item]) -> None:
+    for item in items:
+        assert {"value", "unit", "sign", "tolerance"} <= json.loads(rewards.solution(item)).keys()
+        assert "\n" not in rewards.solution(item)
+
+
+def test_trl_gets_a_reward_for_each_completion_and_none_for_rows_of_others(items: list[Item]) -> None:
+    item = items[0]
+    right = rewards.boxed(rewards.answered(item))
+    found = rewards.accuracy(
+        ["p"] * 4,
+        [right, [{"role": "assistant", "content": right}], "no", right],
+        solution=[rewards.solution(item)] * 3 + [None],
+        trainer_state=object(),
+    )
+    assert found == [1.0, 1.0, 0.0, None]
+
+
+@pytest.mark.parametrize("text", ["", "{}", "9.8", '{"value": 1}', '{"value": NaN, "unit": ""}', "x" * 500])
+def test_what_is_no_solution_is_told_in_one_short_line(text: str) -> None:
+    with pytest.raises(DatasetError, match="is no solution of sim2reason; give the column") as error:
+        rewards.score(text, r"\boxed{1}")
+    assert "\n" not in str(error.value)
+    assert len(str(error.value)) < 200
+
+
+def test_threads_get_the_same(items: list[Item]) -> None:
+    jobs = [(rewards.solution(item), rewards.boxed(rewards.answered(item))) for item in items] * 5
+    with ThreadPoolExecutor(8) as pool:
+        found = list(pool.map(lambda job: rewards.compute_score("", job[1], job[0]), jobs))
+    assert found == [1.0] * len(jobs)
