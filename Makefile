@@ -7,7 +7,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-ray check lint types contracts docs format clean
+.PHONY: help demo test test-ray test-exports check lint types contracts docs format clean
 
 help: ## say what can be made
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -47,6 +47,35 @@ test: .venv/dev ## all tests, in parallel
 
 test-ray: .venv-ray/done ## the tests that need Ray, on a local cluster, in an environment of their own
 	.venv-ray/bin/python -m pytest tests/datasets/places
+
+# Each library that exports are for has an environment of its own in .exports, 0.6 to 2 GB large. For one of them alone:
+# make test-exports-verl. NeMo Gym needs a newer Python than others; without one it is left out, and says so.
+LIBRARIES := $(patsubst tests/exports/requirements/%.txt,%,$(wildcard tests/exports/requirements/*.txt))
+NEWER := $(shell for p in $(PYTHON) python3.12 python3.13 python3.14; do \
+	$$p -c 'import sys; sys.exit(sys.version_info < (3, 12))' 2>/dev/null && echo $$p && break; done)
+NEED_NEWER := nemo_gym
+
+test-exports: $(LIBRARIES:%=test-exports-%) ## exports in the libraries that they are for, each in its own environment
+
+.PHONY: $(LIBRARIES:%=test-exports-%)
+$(filter-out $(NEED_NEWER:%=test-exports-%),$(LIBRARIES:%=test-exports-%)): test-exports-%: .exports/%.made .exports/problems
+	$(TEST_EXPORTS)
+
+$(NEED_NEWER:%=test-exports-%): test-exports-%: $(if $(NEWER),.exports/%.made .exports/problems)
+	$(if $(NEWER),$(TEST_EXPORTS),@echo "make: $* needs Python 3.12 or newer, and there is none: left out")
+
+TEST_EXPORTS = SIM2REASON_PROBLEMS=$(abspath .exports/problems) .exports/$*/bin/python -m pytest -W ignore \
+	tests/exports/libraries/test_$*.py
+
+.exports/%.made: tests/exports/requirements/%.txt
+	rm -rf .exports/$*
+	$(if $(filter $*,$(NEED_NEWER)),$(NEWER),$(PYTHON)) -m venv .exports/$*
+	.exports/$*/bin/python -m pip install --quiet --requirement $<
+	.exports/$*/bin/python -m pip install --quiet --no-deps --editable .
+	@touch $@
+
+.exports/problems: | .venv/core
+	$(BIN)/sim2reason generate $@ --items 103 --mode all --seed 1 --split train=0.8,test=0.2
 
 check: lint types contracts ## style, types and contracts
 

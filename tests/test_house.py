@@ -72,6 +72,9 @@ EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 @pytest.mark.slow
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.name)
 def test_examples_are_short_and_run(path: Path, tmp_path: Path) -> None:
-    assert len(path.read_text("utf-8").splitlines()) <= 40
+    text = path.read_text("utf-8")
+    assert len(text.splitlines()) <= 40
+    if "import trl" in text or "from trl" in text:
+        pytest.skip("make test-exports runs it, where TRL is installed")
     result = subprocess.run([sys.executable, str(path)], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert result.returncode == 0, result.stderr

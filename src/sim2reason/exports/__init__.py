@@ -25,7 +25,8 @@ class Export(ABC):
     """One library's way to hold problems. All that the rest knows of it stands on its class.
 
     The folder that is written holds a file of rows for each split, and all that stands in `files`: Python as it is,
-    other texts with ``{split}`` (the one to evaluate on), ``{splits}`` (a list with their rows) and ``{source}``.
+    other texts with ``{training}`` and ``{split}`` (the splits to train and to evaluate on), ``{splits}`` (a list of
+    all with their rows) and ``{source}`` filled in.
 
     Class data:
         name: under which it is registered.

@@ -3,7 +3,7 @@
 from sim2reason.datasets.item import Item
 from sim2reason.exports import Export, Place, Row, target
 from sim2reason.exports.parts.messages import facts
-from sim2reason.rewards import solution
+from sim2reason.rewards import answered, solution
 
 
 @target
@@ -16,4 +16,5 @@ class VerifiersTaskset(Export):
     def row(self, item: Item, place: Place) -> Row:
         """The data of a task."""
         del place
-        return {"id": item.id, "prompt": item.prompt, "solution": solution(item), **facts(item)}
+        told = {"answer": answered(item), "solution": solution(item), **facts(item)}
+        return {"id": item.id, "prompt": item.prompt, **told}

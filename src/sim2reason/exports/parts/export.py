@@ -110,6 +110,7 @@ def _copy(export: Export, place: Path, rows: dict[str, int], dataset: Dataset) -
     counts = "\n".join(f"- `{export.data.format(split=name)}`: {count} problems" for name, count in rows.items())
     marks = {
         "{split}": next((name for name in EVALUATED if name in rows), list(rows)[-1]),
+        "{training}": "train" if "train" in rows else next(iter(rows)),
         "{splits}": counts,
         "{source}": f"configuration {dataset.manifest.config_hash[:12]}",
     }

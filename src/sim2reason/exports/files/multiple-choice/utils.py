@@ -1,6 +1,7 @@
-"""What sim2reason_choice.yaml needs: the problems beside it, and the letters of their choices."""
+"""What sim2reason_choice.yaml needs: the problems beside it, how they are put, and the letters of their choices."""
 
 from pathlib import Path
+from typing import Any
 
 import datasets
 
@@ -14,6 +15,12 @@ def problems(**settings: object) -> datasets.DatasetDict:
     return datasets.load_dataset("json", data_files=files)
 
 
-def letters(doc: dict[str, list[str]]) -> list[str]:
+def text(doc: dict[str, Any]) -> str:
+    """The question with its choices, before a letter."""
+    listed = "\n".join(f"{letter}. {choice}" for letter, choice in zip(letters(doc), doc["choices"], strict=True))
+    return f"{doc['question']}\n\n{listed}\n\nAnswer:"
+
+
+def letters(doc: dict[str, Any]) -> list[str]:
     """The letters of a problem's choices."""
     return list("ABCDE"[: len(doc["choices"])])

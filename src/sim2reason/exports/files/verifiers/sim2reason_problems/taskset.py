@@ -5,14 +5,15 @@ from pathlib import Path
 
 import verifiers.v1 as vf
 
-from sim2reason.rewards import score
+from sim2reason.rewards import boxed, score
 
 DATA = Path(__file__).resolve().parent / "data"
 
 
 class ProblemData(vf.TaskData):
-    """A problem, and what its answer is graded by."""
+    """A problem, an answer that passes, and what answers are graded by."""
 
+    answer: str
     solution: str
     mode: str
     kind: str
@@ -32,6 +33,11 @@ class Problem(vf.Task[ProblemData]):
     async def accuracy(self, trace: vf.Trace) -> float:
         """1 for the right answer in a box, else 0."""
         return score(self.data.solution, trace.last_reply).reward
+
+    async def validate(self, runtime: vf.Runtime) -> bool:
+        """Whether the right answer passes, which `vf-validate` asks."""
+        del runtime
+        return score(self.data.solution, boxed(self.data.answer)).reward == 1.0
 
 
 class Sim2ReasonConfig(vf.TasksetConfig):

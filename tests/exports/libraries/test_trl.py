@@ -1,0 +1,56 @@
+"""Hugging Face datasets load what was written, TRL's trainer takes the reward; the example trains a tiny model."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from sim2reason.datasets.item import Item
+from sim2reason.rewards import accuracy
+
+datasets = pytest.importorskip("datasets", reason="make test-exports")
+EXAMPLE = Path(__file__).parents[3] / "examples/train_with_trl.py"
+
+
+def test_datasets_load_it_and_the_reward_grades(
+    exported: Callable[[str], Path],
+    items: dict[str, Item],
+    right: Callable[[Item], str],
+    wrong: Callable[[Item], Iterator[str]],
+    tmp_path: Path,
+) -> None:
+    loaded = datasets.load_dataset(str(exported("hf")), cache_dir=str(tmp_path / "cache"))
+    rows = [row for split in loaded.values() for row in split]
+    assert set(loaded) == {"train", "test"}
+    assert {row["id"] for row in rows} == set(items)
+    for row in rows:
+        item = items[row["id"]]
+        assert row["prompt"] == [{"role": "user", "content": item.prompt}]
+        said = [[{"role": "assistant", "content": text}] for text in (right(item), *wrong(item))]
+        columns = {name: [value] * len(said) for name, value in row.items() if name != "prompt"}
+        assert accuracy(prompts=[row["prompt"]] * len(said), completions=said, **columns) == [
+            1.0,
+            *[0.0] * (len(said) - 1),
+        ]
+
+
+def test_the_example_trains(exported: Callable[[str], Path], tmp_path: Path) -> None:
+    pytest.importorskip("trl", reason="make test-exports")
+    done = subprocess.run(
+        [sys.executable, str(EXAMPLE), str(exported("hf"))],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=900,
+        env={**os.environ, "OMP_NUM_THREADS": "1"},
+    )
+    assert done.returncode == 0, done.stderr[-3000:]
+    assert "3 steps" in done.stdout
+
+
+def test_the_page_is_true(follow: Callable[[str], None]) -> None:
+    follow("hf")

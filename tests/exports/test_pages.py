@@ -1,0 +1,40 @@
+"""Every export has its page, which shows its own command; the index lists all of them."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sim2reason.exports import EXPORTS
+
+PAGES = Path(__file__).parents[2] / "docs/integrations"
+REQUIREMENTS = Path(__file__).parent / "requirements"
+
+
+@pytest.mark.parametrize("name", list(EXPORTS))
+def test_each_export_has_its_page(name: str) -> None:
+    assert f"$ sim2reason export problems --to {name} --out problems-{name}\n" in (PAGES / f"{name}.md").read_text()
+    assert f"| `{name}` |" in (PAGES / "README.md").read_text()
+
+
+def test_the_example_of_a_further_export_works(tmp_path: Path, problems: Path) -> None:
+    """In a process of its own, since it enters the registry."""
+    import subprocess
+    import sys
+
+    (block,) = re.findall(r"```python\n(.*?)```", (PAGES / "README.md").read_text(), re.DOTALL)
+    try_it = f"import sim2reason\nsim2reason.export({str(problems)!r}, 'out', to='plain')\n"
+    (tmp_path / "plain.py").write_text(f"{block}\n{try_it}")
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "plain.py"], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert len((tmp_path / "out/data/train.jsonl").read_text().splitlines()) > 20
+
+
+def test_each_library_is_locked() -> None:
+    tests = {path.stem.removeprefix("test_") for path in (REQUIREMENTS.parent / "libraries").glob("test_*.py")}
+    assert tests == {path.stem for path in REQUIREMENTS.glob("*.txt")}
+    for path in REQUIREMENTS.glob("*.txt"):
+        lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+        assert all(re.fullmatch(r"[A-Za-z0-9_.-]+==[A-Za-z0-9.!]+", line) for line in lines)
