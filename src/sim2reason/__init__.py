@@ -1,26 +1,36 @@
 """Physics simulators turned into verified problems for language models.
 
-The public names below are loaded when they are first used, so that the import itself costs next to nothing.
+The public names below are loaded when they are first used, so that the import itself costs next to nothing. Each
+command of the command line has a function of its name here.
 """
 
+from collections.abc import Iterable
 from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from sim2reason.datasets.ask import ask
     from sim2reason.datasets.dataset import Dataset
+    from sim2reason.datasets.explain import explain
     from sim2reason.datasets.generate import generate
     from sim2reason.datasets.grade import grade
     from sim2reason.datasets.item import Item
-    from sim2reason.datasets.items import item, stream
-    from sim2reason.datasets.random_scenes import sample
+    from sim2reason.datasets.items import item, sample, stream
+    from sim2reason.datasets.show import show
+    from sim2reason.datasets.solve import solve
+    from sim2reason.datasets.stats import stats
+    from sim2reason.datasets.verify import verify
     from sim2reason.dsl.mechanism import Mechanism
     from sim2reason.dsl.scene import Scene
     from sim2reason.errors import Sim2ReasonError
     from sim2reason.exports.parts.export import export
+    from sim2reason.figures.scenes import figure, plot
     from sim2reason.grading import Score
     from sim2reason.parsing import parse_scene
     from sim2reason.prose import describe
+    from sim2reason.registries import members as list  # noqa: A004 - named as the command
     from sim2reason.scene_files import dump, load
+    from sim2reason.scene_files.schema import schema
     from sim2reason.simulation.certify import Certificate
     from sim2reason.simulation.scenes import certify, simulate
     from sim2reason.simulation.trace import Trace
@@ -34,19 +44,30 @@ _HOMES = {
     "Score": "grading",
     "Sim2ReasonError": "errors",
     "Trace": "simulation.trace",
+    "ask": "datasets.ask",
     "certify": "simulation.scenes",
     "describe": "prose",
     "dump": "scene_files",
     "export": "exports.parts.export",
+    "explain": "datasets.explain",
+    "figure": "figures.scenes",
     "generate": "datasets.generate",
     "grade": "datasets.grade",
     "item": "datasets.items",
+    "list": "registries:members",
     "load": "scene_files",
     "parse_scene": "parsing",
-    "sample": "datasets.random_scenes",
+    "plot": "figures.scenes",
+    "sample": "datasets.items",
+    "schema": "scene_files.schema",
+    "show": "datasets.show",
     "simulate": "simulation.scenes",
+    "solve": "datasets.solve",
+    "stats": "datasets.stats",
     "stream": "datasets.items",
+    "verify": "datasets.verify",
 }
+"""Their modules; after a colon what they are called there, where that is otherwise."""
 
 __all__ = [
     "Certificate",
@@ -57,18 +78,28 @@ __all__ = [
     "Score",
     "Sim2ReasonError",
     "Trace",
+    "ask",
     "certify",
     "describe",
     "dump",
+    "explain",
     "export",
+    "figure",
     "generate",
     "grade",
     "item",
+    "list",
     "load",
     "parse_scene",
+    "plot",
     "sample",
+    "schema",
+    "show",
     "simulate",
+    "solve",
+    "stats",
     "stream",
+    "verify",
 ]
 
 
@@ -76,9 +107,10 @@ def __getattr__(name: str) -> object:
     """Import the home of a public name at its first use."""
     if name not in _HOMES:
         raise AttributeError(f"module 'sim2reason' has no attribute {name!r}")
-    return getattr(import_module(f"sim2reason.{_HOMES[name]}"), name)
+    module, _, called = _HOMES[name].partition(":")
+    return getattr(import_module(f"sim2reason.{module}"), called or name)
 
 
-def __dir__() -> list[str]:
+def __dir__() -> Iterable[str]:
     """The public names."""
     return sorted(__all__)

@@ -9,6 +9,8 @@ from typing import Generic, TypeVar
 
 from sim2reason.errors import UnknownNameError
 
+LONGEST = 80  # characters of a name, above which none is near to it
+FEW = 20  # names that a line can show
 T = TypeVar("T")
 M = TypeVar("M")
 
@@ -60,9 +62,15 @@ class Registry(Mapping[str, T], Generic[T]):
         try:
             return self._members[name]
         except KeyError:
-            near = get_close_matches(name, self._members, n=3) or sorted(self._members)[:12]
-            hint = ", ".join(near)
-            raise UnknownNameError(f"no such name among {self.kind}: {name!r}; did you mean: {hint}") from None
+            raise UnknownNameError(f"no such name among {self.kind}: {_shown(name)}; {self._hint(name)}") from None
+
+    def _hint(self, name: str) -> str:
+        """What is near to an unknown name; where nothing is, all that there is, or how to see it."""
+        near = get_close_matches(name, self._members, n=3) if len(name) <= LONGEST else []
+        if near:
+            return f"did you mean: {', '.join(near)}"
+        few = len(self._members) <= FEW
+        return f"there are: {', '.join(self)}" if few else f"see: sim2reason list {self.kind.rpartition('.')[2]}"
 
     def __iter__(self) -> Iterator[str]:
         """Names in alphabetical order, so that draws do not depend on the order of imports."""
@@ -73,6 +81,12 @@ class Registry(Mapping[str, T], Generic[T]):
         """How many members there are."""
         self._fill()
         return len(self._members)
+
+
+def _shown(name: object) -> str:
+    """A name in quotes, or the beginning of a long one."""
+    text = repr(name)
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
 
 
 def _origin(member: object) -> str:

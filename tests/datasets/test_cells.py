@@ -9,7 +9,7 @@ from click.testing import CliRunner
 from sim2reason.cli import main
 from sim2reason.datasets.cells import FALSE_ALARM, LEAST_KEPT, Cell, empty, enough, table
 from sim2reason.datasets.manifest import Manifest, load
-from sim2reason.datasets.verify import examine
+from sim2reason.datasets.verify import verify
 
 Make = Callable[..., Manifest]
 
@@ -69,7 +69,7 @@ def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> Non
     assert result.exit_code == 1
     assert "an empty cell: incline.numeric.period: asked for" in result.stderr
     assert load(out).rows == items - 1  # the data are kept
-    assert [fault.partition(":")[0] for fault in examine(out).faults] == [
+    assert [fault.partition(":")[0] for fault in verify(out).faults] == [
         "incline.numeric.period",
         "pulley.numeric.period",
     ]

@@ -70,7 +70,7 @@ def test_a_binding_is_said_in_the_units_of_the_text(symbolic: Item) -> None:
     assert formula is not None
     assert formula.given() == {r"\theta": "30.0°", "g": "9.8 m/s²"}
     assert formula.given(1) == {r"\theta": "42.5°", "g": "9.8 m/s²"}
-    assert symbolic.answer.told == r"$g \sin\theta$, which here is 4.9 m/s^2"
+    assert symbolic.answer.told == r"$g \sin\theta$, which here is 4.9 m/s²"
 
 
 def test_each_symbol_has_a_number() -> None:

@@ -10,14 +10,14 @@ from sim2reason.datasets import store
 from sim2reason.datasets.atomic_files import canonical, checksum
 from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, shards
-from sim2reason.datasets.verify import examine
+from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError
 
 FIRST = "data/train-00000-of-00005.parquet"
 
 
 def test_a_whole_dataset_has_no_problems(data: Path) -> None:
-    found = examine(data)
+    found = verify(data)
     assert (found.rows, found.shards, found.faults) == (94, 5, ())
 
 
@@ -27,25 +27,25 @@ def test_any_flipped_byte_is_found(data: Path, contents: Callable[[Path], dict[s
         for _ in range(12):
             place, bit = rng.randrange(len(whole)), 1 << rng.randrange(8)
             (data / name).write_bytes(whole[:place] + bytes([whole[place] ^ bit]) + whole[place + 1 :])
-            assert any(name in line for line in examine(data).faults), (name, place, bit)
+            assert any(name in line for line in verify(data).faults), (name, place, bit)
         (data / name).write_bytes(whole)
-    assert not examine(data).faults
+    assert not verify(data).faults
 
 
 def test_a_missing_shard_is_found(data: Path) -> None:
     (data / FIRST).unlink()
-    assert examine(data).faults == (f"{FIRST}: missing",)
+    assert verify(data).faults == (f"{FIRST}: missing",)
 
 
 def test_an_extra_shard_is_found(data: Path) -> None:
     shutil.copy(data / FIRST, data / "data/train-00005-of-00005.parquet")
-    assert examine(data).faults == ("data/train-00005-of-00005.parquet: an extra file that the dataset does not know",)
+    assert verify(data).faults == ("data/train-00005-of-00005.parquet: an extra file that the dataset does not know",)
 
 
 def test_a_truncated_shard_is_found(data: Path) -> None:
     whole = (data / FIRST).read_bytes()
     (data / FIRST).write_bytes(whole[: len(whole) // 2])
-    damaged, unreadable = examine(data).faults
+    damaged, unreadable = verify(data).faults
     assert damaged.startswith(f"{FIRST}: damaged")
     assert unreadable.startswith(f"{FIRST}: not readable as Parquet")
 
@@ -59,7 +59,7 @@ def test_a_wrong_count_of_rows_is_found_even_under_a_right_checksum(data: Path) 
     value["files"][SHARDS] = checksum(data / SHARDS)
     value["rows"] += 1
     (data / MANIFEST).write_text(Manifest.model_validate(value).sealed().text())
-    assert examine(data).faults == (f"{FIRST}: 19 rows instead of 20",)
+    assert verify(data).faults == (f"{FIRST}: 19 rows instead of 20",)
 
 
 @pytest.mark.parametrize(
@@ -79,19 +79,19 @@ def test_a_manifest_that_was_edited_is_found(
     value = json.loads((data / MANIFEST).read_text())
     change(value)
     (data / MANIFEST).write_text(canonical(value))
-    assert any(finding in line for line in examine(data).faults)
+    assert any(finding in line for line in verify(data).faults)
 
 
 def test_what_is_no_finished_dataset_is_refused(tmp_path: Path, data: Path) -> None:
     with pytest.raises(DatasetError, match="no such folder"):
-        examine(tmp_path / "nowhere")
+        verify(tmp_path / "nowhere")
     (tmp_path / "empty").mkdir()
     with pytest.raises(DatasetError, match=r"no manifest\.json here"):
-        examine(tmp_path / "empty")
+        verify(tmp_path / "empty")
     (data / MANIFEST).unlink()
     (data / FOLDER).mkdir()
     with pytest.raises(DatasetError, match="not finished; run the same"):
-        examine(data)
+        verify(data)
 
 
 def test_items_come_back_as_they_were_made(data: Path) -> None:

@@ -18,7 +18,7 @@ from sim2reason.prose import describe
 from sim2reason.prose.closings import closings
 from sim2reason.prose.naming import letter_at
 from sim2reason.prose.phrases import another, join
-from sim2reason.prose.voices import hiding, symbolic, voice_named
+from sim2reason.prose.voices import hiding, symbolic, voice_of
 
 SLIDE = Scene(
     entities=(
@@ -60,7 +60,7 @@ def test_one_value_can_be_hidden() -> None:
     assert "$m$" in text
     assert "2.0 kg" not in text
     assert "0.25" in text
-    assert voice_named("symbolic") is symbolic
+    assert voice_of((), "symbolic") is symbolic
 
 
 def test_symbols_follow_from_names() -> None:

@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 
 import click
 
-from sim2reason.cli import console
+from sim2reason.cli import console, streams
 
 HERE = Path(__file__).parent
 EXIT_INPUT, EXIT_INTERRUPTED, EXIT_PIPE = 2, 130, 141
@@ -33,7 +33,7 @@ class Commands(click.Group):
         """Import the file of a command; None if there is none."""
         del ctx
         path = HERE / f"{cmd_name.replace('-', '_')}.py"
-        if not path.is_file() or _summary(path) is None:
+        if path not in HERE.glob("[a-z]*.py") or _summary(path) is None:  # a path as the name leads nowhere else
             return None
         return import_module(f"{__name__}.{path.stem}").command
 
@@ -49,23 +49,29 @@ class Commands(click.Group):
             result = super().invoke(ctx)
             sys.stdout.flush()
         except BrokenPipeError:
-            console.hush()
+            streams.hush()
             ctx.exit(EXIT_PIPE)
         return result
 
     def main(self, *args: Any, **extra: Any) -> NoReturn:  # noqa: ANN401 - click's own signature
         """Run and leave with an exit code; errors that we know become one line on stderr."""
         extra["standalone_mode"] = False
+        streams.prepare()
         try:
             code = super().main(*args, **extra)
         except click.Abort as error:
             console.explain(console.explained(error.__cause__ or error))
             raise SystemExit(EXIT_INTERRUPTED) from None
+        except click.exceptions.NoArgsIsHelpError as error:
+            console.explain(error.format_message())
+            raise SystemExit(EXIT_INPUT) from None
         except Exception as error:
             line = console.explained(error)
             if line is None:
                 raise
             console.explain(line)
+            if isinstance(error, OSError) and streams.name(error) == streams.STDOUT:
+                streams.hush()
             raise SystemExit(EXIT_INPUT) from None
         raise SystemExit(code if isinstance(code, int) else 0)
 

@@ -1,9 +1,8 @@
 """What the commands say and show: tables, JSON, progress, and errors in one line."""
 
 import json
-import os
 import sys
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
 from math import isfinite
 from pathlib import Path
@@ -11,10 +10,11 @@ from typing import Any, Protocol
 
 import click
 
+from sim2reason.cli import streams
 from sim2reason.errors import Sim2ReasonError
 
-RESULT = click.Path(path_type=Path, dir_okay=False)
-"""The file that a command writes; it may be there already, but not as a folder."""
+RESULT = click.Path(path_type=Path, dir_okay=False, allow_dash=True)
+"""The file that a command writes; it may be there already, but not as a folder. A dash is standard output."""
 
 
 class Seconds(click.FloatRange):
@@ -55,16 +55,12 @@ def explained(error: BaseException) -> str | None:
         case Sim2ReasonError():
             line = f"sim2reason: {error}"
         case OSError():
-            where = f"{error.filename}: " if error.filename else ""
-            line = f"sim2reason: {where}{error.strerror or error}; check the path, its permissions and the free space"
+            where = f"{streams.name(error)}: ".removeprefix(": ")
+            reason = error.strerror or error
+            line = f"sim2reason: {where}{reason}; check the path, its permissions and the free space"
         case _:
             return None
     return " ".join((line + notes).split())
-
-
-def hush() -> None:
-    """Point stdout at nothing, so that Python does not complain at exit about a reader that left."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def as_json(value: object) -> None:
@@ -72,14 +68,24 @@ def as_json(value: object) -> None:
     click.echo(json.dumps(value, indent=2, ensure_ascii=False))
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
-    """Print rows in aligned columns under `head`; numbers stand to the right."""
+def as_json_list(values: Iterable[object]) -> None:
+    """Print values as one list for a program to read, one after the other, as `as_json` prints a list."""
+    count = 0
+    for count, value in enumerate(values, start=1):
+        click.echo(",\n" if count > 1 else "[\n", nl=False)
+        text = json.dumps(value, indent=2, ensure_ascii=False)
+        click.echo("  " + text.replace("\n", "\n  "), nl=False)
+    click.echo("\n]" if count else "[]")
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[object]], *, err: bool = False) -> None:
+    """Print rows in aligned columns under `head`, to stdout or stderr; numbers stand to the right."""
     cells = [[str(cell) for cell in row] for row in rows]
     widths = [max(len(line[i]) for line in [list(head), *cells]) for i in range(len(head))]
     right = [bool(rows) and all(isinstance(row[i], int | float) for row in rows) for i in range(len(head))]
     for line in [list(head), ["-" * width for width in widths], *cells]:
         padded = (c.rjust(w) if r else c.ljust(w) for c, w, r in zip(line, widths, right, strict=True))
-        click.echo("  ".join(padded).rstrip())
+        click.echo("  ".join(padded).rstrip(), err=err)
 
 
 def words(option: str) -> tuple[str, ...]:

@@ -5,13 +5,13 @@ from typing import Unpack
 
 import click
 
-from sim2reason.cli import console
+from sim2reason.cli import console, options
 from sim2reason.datasets.build import build, build_part
 from sim2reason.datasets.cells import empty
-from sim2reason.datasets.generate import ALL, ITEMS, Names, Order, configured
+from sim2reason.datasets.generate import ITEMS, Order, configured
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
-from sim2reason.datasets.plan import LARGEST, LARGEST_SHARD, MAKER, SHARD, SI
+from sim2reason.datasets.plan import LARGEST, LARGEST_SHARD, MAKER, SHARD
 
 EXAMPLE = """\b
 Example:
@@ -28,48 +28,15 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
 """
 
 
-def _names(ctx: click.Context, param: click.Parameter, value: str) -> Names:
-    """The names that an option gives, or all."""
-    del ctx, param
-    return value if value == ALL else console.words(value)
-
-
-def _pairs(ctx: click.Context, param: click.Parameter, value: str) -> dict[str, float]:
-    """The pairs of a name and a number that an option gives."""
-    del ctx
-    found: dict[str, float] = {}
-    for pair in console.words(value) if value else ():
-        name, equals, number = pair.partition("=")
-        try:
-            found[name.strip()] = float(number)
-        except ValueError:
-            raise click.UsageError(f"--{param.name}: {pair!r} is no pair; write NAME{equals or '='}NUMBER.") from None
-    return found
-
-
 @click.command("generate", epilog=EXAMPLE)
 @click.argument("out", type=click.Path(file_okay=False, path_type=Path))
-@click.option("--items", type=click.IntRange(0, LARGEST), default=ITEMS, show_default=True, help="How many problems.")
-@click.option("--recipe", callback=_names, default="all", show_default=True, help="Recipes, separated by commas.")
-@click.option(
-    "--difficulty", callback=_names, default="all", show_default=True, help="easy, medium, hard, or several by commas."
-)
-@click.option(
-    "--mode", callback=_names, default="numeric", show_default=True, help="Question modes, separated by commas, or all."
-)
-@click.option(
-    "--seed", type=click.IntRange(0, LARGEST), default=0, show_default=True, help="Another seed, other problems."
-)
-@click.option(
-    "--weights",
-    callback=_pairs,
-    default="",
-    help="How often kinds of question are asked, as in period=2,reverse.count=0,springs.numeric.sum=0.5. [default: "
-    "as the kinds and recipes declare]",
-)
-@click.option(
-    "--units", default=SI, show_default=True, help="In which texts speak: SI, cgs, or mixed (cm, g and km/h, else SI)."
-)
+@options.items(ITEMS, 0, LARGEST)
+@options.recipe()
+@options.difficulty()
+@options.mode()
+@options.seed("Another seed, other problems.")
+@options.weights()
+@options.units()
 @click.option("--solutions", is_flag=True, help="With a worked solution of each problem, where there is one.")
 @click.option(
     "--workers", type=click.IntRange(1), help="Processes; they never change the result. [default: one per core]"
@@ -82,7 +49,7 @@ def _pairs(ctx: click.Context, param: click.Parameter, value: str) -> dict[str, 
 )
 @click.option(
     "--split",
-    callback=_pairs,
+    callback=options.pairs,
     default="",
     help="Shares of splits, as in train=0.9,test=0.1; variants of a problem keep together.",
 )
@@ -97,7 +64,7 @@ def _pairs(ctx: click.Context, param: click.Parameter, value: str) -> dict[str, 
     show_default=True,
     help="Problems in one file.",
 )
-@click.option("--json", "to_json", is_flag=True, help="Print the manifest for a program to read.")
+@options.to_json("Print the manifest for a program to read.")
 @click.option("--patience", type=click.FloatRange(0.1), default=PATIENCE, hidden=True)
 @click.option("--maker", default=MAKER, hidden=True)
 def command(

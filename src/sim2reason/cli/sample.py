@@ -4,26 +4,29 @@ from pathlib import Path
 
 import click
 
-from sim2reason.cli import console
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.scene_files import dump
+from sim2reason.cli import options, results
 
 EXAMPLE = """\b
 Example:
     sim2reason sample --recipe pulley --difficulty medium --seed 7 --index 0 -o scene.yaml
+
+It is the scene of: sim2reason item pulley medium --seed 7 --index 0
 """
 
 
 @click.command("sample", epilog=EXAMPLE)
 @click.option("--recipe", required=True, help="Which kind of scene; see: sim2reason list recipes.")
 @click.option("--difficulty", default="medium", show_default=True, help="easy, medium or hard.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Which series of scenes.")
-@click.option("--index", type=click.IntRange(0), default=0, show_default=True, help="Which scene of the series.")
-@click.option("-o", "out", type=console.RESULT, help="Where to write it; standard output if left out.")
-def command(recipe: str, difficulty: str, seed: int, index: int, out: Path | None) -> None:
-    """Draw a random scene: the same one for the same recipe, difficulty, seed and index."""
-    text = dump(sample(recipe, difficulty, seed=seed, index=index))
-    if out is None:
-        click.echo(text, nl=False)
-    else:
-        out.write_text(text, encoding="utf-8")
+@options.one_mode()
+@options.seed("Which series of scenes.")
+@options.index("Which scene of the series.")
+@options.weights()
+@options.out("Where to write it; standard output if left out.")
+def command(
+    recipe: str, difficulty: str, mode: str, seed: int, index: int, weights: dict[str, float], out: Path | None
+) -> None:
+    """Draw a random scene: that of the problem of the same recipe, difficulty, mode, seed and index."""
+    from sim2reason.datasets.items import sample
+    from sim2reason.scene_files import dump
+
+    results.tell(dump(sample(recipe, difficulty, mode, seed=seed, index=index, weights=weights)), out)

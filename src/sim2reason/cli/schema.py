@@ -5,27 +5,25 @@ from pathlib import Path
 
 import click
 
-from sim2reason.cli import console
-from sim2reason.scene_files.page import format_page
-from sim2reason.scene_files.schema import schema
+from sim2reason.cli import options, results
 
 EXAMPLE = """\b
 Example:
     sim2reason schema -o scene.schema.json
     sim2reason schema --page -o docs/scene-format.md
 
+\b
 Put this line on top of a scene file, and editors that know YAML check and complete it:
     # yaml-language-server: $schema=scene.schema.json
 """
 
 
 @click.command("schema", epilog=EXAMPLE)
-@click.option("--page", is_flag=True, help="The same for people, as Markdown.")
-@click.option("-o", "out", type=console.RESULT, help="Where to write it; standard output if left out.")
+@click.option("--page", is_flag=True, cls=options.Printing, help="The same for people, as Markdown.")
+@options.out("Where to write it; standard output if left out.")
 def command(page: bool, out: Path | None) -> None:
     """Write the JSON schema of scene files: entities, parameters, ranges of validity and units."""
-    text = format_page() if page else json.dumps(schema(), indent=2, ensure_ascii=False) + "\n"
-    if out is None:
-        click.echo(text, nl=False)
-    else:
-        out.write_text(text, encoding="utf-8")
+    from sim2reason.scene_files.page import format_page
+    from sim2reason.scene_files.schema import schema
+
+    results.tell(format_page() if page else json.dumps(schema(), indent=2, ensure_ascii=False) + "\n", out)

@@ -1,12 +1,13 @@
 """Simulate a scene by one engine or by both, and sum up what happens."""
 
+from contextlib import nullcontext
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from sim2reason.cli import console, source
+from sim2reason.cli import console, options, results, source
 from sim2reason.cli.sandbox import sandboxed
 from sim2reason.errors import SimulationError
 
@@ -35,7 +36,7 @@ Summary = dict[str, Any]
 
 
 @click.command("simulate", epilog=EXAMPLE)
-@click.argument("path", metavar="SCENE", type=click.Path(path_type=Path, allow_dash=True))
+@options.scene()
 @click.option("--engine", default="exact", show_default=True, help="One of: sim2reason list engines; or both.")
 @click.option(
     "--duration",
@@ -44,33 +45,25 @@ Summary = dict[str, Any]
     help="How long; as long as the scene is worth by default.",
 )
 @click.option("--samples", type=click.IntRange(2, 100_001), default=101, show_default=True, help="Rows of a trace.")
-@click.option("--truncate", "by_rule", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
-@click.option("-o", "out", type=console.RESULT, help="Write the trace to this Parquet file.")
-@click.option("--json", "to_json", is_flag=True, help="For a program to read.")
+@click.option("--truncate", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
+@options.out("Write the trace to this Parquet file.")
+@options.to_json()
 @click.option("--patience", type=click.FloatRange(0.01), default=PATIENCE, hidden=True)
 def command(
-    path: Path,
+    scene: Path,
     engine: str,
     duration: float | None,
     samples: int,
-    by_rule: bool,
+    truncate: bool,
     out: Path | None,
     to_json: bool,
     patience: float,
 ) -> int:
     """Simulate the scene in the file SCENE, or on standard input if it is -."""
-    content = source.text(path)
-    source.scene(path, content)  # what is wrong with the file is said here, with its name
-    part = out.with_name(f"{out.name}.part") if out is not None else None
-    try:
-        if part is not None:
-            part.touch()  # what can't be written is said before the work
-        found = sandboxed(patience, run, content, engine, duration, samples, part, by_rule)
-        if out is not None and part is not None:
-            part.replace(out)
-    finally:
-        if part is not None:
-            part.unlink(missing_ok=True)
+    content = source.text(scene)
+    source.scene(scene, content)  # what is wrong with the file is said here, with its name
+    with results.written(out) if out is not None else nullcontext() as part:
+        found = sandboxed(patience, run, content, engine, duration, samples, part, truncate)
     if to_json:
         console.as_json(found)
     else:
@@ -79,22 +72,22 @@ def command(
 
 
 def run(
-    content: str, engine: str, duration: float | None, samples: int, out: Path | None, by_rule: bool = False
+    content: str, engine: str, duration: float | None, samples: int, out: Path | None, truncate: bool = False
 ) -> Summary:
     """Simulate the scene of a text, in a worker process; write the trace to `out`."""
-    from sim2reason.scene_files import load
+    from sim2reason.scene_files import loads
     from sim2reason.simulation import scenes, trace_files
-    from sim2reason.simulation.truncate import truncate
+    from sim2reason.simulation.truncate import truncate as truncated
 
-    scene, certificate = load(content), None
-    if engine == "both":
+    scene, certificate = loads(content), None
+    if engine == scenes.BOTH:
         trace, certificate = scenes.certify(scene, duration, samples)
     else:
         trace = scenes.simulate(scene, duration, engine, samples)
     if trace.stable_until == 0.0 and trace.cut in STUCK:
         raise _stuck(trace)
-    if by_rule:
-        trace = truncate(trace)
+    if truncate:
+        trace = truncated(trace)
     if out is not None:
         trace_files.write_trace(trace, out)
     return {
@@ -146,7 +139,7 @@ def _tell(found: Summary) -> None:
     rows = [row for row in found["final"] if row["quantity"] in SHOWN]
     rows.sort(key=lambda row: SHOWN.index(row["quantity"]))
     head = ["subject", "quantity", f"at {until:.6g} {unit}", "unit"]
-    console.table(head, [[r["subject"], r["quantity"], _number(r["value"]), r["unit"]] for r in rows])
+    console.table(head, [_row(r) for r in rows])
     for event in found["events"]:
         click.echo(f"{event['time']:.6g} {unit}: {event['kind']} of {', '.join(event['subjects'])}")
     if found["cut"]:
@@ -154,6 +147,12 @@ def _tell(found: Summary) -> None:
         click.echo(f"The motion is followed until {until:.6g} {unit}, not {found['duration']:g} {unit}: {why}")
     if found["certificate"] is not None:
         _tell_certificate(found["certificate"])
+
+
+def _row(found: Summary) -> list[str]:
+    from sim2reason.dsl.measures import show_unit
+
+    return [found["subject"], found["quantity"], _number(found["value"]), show_unit(found["unit"])]
 
 
 def _number(value: Any) -> str:  # noqa: ANN401 - a number, a vector, or None

@@ -1,11 +1,11 @@
-"""ParsedScene the scene that a command is about: from a file, or from standard input."""
+"""The scene that a command is about: from a file, or from standard input."""
 
 import sys
 from pathlib import Path
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
-from sim2reason.scene_files import decoded, load
+from sim2reason.scene_files import decoded, loads
 from sim2reason.scene_files.yaml_text import MAX_BYTES
 
 STDIN = Path("-")
@@ -26,7 +26,7 @@ def scene(path: Path, content: str | None = None) -> Scene:
     """The scene of a file, or of its `content` if that was read before; an error names the file too."""
     content = text(path) if content is None else content
     try:
-        return load(content)
+        return loads(content)
     except SceneError as error:
         raise _in_file(path, error) from None
 

@@ -4,8 +4,7 @@ from pathlib import Path
 
 import click
 
-from sim2reason.cli import console
-from sim2reason.datasets import verify
+from sim2reason.cli import console, options
 
 EXAMPLE = """\b
 Example:
@@ -16,11 +15,13 @@ Exit code 0: whole; 1: damaged, with a line for each finding; 2: no finished dat
 
 
 @click.command("verify", epilog=EXAMPLE)
-@click.argument("out", type=click.Path(path_type=Path))
-@click.option("--json", "to_json", is_flag=True, help="For a program to read: {ok, rows, shards, faults}.")
-def command(out: Path, to_json: bool) -> int:
-    """Check every file of the dataset in OUT: checksums, missing and extra shards, counts of rows."""
-    report = verify.examine(out)
+@options.dataset()
+@options.to_json("For a program to read: {ok, rows, shards, faults}.")
+def command(dataset: Path, to_json: bool) -> int:
+    """Check every file of the DATASET: checksums, missing and extra shards, counts of rows."""
+    from sim2reason.datasets.verify import verify
+
+    report = verify(dataset)
     if to_json:
         console.as_json({"ok": not report.faults} | report.model_dump(mode="json"))
     else:
@@ -28,5 +29,5 @@ def command(out: Path, to_json: bool) -> int:
             click.echo(line)
         verdict = f"damaged: {len(report.faults)} findings" if report.faults else "whole"
         shards = f"{report.shards} shard{'s' * (report.shards != 1)}"
-        click.echo(f"{out}: {verdict}; {report.rows} problems in {shards} by the manifest")
+        click.echo(f"{dataset}: {verdict}; {report.rows} problems in {shards} by the manifest")
     return 1 if report.faults else 0

@@ -7,14 +7,15 @@ from pathlib import Path
 
 from sim2reason.datasets import shard_files
 from sim2reason.datasets.atomic_files import LOCK, locked
-from sim2reason.datasets.cells import table
+from sim2reason.datasets.cells import empty, table
 from sim2reason.datasets.distinct import marks
 from sim2reason.datasets.finish import finish
-from sim2reason.datasets.journal import Journal
-from sim2reason.datasets.manifest import Counts, Manifest, RefusedPosition, Shard, merged
+from sim2reason.datasets.journal import FOLDER, Journal
+from sim2reason.datasets.manifest import MANIFEST, Counts, Manifest, RefusedPosition, Shard, load, merged
 from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
-from sim2reason.datasets.plan import MAKER, Config
+from sim2reason.datasets.plan import MAKER, Config, versions
 from sim2reason.datasets.splits import split_of
+from sim2reason.datasets.verify import verify
 from sim2reason.datasets.work_queue import WorkQueue
 from sim2reason.datasets.worker import Attempt
 from sim2reason.errors import DatasetError
@@ -39,9 +40,15 @@ def build(
     A dataset of fewer items and otherwise the same configuration is gone on with, too. `advance` is called with the
     number of positions that are done. DatasetError if `out` holds anything else, or a weight makes no sense.
     """
-    with opened(on, partial(Crew, config.maker, workers, patience)) as run, locked(out := _folder(out, config)):
-        journal = Journal(out, config)
-        _fill(journal, range(config.shards), run, advance)
+    out = _folder(out, config)
+    with locked(out):
+        standing = _standing(out, config)
+        if standing is not None:
+            advance(config.items)
+            return standing
+        with opened(on, partial(Crew, config.maker, workers, patience)) as run:
+            journal = Journal(out, config)
+            _fill(journal, range(config.shards), run, advance)
         manifest = finish(journal)
         journal.close()
     return manifest
@@ -75,6 +82,18 @@ def build_part(
         with locked(mine):
             _fill(journal, range(number, config.shards, parts), run, advance)
             mine.unlink()
+
+
+def _standing(out: Path, config: Config) -> Manifest | None:
+    """The manifest of a whole dataset of this configuration, where nothing is left to do: it may be read-only."""
+    if (out / FOLDER).exists() or not (out / MANIFEST).is_file():
+        return None
+    try:
+        manifest = load(out)
+    except DatasetError:
+        return None
+    same = manifest.config == config and manifest.versions == versions()
+    return manifest if same and set(verify(out).faults) <= set(empty(manifest.cells)) else None
 
 
 def _folder(out: Path | str, config: Config) -> Path:

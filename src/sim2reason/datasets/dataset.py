@@ -1,14 +1,19 @@
 """A finished dataset, opened: its items one after the other, any one by its id, or a few from all over it."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import islice
 from pathlib import Path
 
 from sim2reason.datasets import shard_files
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.manifest import Manifest, load, shard, shards
+from sim2reason.datasets.manifest import Manifest, ShardFile, load, shard, shards
+from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
 
+LONGEST_NAME = 80  # characters shown of an id that nobody knows
 STRIDE = 7919  # a prime, in step with no number of recipes and difficulties
+Wanted = Mapping[str, Collection[str]]
+"""The texts that a column may hold, by its name: ``{"recipe": ["pulley"], "asked.quantity": ["speed"]}``."""
 
 
 class Dataset:
@@ -39,29 +44,71 @@ class Dataset:
 
     def item(self, name: str) -> Item:
         """The item of an id, at once; DatasetError if there is none."""
-        config = self.manifest.config
-        try:
-            number = config.position(config.named(name)) // config.shard
-        except DrawError:
-            number = None
-        found = shard_files.items(self.path, shard(self.path, number)) if number is not None else ()
-        item = next((item for item in found if item.id == name), None)
-        if item is None:
-            raise DatasetError(f"{self.path}: holds no problem {name!r}; see: sim2reason show {self.path}")
-        return item
+        number = self._shard_of(name)
+        for file in shard(self.path, number).files if number is not None else ():
+            places = self._places(file, {"id": [name]})
+            if places:
+                return shard_files.read(self.path, file, places)[0]
+        raise DatasetError(f"{self.path}: holds no problem {shortened(name)}; see: sim2reason show {self.path}")
 
-    def some(self, count: int) -> Iterator[Item]:
-        """As many items from all over the dataset; never in step with the round robin of its plan."""
-        rows = len(self)
+    def some(self, count: int, wanted: Wanted | None = None) -> Iterator[Item]:
+        """As many items from all over those that are `wanted`; never in step with the round robin of its plan."""
+        wanted = wanted or {}
+        rows = sum(len(self._places(file, wanted)) for file in self._files()) if wanted else len(self)
         wide = rows // max(count, 1)  # one is taken from each stretch of so many
-        places = iter([n * rows // count + n * STRIDE % wide for n in range(count)] if wide else range(rows))
-        place, behind = next(places, None), 0
-        for held in shards(self.path):
-            items: list[Item] = []
-            while place is not None and place < behind + held.rows:
-                items = items or list(shard_files.items(self.path, held))
-                yield items[place - behind]
-                place = next(places, None)
-            behind += held.rows
+        chosen = (n * rows // count + n * STRIDE % wide for n in range(count)) if wide else iter(range(rows))
+        place, behind = next(chosen, None), 0
+        for file in self._files():
             if place is None:
                 return
+            found, taken = self._places(file, wanted), list[int]()
+            while place is not None and place < behind + len(found):
+                taken.append(found[place - behind])
+                place = next(chosen, None)
+            behind += len(found)
+            if taken:
+                yield from shard_files.read(self.path, file, taken)
+
+    def rows(self, *columns: str) -> Iterator[Row]:
+        """Some columns of all items (``recipe``, ``asked.quantity``) as plain values, one mapping in the other."""
+        return (row for file in self._files() for row in shard_files.rows(self.path, file, columns))
+
+    def rows_of(self, names: Collection[str], *columns: str) -> dict[str, Row]:
+        """Some columns of those of the items of these ids that the dataset holds, by id; each file is read once."""
+        numbers = {self._shard_of(name) for name in names} - {None}
+        last, found = max((n for n in numbers if n is not None), default=-1), dict[str, Row]()
+        for held in islice(shards(self.path), last + 1):
+            for file in held.files if held.number in numbers else ():
+                places = self._places(file, {"id": names})
+                rows = shard_files.rows(self.path, file, ("id", *columns), places) if places else ()
+                found.update({row["id"]: row for row in rows})
+        return found
+
+    def _files(self) -> Iterator[ShardFile]:
+        return (file for shard in shards(self.path) for file in shard.files)
+
+    def _shard_of(self, name: str) -> int | None:
+        """The shard in which the item of an id stands, if it is in the dataset; None if it can not be."""
+        config = self.manifest.config
+        try:
+            return config.position(config.named(name)) // config.shard
+        except DrawError:
+            return None
+
+    def _places(self, file: ShardFile, wanted: Wanted) -> Sequence[int]:
+        """Where in a file the items are whose columns hold what is wanted."""
+        if not wanted:
+            return range(file.rows)
+        rows = enumerate(shard_files.rows(self.path, file, tuple(wanted)))
+        return [n for n, row in rows if all(_value(row, name) in texts for name, texts in wanted.items())]
+
+
+def shortened(name: str) -> str:
+    """An id in quotes, or the beginning of a very long one."""
+    return repr(name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}…")
+
+
+def _value(row: Row, name: str) -> object:
+    """What a column of a row holds; a dot leads further in."""
+    head, _, rest = name.partition(".")
+    return _value(row[head], rest) if rest else row[head]

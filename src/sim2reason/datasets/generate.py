@@ -1,6 +1,6 @@
 """Generate a dataset from Python, as the command of this name does."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TypedDict, Unpack
 
@@ -8,18 +8,14 @@ from pydantic import ValidationError
 
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.names import ALL, Names, difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.places import HERE
 from sim2reason.datasets.plan import MAKER, SI, Config
 from sim2reason.errors import DatasetError
-from sim2reason.questions import MODES
 from sim2reason.questions.spoken_units import system_named
-from sim2reason.recipes import DIFFICULTIES, RECIPES, all_recipes, known
 
-ALL = "all"
 ITEMS = 1000
 AS_GIVEN = "seed", "shard", "maker", "solutions", "weights", "split"
-Names = str | Sequence[str]
-"""One name, several, or ``all``."""
 
 
 class Order(TypedDict, total=False):
@@ -69,18 +65,12 @@ def generate(
 
 def configured(**order: Unpack[Order]) -> Config:
     """The configuration that an order means; it raises what `generate` does."""
-    recipe, difficulty, mode = order.get("recipe", ALL), order.get("difficulty", ALL), order.get("mode", "numeric")
-    recipes = all_recipes() if recipe == ALL else _several(recipe)
-    modes = tuple(MODES) if mode == ALL else _several(mode)
-    if order.get("maker", MAKER) == MAKER:
-        for names, registry in ((recipes, RECIPES), (modes, MODES)):
-            for name in names:
-                registry[name]  # says what is near to an unknown one
+    ours = order.get("maker", MAKER) == MAKER  # another may know names that the library doesn't
     fields = {
         "items": order.get("items", ITEMS),
-        "recipes": recipes,
-        "difficulties": DIFFICULTIES if difficulty == ALL else tuple(known(name) for name in _several(difficulty)),
-        "modes": modes,
+        "recipes": recipes_named(order.get("recipe", ALL), check=ours),
+        "difficulties": difficulties_named(order.get("difficulty", ALL)),
+        "modes": modes_named(order.get("mode", "numeric"), check=ours),
         "units": system_named(order.get("units", SI)).name,
         **{name: value for name, value in order.items() if name in AS_GIVEN and value},
     }
@@ -89,7 +79,3 @@ def configured(**order: Unpack[Order]) -> Config:
     except ValidationError as error:
         fault = error.errors()[0]
         raise DatasetError(f"{'.'.join(map(str, fault['loc']))}: {fault['msg']}") from None
-
-
-def _several(names: Names) -> tuple[str, ...]:
-    return (names,) if isinstance(names, str) else tuple(names)

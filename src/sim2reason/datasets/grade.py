@@ -3,16 +3,21 @@
 import json
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from pathlib import Path
-from typing import NamedTuple, cast
+from itertools import groupby
+from typing import IO, NamedTuple, cast
 
 from pydantic import BaseModel, JsonValue, ValidationError
 
+from sim2reason.datasets.dataset import Dataset, shortened
 from sim2reason.datasets.item import Answer, Item
+from sim2reason.datasets.rows import ItemRow, answer_of
 from sim2reason.errors import DatasetError
 from sim2reason.grading import Outcome, Score, formula, number
 
-__all__ = ["Response", "Tally", "grade", "grade_answer", "line", "responses", "tallies"]
+__all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "grade_answer", "graded", "line", "responses"]
+
+LONGEST_LINE = 2**27  # bytes
+TOGETHER = 2000, 2**23  # responses that are graded together, at most, and the bytes of their lines
 
 
 class Response(BaseModel):
@@ -22,13 +27,26 @@ class Response(BaseModel):
     response: JsonValue
 
 
-def grade(item: Item, response: object, *, lenient: bool = False) -> Score:
+class GradedResponse(NamedTuple):
+    """A response with its score, and what groups it with others."""
+
+    response: Response
+    score: Score
+    recipe: str
+    kind: str
+
+
+def grade(item: Item | ItemRow, response: object, *, lenient: bool = False) -> Score:
     """The score of `response` to `item`, in the item's unit and within its tolerance; a formula at its bindings.
 
-    A direction in place of a sign is read by the item's words for what is positive. `lenient` takes the last number
+    `item` may be a row of a dataset as `datasets`, pandas, polars or pyarrow give it; only its answer is looked at. A
+    direction in place of a sign is read by the item's words for what is positive. `lenient` takes the last number
     where there is no box: for evaluation, never for a reward. No formula is so taken.
+
+    Raises:
+        DatasetError: a row without an answer that can be read.
     """
-    return grade_answer(item.answer, response, lenient=lenient)
+    return grade_answer(item.answer if isinstance(item, Item) else answer_of(item), response, lenient=lenient)
 
 
 def grade_answer(answer: Answer, response: object, *, lenient: bool = False) -> Score:
@@ -41,19 +59,53 @@ def grade_answer(answer: Answer, response: object, *, lenient: bool = False) -> 
     )
 
 
-def responses(path: Path) -> Iterator[Response]:
-    """The responses in a file of JSON lines ``{id, response}``; DatasetError names a line that is none."""
-    with path.open("rb") as file:
-        for count, text in enumerate(file, start=1):
-            if not text.strip():
-                continue
-            try:
-                yield Response.model_validate(_whole(json.loads(text)))
-            except ValidationError as error:
-                problem = "; ".join(f"{'.'.join(map(str, fault['loc']))} {fault['msg']}" for fault in error.errors())
-                raise DatasetError(f"{path}:{count}: {problem.strip()}; a line is {{id, response}}") from error
-            except (ValueError, RecursionError) as error:
-                raise DatasetError(f"{path}:{count}: no JSON: {error}; a line is {{id, response}}") from error
+def graded(data: Dataset, given: Iterable[Response], *, lenient: bool = False) -> Iterator[GradedResponse]:
+    """Responses to a dataset with their scores, in their order; some are held at a time, never all.
+
+    DatasetError names an id that the dataset does not hold.
+    """
+    for _, some in groupby(_numbered(given), key=lambda pair: pair[0]):
+        held = [response for _, response in some]
+        rows = data.rows_of({response.id for response in held}, "recipe", "kind", "answer")
+        for response in held:
+            row = rows.get(response.id)
+            if row is None:
+                raise DatasetError(f"{shortened(response.id)} is no item of {data.path}; give the dataset it is from")
+            score = grade(row, response.response, lenient=lenient)
+            yield GradedResponse(response, score, row["recipe"], row["kind"])
+
+
+def _numbered(given: Iterable[Response]) -> Iterator[tuple[int, Response]]:
+    """Each with the number of those that it is graded together with."""
+    group, count, size = 0, 0, 0
+    for response in given:
+        count, size = count + 1, size + len(str(response.response))
+        yield group, response
+        if count >= TOGETHER[0] or size >= TOGETHER[1]:
+            group, count, size = group + 1, 0, 0
+
+
+def responses(file: IO[bytes], name: str) -> Iterator[Response]:
+    """The responses in JSON lines ``{id, response}``; DatasetError, with the `name` of the file, if there is none."""
+    found = False
+    for count, text in enumerate(iter(lambda: file.readline(LONGEST_LINE), b""), start=1):
+        if len(text) == LONGEST_LINE:
+            raise DatasetError(f"{name}:{count}: more than {LONGEST_LINE} bytes; a line is {{id, response}}")
+        if text.strip():
+            found = True
+            yield _response(text, f"{name}:{count}")
+    if not found:
+        raise DatasetError(f"{name}: holds no response; give a line {{id, response}} for each")
+
+
+def _response(text: bytes, place: str) -> Response:
+    try:
+        return Response.model_validate(_whole(json.loads(text)))
+    except ValidationError as error:
+        problem = "; ".join(f"{'.'.join(map(str, fault['loc']))} {fault['msg']}" for fault in error.errors())
+        raise DatasetError(f"{place}: {problem.strip()}; a line is {{id, response}}") from error
+    except (ValueError, RecursionError) as error:
+        raise DatasetError(f"{place}: no JSON: {error}; a line is {{id, response}}") from error
 
 
 def _whole(read: object) -> object:
@@ -89,14 +141,22 @@ class Tally(NamedTuple):
     outcomes: dict[Outcome, int]
 
 
-def tallies(graded: Iterable[tuple[Item, Score]]) -> list[Tally]:
-    """How many responses came out how: over all, then by recipe and by kind, in alphabetical order."""
-    counts: dict[tuple[str, str], Counter[Outcome]] = {}
-    for item, score in graded:
-        for group in (("all", ""), ("recipe", item.recipe), ("kind", item.kind)):
-            counts.setdefault(group, Counter())[score.outcome] += 1
-    order = sorted(counts, key=lambda group: (("all", "recipe", "kind").index(group[0]), group[1]))
-    return [_tally(*group, counts[group]) for group in order]
+class Tallies:
+    """How many responses came out how."""
+
+    def __init__(self) -> None:
+        """None yet."""
+        self._counts: dict[tuple[str, str], Counter[Outcome]] = {}
+
+    def add(self, found: GradedResponse) -> None:
+        """Count one more, in each of its groups."""
+        for group in (("all", ""), ("recipe", found.recipe), ("kind", found.kind)):
+            self._counts.setdefault(group, Counter())[found.score.outcome] += 1
+
+    def __iter__(self) -> Iterator[Tally]:
+        """Over all, then by recipe and by kind, in alphabetical order."""
+        order = sorted(self._counts, key=lambda group: (("all", "recipe", "kind").index(group[0]), group[1]))
+        return (_tally(*group, self._counts[group]) for group in order)
 
 
 def _tally(by: str, name: str, count: Counter[Outcome]) -> Tally:

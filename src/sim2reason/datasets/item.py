@@ -5,6 +5,7 @@ from typing import Self
 
 from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, JsonValue, field_validator, model_validator
 
+from sim2reason.dsl.measures import join_unit
 from sim2reason.prose.formula_numbers import said_in
 
 
@@ -64,8 +65,13 @@ class Answer(Record):
     @property
     def told(self) -> str:
         """For people: the number with its unit, or the formula and its value in the scene."""
-        number = f"{self.value:.6g} {self.unit}".rstrip()
+        number = join_unit(f"{self.value:.6g}", self.unit)
         return number if self.formula is None else f"${self.formula.latex}$, which here is {number}"
+
+    @property
+    def shown(self) -> str:
+        """The same with what counts as positive."""
+        return f"{self.told}  (positive: {self.sign})" if self.sign else self.told
 
 
 class SolutionStep(Record):

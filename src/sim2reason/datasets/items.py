@@ -3,15 +3,18 @@
 from collections.abc import Iterator, Mapping
 
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import SI, Config, Request
+from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.make import item_of, make
+from sim2reason.datasets.names import ALL, Names, difficulties_named, modes_named, recipes_named
+from sim2reason.datasets.plan import SI, Config, Request, whole
+from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.weights import check
+from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError
 from sim2reason.questions.spoken_units import system_named
-from sim2reason.recipes import DIFFICULTIES, all_recipes
 
 
-def item(
+def item(  # noqa: PLR0913 - the coordinates of a problem, by name
     recipe: str = "pulley",
     difficulty: str = "medium",
     mode: str = "numeric",
@@ -20,37 +23,46 @@ def item(
     index: int = 0,
     weights: Mapping[str, float] | None = None,
     units: str = SI,
+    solutions: bool = False,
 ) -> Item:
     """The `index`-th problem of a recipe, difficulty, mode and seed: the same one wherever and whenever it is made.
 
     `weights` say how often kinds of question are asked, compared with others: ``{"period": 2, "reverse.count": 0}``.
     `units` is the system in which it is told: ``SI``, ``cgs``, or ``mixed`` (cm, g and km/h beside the SI).
+    With `solutions` it has its worked solution.
 
     Raises:
         DatasetError: a weight that makes no sense.
         UnknownNameError: no such recipe, difficulty, mode or units.
         DrawError: a negative seed or index, or no draw passed the filters within the budget; take another index.
     """
-    check(weights or {}, (mode,), (recipe,))
-    request = Request(recipe, difficulty, mode, seed, index, tuple(sorted((weights or {}).items())), units)
-    made = make(request)
-    if made.item is None:
-        refused = ", ".join(f"{count} {name}" for name, count in sorted(made.rejected.items()))
-        raise DrawError(f"{request.id}: no draw passed the filters ({refused}); take another index")
-    return made.item
+    return made(requested(recipe, difficulty, mode, seed, index, weights, units, solutions=solutions))[0]
+
+
+def sample(
+    recipe: str = "pulley",
+    difficulty: str = "medium",
+    mode: str = "numeric",
+    *,
+    seed: int = 0,
+    index: int = 0,
+    weights: Mapping[str, float] | None = None,
+) -> Scene:
+    """The scene of the `item` of these coordinates; it raises what that does."""
+    return _found(requested(recipe, difficulty, mode, seed, index, weights, SI)).study.scene
 
 
 def stream(
-    recipe: str = "all",
-    difficulty: str = "all",
-    mode: str = "numeric",
+    recipe: Names = ALL,
+    difficulty: Names = ALL,
+    mode: Names = "numeric",
     *,
     seed: int = 0,
     start: int = 0,
     weights: Mapping[str, float] | None = None,
     units: str = SI,
 ) -> Iterator[Item]:
-    """Problems without end, dealt in turn to the recipes and difficulties; `start` goes straight to a position.
+    """Problems without end, dealt in turn to the recipes, difficulties and modes; `start` goes straight to a position.
 
     The few requests that no draw fills are passed over, as in a dataset. `weights` and `units` are those of `item`.
 
@@ -59,21 +71,51 @@ def stream(
         DrawError: a negative seed or start.
         DatasetError: a weight that makes no sense.
     """
-    if seed < 0 or start < 0:
-        raise DrawError(f"seed {seed}, start {start}: one is negative; count from 0")
+    position = whole("start", start)
     config = Config(
         items=0,
-        recipes=all_recipes() if recipe == "all" else (recipe,),
-        difficulties=DIFFICULTIES if difficulty == "all" else (difficulty,),
-        modes=(mode,),
-        seed=seed,
+        recipes=recipes_named(recipe),
+        difficulties=difficulties_named(difficulty),
+        modes=modes_named(mode),
+        seed=whole("seed", seed),
         weights=dict(weights or {}),
         units=system_named(units).name,
     )
     check(config.weights, config.modes, config.recipes)
-    position = start
     while True:
-        made = make(config.request(position))
+        found = make(config.request(position)).item
         position += 1
-        if made.item is not None:
-            yield made.item
+        if found is not None:
+            yield found
+
+
+def requested(  # noqa: PLR0913 - the same
+    recipe: str,
+    difficulty: str,
+    mode: str,
+    seed: int,
+    index: int,
+    weights: Mapping[str, float] | None,
+    units: str,
+    *,
+    solutions: bool = False,
+) -> Request:
+    """The request of some coordinates; it raises what `item` does of them."""
+    check(weights or {}, (mode,), (recipe,))
+    ordered = tuple(sorted((weights or {}).items()))
+    return Request(recipe, difficulty, mode, seed, index, ordered, system_named(units).name, solutions)
+
+
+def made(request: Request) -> tuple[Item, CertifiedQuestion]:
+    """The item of a request, with all that it was made of; DrawError if no draw passed the filters."""
+    found = _found(request)
+    return item_of(request, found), found
+
+
+def _found(request: Request) -> CertifiedQuestion:
+    search = ItemSearch(request)
+    found = search.found()
+    if found is None:
+        refused = ", ".join(f"{count} {name}" for name, count in sorted(search.rejected.items()))
+        raise DrawError(f"{request.id}: no draw passed the filters ({refused}); take another index")
+    return found

@@ -12,7 +12,8 @@ from importlib import import_module
 from importlib.metadata import version
 from itertools import product
 from math import isclose
-from typing import Annotated, Self, cast
+from operator import index as as_index
+from typing import Annotated, Self, SupportsIndex, cast
 
 from annotated_types import Ge, Gt, Le, MinLen
 from pydantic import Field, field_validator
@@ -46,6 +47,17 @@ _ID = re.compile(
 )
 
 
+def whole(name: str, value: object) -> int:
+    """A coordinate: a whole number from 0 on, but not True or False; DrawError names it."""
+    try:
+        found = as_index(cast("SupportsIndex", value)) if not isinstance(value, bool) else -1
+    except TypeError:
+        found = -1
+    if not 0 <= found <= LARGEST:
+        raise DrawError(f"{name}: {value!r} is out of range; give a whole number from 0 to {LARGEST}")
+    return found
+
+
 @dataclass(frozen=True, slots=True)
 class Request:
     """An order for one item: the `index`-th of its recipe, difficulty, mode and seed."""
@@ -62,10 +74,9 @@ class Request:
     """Whether the item comes with its worked solution; it is the same problem either way."""
 
     def __post_init__(self) -> None:
-        """DrawError for coordinates that no item has."""
-        for name, value in (("seed", self.seed), ("index", self.index)):
-            if not 0 <= value <= LARGEST:
-                raise DrawError(f"{name}: {value} is out of range; give a whole number from 0 to {LARGEST}")
+        """DrawError for coordinates that no item has; whole numbers of other packages become Python's."""
+        for name in ("seed", "index"):
+            object.__setattr__(self, name, whole(name, getattr(self, name)))
 
     @property
     def id(self) -> str:

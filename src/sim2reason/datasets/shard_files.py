@@ -1,6 +1,7 @@
 """The files of a shard: written, and read back as items."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from sim2reason.datasets import store
@@ -30,14 +31,28 @@ def counts(items: BySplit) -> dict[str, Counts]:
     return merged([*found, {"split": {name: len(held) for name, held in items.items()}}])
 
 
-def read(out: Path, file: ShardFile) -> list[Item]:
-    """The items of one file, in order; DatasetError if it is not as it was written."""
+def read(out: Path, file: ShardFile, places: Sequence[int] | None = None) -> list[Item]:
+    """The items of one file, or those at some places, in order; DatasetError if it is not as it was written."""
+    with _checked(out, file) as path:
+        return store.read(path, places)
+
+
+def rows(
+    out: Path, file: ShardFile, columns: Sequence[str], places: Sequence[int] | None = None
+) -> Iterator[store.Row]:
+    """Some columns of one file, row by row, at all its places or some; DatasetError if it is not as it was written."""
+    with _checked(out, file) as path:
+        yield from store.rows(path, columns, places)
+
+
+@contextmanager
+def _checked(out: Path, file: ShardFile) -> Generator[Path, None, None]:
     remedy = f"see: sim2reason verify {out}; the same sim2reason generate makes it again"
     if checksum(out / file.name) != file.sha256:
         state = "damaged" if (out / file.name).is_file() else "missing"
         raise DatasetError(f"{out / file.name}: {state}; {remedy}")
     try:
-        return store.read(out / file.name)
+        yield out / file.name
     except (OSError, ValueError) as error:
         why = " ".join(str(error).split())
         raise DatasetError(f"{out / file.name}: not readable ({why}); {remedy}") from None

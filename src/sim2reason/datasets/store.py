@@ -5,7 +5,8 @@
 # pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 import json
-from collections.abc import Sequence
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -65,28 +66,47 @@ SCHEMA = pa.schema(
 )
 """What has keys of its own, the certificate, the versions and the weights, is kept as JSON text."""
 OPEN = "versions", "weights"
+BATCH = 100  # rows that are plain values at a time
+Row = dict[str, Any]
 
 
 def write(path: Path, items: Sequence[Item]) -> None:
     """Write a file: the same items give the same bytes with the same pyarrow."""
     table = pa.Table.from_pylist([_row(item) for item in items], schema=SCHEMA)
     # all that decides about bytes is said here, and none of it depends on the clock or the machine's cores
-    pq.write_table(table, path, compression="zstd", compression_level=3, version="2.6")
+    with path.open("wb") as file:  # by its own name pyarrow opens only what is UTF-8
+        pq.write_table(table, file, compression="zstd", compression_level=3, version="2.6")
 
 
-def read(path: Path) -> list[Item]:
-    """The items of one file, in order; OSError or ValueError if it is damaged."""
-    try:
-        return [_item(row) for row in pq.ParquetFile(path).read().to_pylist()]
-    except (pa.ArrowException, KeyError, TypeError) as error:
-        raise ValueError(str(error)) from error
+def read(path: Path, places: Sequence[int] | None = None) -> list[Item]:
+    """The items of one file, or those at some places of it, in order; OSError or ValueError if it is damaged."""
+    with _opened(path) as file:
+        return [_item(row) for row in _taken(file.read(), places).to_pylist()]
+
+
+def rows(path: Path, columns: Sequence[str], places: Sequence[int] | None = None) -> Iterator[Row]:
+    """Some columns of one file (``recipe``, ``asked.quantity``), row by row; places and errors are those of `read`."""
+    with _opened(path) as file:
+        for batch in _taken(file.read(columns=list(columns)), places).to_batches(max_chunksize=BATCH):
+            yield from batch.to_pylist()
 
 
 def count(path: Path) -> int:
     """The number of rows that a file says it has; OSError or ValueError if it is damaged."""
+    with _opened(path) as file:
+        return file.metadata.num_rows
+
+
+def _taken(table: Any, places: Sequence[int] | None) -> Any:  # noqa: ANN401 - pyarrow has no types
+    return table if places is None else table.take(pa.array(places, WHOLE))
+
+
+@contextmanager
+def _opened(path: Path) -> Generator[Any, None, None]:
     try:
-        return pq.ParquetFile(path).metadata.num_rows
-    except pa.ArrowException as error:
+        with path.open("rb") as file:
+            yield pq.ParquetFile(file)
+    except (pa.ArrowException, KeyError, TypeError) as error:
         raise ValueError(str(error)) from error
 
 

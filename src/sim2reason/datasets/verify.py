@@ -14,21 +14,21 @@ from sim2reason.errors import DatasetError
 
 
 class Findings(Record):
-    """What `examine` saw: rows and shards by the manifest, and a line for each thing that is wrong."""
+    """What `verify` saw: rows and shards by the manifest, and a line for each thing that is wrong."""
 
     rows: int
     shards: int
     faults: tuple[str, ...]
 
 
-def examine(out: Path | str) -> Findings:
+def verify(dataset: Path | str) -> Findings:
     """Check a dataset against its manifest.
 
     Finds a flipped byte in any file of the dataset, a missing and an extra shard, a wrong count of rows, and a mode,
     kind and recipe that was asked for, but of which none was kept.
-    DatasetError if `out` is no finished dataset at all.
+    DatasetError if `dataset` is no finished dataset at all.
     """
-    out = Path(out)
+    out = Path(dataset)
     if not out.is_dir():
         raise DatasetError(f"{out}: no such folder; give one that sim2reason generate has made")
     if not (out / MANIFEST).is_file() and (out / FOLDER).is_dir():

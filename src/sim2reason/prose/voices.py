@@ -1,12 +1,15 @@
 """How numbers are spoken: as numbers, as symbols, or some of each."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 from sim2reason.dsl.model import Parameter
+from sim2reason.errors import SceneError, UnknownNameError
 
 Voice = Callable[[Parameter, str], str]
 """How a number is spoken: from the parameter and its symbol."""
+VoiceName = Literal["numeric", "symbolic"]
 
 
 def numeric(parameter: Parameter, symbol: str) -> str:
@@ -37,13 +40,23 @@ class Hiding:
         return (symbolic if parameter.path in self.paths else numeric)(parameter, symbol)
 
 
+VOICES: Mapping[str, Voice] = {"numeric": numeric, "symbolic": symbolic}
+
+
 def hiding(*paths: str) -> Voice:
     """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""
     return Hiding(paths)
 
 
-def voice_named(voice: str, hide: tuple[str, ...] = ()) -> Voice:
-    """The voice of a name: numeric or symbolic, with addresses to hide in the numeric one."""
-    if voice == "symbolic":
-        return symbolic
-    return hiding(*hide) if hide else numeric
+def voice_of(given: Iterable[Parameter], voice: Voice | VoiceName, hide: Collection[str] = ()) -> Voice:
+    """A voice that may be given by its name, with addresses to hide; SceneError if at one of them no number is told."""
+    if hide:
+        known = [parameter.path for parameter in given if not parameter.hidden and parameter.value is not None]
+        for address in hide:
+            if address not in known:
+                raise SceneError(f"--hide {address}", "no such number is told", f"there are: {', '.join(known)}")
+    if callable(voice):
+        return hiding(*hide) if hide else voice
+    if voice not in VOICES:
+        raise UnknownNameError(f"no such voice: {voice!r}; there are: {', '.join(VOICES)}")
+    return hiding(*hide) if hide and voice == "numeric" else VOICES[voice]

@@ -32,7 +32,7 @@ from sim2reason.prose.naming import Names, letters
 from sim2reason.prose.phrases import BODIES, alike, canonical, paragraphs, resolved
 from sim2reason.prose.tables import table
 from sim2reason.prose.terms import Terms
-from sim2reason.prose.voices import Voice, numeric
+from sim2reason.prose.voices import Voice, VoiceName, numeric, voice_of
 
 TABLE_FROM = 3  # like bodies; two are always prose
 
@@ -75,13 +75,24 @@ class Description:
         return self.names.mention(address, self.scene.bodies[address])
 
 
-def describe(scene: Scene, seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()) -> Description:
+def describe(
+    scene: Scene,
+    seed: int = 0,
+    voice: Voice | VoiceName = numeric,
+    without: Collection[Topic] = (),
+    *,
+    hide: Collection[str] = (),
+) -> Description:
     """The text of a scene; wordings depend on `seed` alone, so that all voices say the same sentences.
 
-    A first pass finds the order of mention, from which follow the letters; a second one writes, `without` what it is
+    `voice` is ``numeric``, ``symbolic``, or a function; of the numbers at the addresses in `hide` symbols are said. A
+    first pass finds the order of mention, from which follow the letters; a second one writes, `without` what it is
     to leave out.
+
+    Raises:
+        SceneError: an address to hide at which no number is told.
     """
-    return written(draft(scene, seed)[1], seed, voice, without)
+    return written(draft(scene, seed)[1], seed, voice_of(scene.parameters, voice, hide), without)
 
 
 def written(dry: "Writer", seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()) -> Description:

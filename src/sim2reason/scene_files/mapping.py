@@ -10,6 +10,7 @@
 A file is foreign text. Whatever is wrong with it is one SceneError with the path in the file, the line and the remedy.
 """
 
+import re
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
@@ -28,6 +29,7 @@ from sim2reason.scene_files.tendons import own_values, paths, read_pair, told_pa
 from sim2reason.scene_files.yaml_text import MAX_BYTES, Lines, Plain, parse, shown, write
 
 M = TypeVar("M", bound=Model)
+_PATH = re.compile(r"[^\n\0{\[]*\.(?:yaml|yml|json)")
 SCENE_KEYS = ("name", "entities", "connections", "world", "glued")
 ENTITY_KEYS = ("name", "type", "position", "parameters")
 
@@ -35,11 +37,17 @@ ENTITY_KEYS = ("name", "type", "position", "parameters")
 def load(source: str | Path) -> Scene:
     """The scene of a text, or of the file at a path; its mechanism can be built.
 
+    A `str` of one line that ends in .yaml, .yml or .json is the path of a file; any other is the text itself.
+
     Raises:
         SceneError: what is wrong, at which path in the file and in which line, and what to do about it.
         OSError: the file can't be read.
     """
-    text = _read(source) if isinstance(source, Path) else source
+    return loads(_read(Path(source)) if isinstance(source, Path) or _PATH.fullmatch(source) else source)
+
+
+def loads(text: str) -> Scene:
+    """The scene of a text, whatever it looks like; SceneError as `load`."""
     data = parse(text)
     try:
         return _scene(data)

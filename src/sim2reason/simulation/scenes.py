@@ -10,8 +10,11 @@ from sim2reason.errors import SceneError
 from sim2reason.simulation.certify import RECORDED, Certificate
 from sim2reason.simulation.certify import certify as certify_mechanism
 from sim2reason.simulation.trace import ENGINES, Trace
+from sim2reason.simulation.truncate import truncate as truncated
 
 SAMPLES = 101
+BOTH = "both"
+"""In place of an engine's name: one checked by the other."""
 
 
 def certify(scene: Scene, duration: float | None = None, samples: int = SAMPLES) -> tuple[Trace, Certificate]:
@@ -23,14 +26,28 @@ def certify(scene: Scene, duration: float | None = None, samples: int = SAMPLES)
     return certify_mechanism(scene.mechanism, _times(scene, duration, samples))
 
 
-def simulate(scene: Scene, duration: float | None = None, engine: str = RECORDED, samples: int = SAMPLES) -> Trace:
+def simulate(
+    scene: Scene,
+    duration: float | None = None,
+    engine: str = RECORDED,
+    samples: int = SAMPLES,
+    *,
+    truncate: bool = False,
+) -> Trace:
     """Simulate a scene for `duration`, by default its horizon, by one engine, recorded at equal intervals.
+
+    By `both` engines: the exact one's, cut where they part. `truncate` cuts where a sample stands out by 5σ, events
+    included.
 
     Raises:
         UnknownNameError: no such engine.
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
-    return ENGINES[engine](scene.mechanism, _times(scene, duration, samples))
+    if engine == BOTH:
+        trace = certify(scene, duration, samples)[0]
+    else:
+        trace = ENGINES[engine](scene.mechanism, _times(scene, duration, samples))
+    return truncated(trace) if truncate else trace
 
 
 def _times(scene: Scene, duration: float | None, samples: int) -> Array:

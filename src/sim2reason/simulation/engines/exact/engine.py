@@ -23,7 +23,9 @@ SETTLING = 5_000  # operations that an event costs for each coordinate
 
 @ENGINES.register("exact")
 def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
-    """The motion at `times` (m,), in seconds, increasing from 0; `tolerance` is of an integrator's step, relative.
+    """From event to event by closed forms, or by integration where something bends: the motion at `times` (m,).
+
+    Times are in seconds, increasing from 0; `tolerance` is of an integrator's step, relative.
 
     Raises:
         UnsupportedError: the mechanism has a part that this engine does not model.

@@ -22,7 +22,9 @@ __all__ = ["simulate"]
 
 @ENGINES.register("mujoco")
 def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
-    """The motion at `times` (m,), in seconds, increasing from 0; its tolerance is its own.
+    """By MuJoCo's model and solver, as a second witness: the motion at `times` (m,).
+
+    Times are in seconds, increasing from 0; its tolerance is its own.
 
     Raises:
         UnsupportedError: a string bends as it moves.

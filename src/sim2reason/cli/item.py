@@ -1,0 +1,57 @@
+"""Make one problem by its coordinates, with its answer."""
+
+from pathlib import Path
+
+import click
+
+from sim2reason.cli import console, options, problems, results
+
+EXAMPLE = """\b
+Example:
+    sim2reason item pulley medium --mode reverse --seed 7 --index 3
+    sim2reason item springs hard --index 12 --solutions --figure scene.svg
+    sim2reason item pulley easy --json
+"""
+
+
+@click.command("item", epilog=EXAMPLE)
+@click.argument("recipe")
+@click.argument("difficulty", default="medium")
+@options.one_mode()
+@options.seed("Which series of problems.")
+@options.index("Which problem of the series.")
+@options.weights()
+@options.units()
+@click.option("--solutions", is_flag=True, help="With its worked solution, where there is one.")
+@options.figure(printing=True)
+@click.option("--scene", "with_scene", is_flag=True, cls=options.Printing, help="Print the scene too.")
+@options.to_json("For a program to read: one item, as the lists of show and ask have it.")
+def command(
+    recipe: str,
+    difficulty: str,
+    mode: str,
+    seed: int,
+    index: int,
+    weights: dict[str, float],
+    units: str,
+    solutions: bool,
+    figure: Path | None,
+    with_scene: bool,
+    to_json: bool,
+) -> None:
+    """Make one problem of a RECIPE and a DIFFICULTY (easy, medium or hard), the same one that a dataset has."""
+    from sim2reason.datasets.items import made, requested
+    from sim2reason.figures import canvas
+    from sim2reason.figures.drawing import drawing
+
+    if figure is not None:
+        canvas.check(figure)
+    request = requested(recipe, difficulty, mode, seed, index, weights, units, solutions=solutions)
+    item, found = made(request)
+    if figure is not None:
+        with results.warnings_told(), results.written(figure) as path:
+            canvas.draw(drawing(found.description.scene, found.description), path)
+    if to_json:
+        console.as_json(item.model_dump(mode="json"))
+    else:
+        problems.tell(item, scene=with_scene, solution=solutions)

@@ -1,0 +1,125 @@
+"""The options that several commands have: one word for one thing, declared once."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from sim2reason.cli.console import RESULT, words
+
+ALL = "all"
+LARGEST = 2**63 - 1  # as of a seed of a dataset, whose module would load too much for --help
+Names = str | tuple[str, ...]
+"""One name, several, or all."""
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class Printing(click.Option):
+    """An option that only says how something is printed or kept: the Python function of the command has none such."""
+
+
+def names(ctx: click.Context, param: click.Parameter, value: str) -> Names:
+    """The names that an option gives, separated by commas, or all."""
+    del ctx, param
+    return value if value == ALL else words(value)
+
+
+def pairs(ctx: click.Context, param: click.Parameter, value: str) -> dict[str, float]:
+    """The pairs of a name and a number that an option gives."""
+    del ctx
+    found: dict[str, float] = {}
+    for pair in words(value) if value else ():
+        name, equals, number = pair.partition("=")
+        try:
+            found[name.strip()] = float(number)
+        except ValueError:
+            raise click.UsageError(f"--{param.name}: {pair!r} is no pair; write NAME{equals or '='}NUMBER.") from None
+    return found
+
+
+def scene() -> Callable[[F], F]:
+    """The file of a scene, or a dash for standard input."""
+    return click.argument("scene", metavar="SCENE", type=click.Path(path_type=Path, allow_dash=True))
+
+
+def dataset() -> Callable[[F], F]:
+    """A folder that generate has finished."""
+    return click.argument("dataset", metavar="DATASET", type=click.Path(path_type=Path))
+
+
+def identity(text: str, *, required: bool = False) -> Callable[[F], F]:
+    """The id of a problem."""
+    return click.option("--id", "id", required=required, help=text)
+
+
+def recipe(default: str = ALL) -> Callable[[F], F]:
+    """One recipe, several, or all."""
+    return click.option(
+        "--recipe", callback=names, default=default, show_default=True, help="Recipes, separated by commas, or all."
+    )
+
+
+def difficulty(default: str = ALL) -> Callable[[F], F]:
+    """One difficulty, several, or all."""
+    text = "easy, medium, hard, several separated by commas, or all."
+    return click.option("--difficulty", callback=names, default=default, show_default=True, help=text)
+
+
+def mode(default: str = "numeric") -> Callable[[F], F]:
+    """One mode of questions, several, or all."""
+    text = "Modes of questions (numeric, reverse, symbolic), separated by commas, or all."
+    return click.option("--mode", callback=names, default=default, show_default=True, help=text)
+
+
+def one_mode() -> Callable[[F], F]:
+    """The mode of one problem."""
+    return click.option("--mode", default="numeric", show_default=True, help="numeric, reverse or symbolic.")
+
+
+def seed(text: str) -> Callable[[F], F]:
+    """What a random draw depends on."""
+    return click.option("--seed", type=click.IntRange(0, LARGEST), default=0, show_default=True, help=text)
+
+
+def index(text: str) -> Callable[[F], F]:
+    """The number in a series of problems."""
+    return click.option("--index", type=click.IntRange(0, LARGEST), default=0, show_default=True, help=text)
+
+
+def items(default: int, least: int, most: int | None, text: str = "How many problems.") -> Callable[[F], F]:
+    """How many problems."""
+    bounds = click.IntRange(least, most)
+    return click.option("-n", "--items", type=bounds, default=default, show_default=True, help=text)
+
+
+def weights() -> Callable[[F], F]:
+    """How often kinds of question are asked."""
+    text = (
+        "How often kinds of question are asked, as in period=2,reverse.count=0,springs.numeric.sum=0.5. [default: as "
+        "the kinds and recipes declare]"
+    )
+    return click.option("--weights", callback=pairs, default="", help=text)
+
+
+def units() -> Callable[[F], F]:
+    """In which units texts speak."""
+    text = "In which texts speak: SI, cgs, or mixed (cm, g and km/h, else SI)."
+    return click.option("--units", default="SI", show_default=True, help=text)
+
+
+def out(text: str, *, required: bool = False, printing: bool = True) -> Callable[[F], F]:
+    """The file that is written."""
+    kind = Printing if printing else click.Option
+    return click.option("-o", "--out", "out", type=RESULT, required=required, cls=kind, help=text)
+
+
+def to_json(text: str = "For a program to read.") -> Callable[[F], F]:
+    """Whether a program reads what is printed."""
+    return click.option("--json", "to_json", is_flag=True, cls=Printing, help=text)
+
+
+def figure(*, printing: bool = False) -> Callable[[F], F]:
+    """Where a drawing of the scene goes, labelled as the problem names things."""
+    kind = Printing if printing else click.Option
+    return click.option("--figure", type=RESULT, cls=kind, help="Draw the scene, too: a .svg, .png or .pdf file.")

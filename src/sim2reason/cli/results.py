@@ -1,0 +1,94 @@
+"""Files that commands write: whole or not at all, and never through a link or over what is no file."""
+
+import os
+import warnings
+from collections.abc import Callable, Generator
+from contextlib import contextmanager, suppress
+from itertools import count
+from pathlib import Path
+from shutil import copyfileobj
+from tempfile import TemporaryDirectory
+
+import click
+
+from sim2reason.cli import console
+from sim2reason.errors import FigureWarning
+
+STDOUT = Path("-")
+
+
+def tell(text: str, out: Path | None) -> None:
+    """Write a text to a file, or to standard output where there is none, or a dash."""
+    if out in (None, STDOUT):
+        click.echo(text, nl=False)
+        return
+    with written(out) as path:
+        path.write_text(text, encoding="utf-8", newline="\n")
+
+
+@contextmanager
+def written(out: Path) -> Generator[Path, None, None]:
+    """The path of a new file of the same ending, which becomes `out` when the block has ended well.
+
+    It stands beside `out` under a name that nobody else has, so a kill loses nothing. What is no file, such as a
+    device or a pipe, is written to. OSError names `out`.
+    """
+    if out == STDOUT:
+        raise click.UsageError("-: what is written is no text for standard output; give it a file.")
+    try:
+        if out.exists() and not out.is_file():
+            with _spooled(out) as path:
+                yield path
+            return
+        path = _new(out)
+        try:
+            yield path
+            path.replace(out)
+        finally:
+            path.unlink(missing_ok=True)
+    except OSError as error:
+        error.filename, error.filename2 = str(out), None
+        raise
+
+
+@contextmanager
+def lines(out: Path | None) -> Generator[Callable[[str], object], None, None]:
+    """What writes a line to `out`; without one, it does nothing."""
+    if out is None:
+        yield lambda _: None
+    elif out == STDOUT:
+        yield click.echo
+    else:
+        with written(out) as path, path.open("w", encoding="utf-8", newline="\n") as file:
+            yield lambda line: file.write(f"{line}\n")
+
+
+@contextmanager
+def warnings_told() -> Generator[None, None, None]:
+    """Say on stderr what the block warns of, a line each."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", FigureWarning)
+        yield
+    for warning in caught:
+        console.explain(f"sim2reason: warning: {warning.message}")
+
+
+def _new(out: Path) -> Path:
+    """An empty file beside `out` that was not there before."""
+    for number in count():
+        path = out.with_name(f".sim2reason-{os.getpid()}-{number}{out.suffix}")
+        with suppress(FileExistsError):
+            os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
+            return path
+    raise AssertionError
+
+
+@contextmanager
+def _spooled(out: Path) -> Generator[Path, None, None]:
+    """A file whose content goes into a stream at the end."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / f"whole{out.suffix}"
+        path.touch()
+        yield path
+        with path.open("rb") as whole, out.open("wb") as stream:
+            copyfileobj(whole, stream)

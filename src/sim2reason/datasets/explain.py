@@ -1,0 +1,96 @@
+"""All about one problem of a dataset: where it comes from, what vouches for it, and why it was kept."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from textwrap import indent
+
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.make import item_of
+from sim2reason.datasets.plan import Request
+from sim2reason.datasets.question_search import CertifiedQuestion
+from sim2reason.datasets.worked_solutions import worked
+from sim2reason.errors import DatasetError
+from sim2reason.figures import canvas
+from sim2reason.figures.drawing import drawing
+from sim2reason.filters import in_order
+from sim2reason.simulation.trace_files import write_trace
+
+
+class Explanation(dict[str, tuple[str, ...]]):
+    """Lines by title, in the order in which they are read."""
+
+    def __str__(self) -> str:
+        """All of it, as the command of this name prints it."""
+        return "\n".join(f"{title}\n{told(lines)}\n" for title, lines in self.items())
+
+
+def told(lines: Iterable[str]) -> str:
+    """The lines below a title."""
+    return indent("\n".join(lines), "  ")
+
+
+def explain(
+    dataset: Dataset | Path | str,
+    id: str,  # noqa: A002 - the column's name
+    *,
+    figure: Path | str | None = None,
+    trace: Path | str | None = None,
+) -> Explanation:
+    """Tell all about the problem of an `id`, which is made again, so that nothing in the file is taken on trust.
+
+    It is drawn into the file `figure` (.svg, .png or .pdf), and its motion written to `trace` (Parquet).
+
+    Raises:
+        DatasetError: no finished dataset, no such problem, or one that this version makes otherwise.
+        OSError: a file can't be written.
+    """
+    if figure is not None:
+        canvas.check(Path(figure))
+    item = (dataset if isinstance(dataset, Dataset) else Dataset(dataset)).item(id)
+    request = _request(item)
+    search = ItemSearch(request)
+    found, refused = search.found(), search.rejected
+    if found is None or item_of(request, found) != item:
+        remedy = "install the versions that it names, or make the dataset anew"
+        raise DatasetError(f"{id}: this version of sim2reason makes another problem of these coordinates; {remedy}")
+    if figure is not None:
+        canvas.draw(drawing(found.description.scene, found.description), Path(figure))
+    if trace is not None:
+        write_trace(found.study.trace, trace)
+    return Explanation(
+        {
+            "Problem": (*item.prompt.splitlines(), "", f"Answer: {item.answer.shown}"),
+            "Scene": tuple(item.scene.splitlines()),
+            "Certificate": tuple(f"{key}: {value}" for key, value in item.certificate.items()),
+            "Refused before it": tuple(f"{n} × {reason}" for reason, n in sorted(refused.items())) or ("nothing",),
+            "Solution": tuple(_solution(request, found).splitlines()),
+            "Filters": tuple(_filters(found)),
+            "Wrong answers": tuple(f"{d.value:.4g}: {d.reason}" for d in item.distractors) or ("none",),
+            "Without bearing": item.idle or ("nothing",),
+        }
+    )
+
+
+def _request(item: Item) -> Request:
+    """The request that an item answers."""
+    made = item.provenance
+    weights = tuple(sorted(made.weights.items()))
+    solved = item.solution is not None or bool(item.unsolved)
+    return Request(made.recipe, made.difficulty, made.mode, made.seed, made.index, weights, made.units, solved)
+
+
+def _solution(request: Request, found: CertifiedQuestion) -> str:
+    """The worked solution, or why there is none."""
+    solution = worked(request, found)
+    return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
+
+
+def _filters(found: CertifiedQuestion) -> Iterator[str]:
+    """Every filter with its verdict and what it found."""
+    candidate = replace(found.candidate, certificate=found.certificate)
+    for name, each in in_order():
+        yield f"{name}: {each.reason(candidate) or 'keeps it'}"
+        yield from (f"  {line}" for line in each.findings(candidate))

@@ -1,0 +1,36 @@
+"""Names of recipes, difficulties and modes as an order gives them: one, several, or all."""
+
+from collections.abc import Sequence
+
+from sim2reason.questions import MODES
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, known
+
+ALL = "all"
+Names = str | Sequence[str]
+"""One name, several, or ``all``."""
+
+
+def several(names: Names) -> tuple[str, ...]:
+    """The names that are given, be it one or more."""
+    return (names,) if isinstance(names, str) else tuple(names)
+
+
+def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
+    """Recipes; `check` raises UnknownNameError, with what is near, for one that there is not."""
+    found = all_recipes() if names == ALL else several(names)
+    for name in found if check else ():
+        RECIPES[name]
+    return found
+
+
+def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
+    """Modes of questions, checked as recipes are."""
+    found = tuple(MODES) if names == ALL else several(names)
+    for name in found if check else ():
+        MODES[name]
+    return found
+
+
+def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
+    """Difficulties; UnknownNameError for another."""
+    return tuple(known(name) for name in (DIFFICULTIES if names == ALL else several(names)))

@@ -1,0 +1,48 @@
+"""Some problems of a dataset: from all over it, or from all over those that fit."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.names import ALL, Names, several
+from sim2reason.errors import DatasetError
+
+PROBLEMS = 3
+
+
+def show(  # noqa: PLR0913 - filters, by name
+    dataset: Dataset | Path | str,
+    *,
+    items: int = PROBLEMS,
+    id: str | None = None,  # noqa: A002 - the column's name
+    recipe: Names = ALL,
+    difficulty: Names = ALL,
+    mode: Names = ALL,
+    kind: Names = ALL,
+    quantity: Names = ALL,
+) -> Iterator[Item]:
+    """At most so many `items`, spread over the dataset, of which all names fit; or the one of an `id`.
+
+    One file is held in memory at a time. Each name may be one, several, or ``all``.
+
+    Raises:
+        DatasetError: no finished dataset, a damaged file, or nothing that fits.
+    """
+    data = dataset if isinstance(dataset, Dataset) else Dataset(dataset)
+    if id is not None:
+        return iter([data.item(id)])
+    given = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "asked.quantity": quantity}
+    wanted = {name: several(names) for name, names in given.items() if names != ALL}
+    return _some(data, items, wanted)
+
+
+def _some(data: Dataset, items: int, wanted: Mapping[str, Sequence[str]]) -> Iterator[Item]:
+    found = data.some(items, wanted)
+    first = next(found, None)
+    if first is not None:
+        yield first
+        yield from found
+    elif wanted:
+        said = ", ".join(f"{name.rpartition('.')[2]} {' or '.join(names)}" for name, names in wanted.items())
+        raise DatasetError(f"{data.path}: holds no problem of {said}; see: sim2reason stats {data.path}")

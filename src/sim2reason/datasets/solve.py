@@ -1,0 +1,77 @@
+"""The worked solution of a problem: of one that an id names, or of a question about a scene."""
+
+from collections import Counter
+from typing import NamedTuple
+
+from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.make import item_of
+from sim2reason.datasets.plan import Request
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.datasets.worked_solutions import worked
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import DrawError, SceneError, TextError
+from sim2reason.questions import MODES
+from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.spoken_units import system_named
+from sim2reason.solutions import Setting, Solution
+from sim2reason.solutions import solve as solved
+
+TRIES = 20
+
+
+class SolvedProblem(NamedTuple):
+    """A problem's text, and its solution; one without an answer says why."""
+
+    problem: str
+    solution: Solution
+
+
+def solve(
+    scene: Scene | None = None,
+    *,
+    id: str | None = None,  # noqa: A002 - the column's name
+    question: str | None = None,
+    seed: int = 0,
+) -> SolvedProblem:
+    """Solve the problem of an `id`, made again from its name, or a question about a scene, in steps.
+
+    A `question` is in the words of the library; without one, one is drawn. Another seed, other words.
+
+    Raises:
+        SceneError: neither a scene nor an id, or both, or nothing to ask about the scene.
+        TextError: a question that asks nothing known.
+        DrawError: what is no id, or one of no problem.
+    """
+    if (scene is None) == (id is None):
+        raise SceneError("solve", "it takes a scene or an id", "give one of the two")
+    if scene is not None:
+        return _of_scene(scene, question, seed)
+    if question is not None:
+        raise SceneError("question", "the problem of an id has its own", "give a scene instead of the id")
+    return _of_item(str(id))
+
+
+def _of_item(name: str) -> SolvedProblem:
+    request = Request.named(name)
+    system_named(request.units)
+    found = ItemSearch(request).found()
+    if found is None:
+        raise DrawError(f"{name}: no draw passed the filters, so that there is no such problem; take another index")
+    return SolvedProblem(item_of(request, found).prompt, worked(request, found))
+
+
+def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
+    search = QuestionSearch(scene, seed)
+    if question is None:
+        draws = (search.ask(MODES["numeric"], generator("solve", seed, n), Counter[str]()) for n in range(TRIES))
+        drawn = next((held for held in draws if held is not None), None)
+        if drawn is None:
+            raise SceneError(scene.name, "no question about it passes the filters", "give one, by --question")
+        query, question = drawn.question.query, drawn.question.text
+    else:
+        query = parse_question(question, search.study, search.words)
+        if query is None:
+            raise TextError("--question", "it asks nothing that this library asks", "see: sim2reason ask SCENE")
+    setting = Setting(search.study.scene, search.words, search.description.symbols, search.study, query)
+    return SolvedProblem(f"{search.description.text} {question}", solved(setting))
