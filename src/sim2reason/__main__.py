@@ -1,5 +1,25 @@
-"""``python -m sim2reason`` is the command line."""
+"""``python -m sim2reason``, like the command ``sim2reason``, is the command line."""
 
-from sim2reason.cli import main
+import os
+import signal
 
-main(prog_name="sim2reason")
+INTERRUPTED = b"sim2reason: interrupted\n"
+
+
+def main() -> None:
+    """Run it; an interrupt while it loads, or after its end, is one line, too."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # in the background it is ignored
+        signal.signal(signal.SIGINT, _leave)
+    from sim2reason.cli import main as commands  # noqa: PLC0415 - it takes a tenth of a second
+
+    commands(prog_name="sim2reason")
+
+
+def _leave(number: int, frame: object) -> None:
+    del number, frame
+    os.write(2, INTERRUPTED)
+    os._exit(130)
+
+
+if __name__ == "__main__":
+    main()

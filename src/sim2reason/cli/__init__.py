@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 
 import click
 
-from sim2reason.cli import console, streams
+from sim2reason.cli import console, interrupts, streams
 
 HERE = Path(__file__).parent
 EXIT_INPUT, EXIT_INTERRUPTED, EXIT_PIPE = 2, 130, 141
@@ -58,8 +58,9 @@ class Commands(click.Group):
         extra["standalone_mode"] = False
         streams.prepare()
         try:
-            code = super().main(*args, **extra)
-        except click.Abort as error:
+            with interrupts.heard():
+                code = super().main(*args, **extra)
+        except (click.Abort, KeyboardInterrupt) as error:
             console.explain(console.explained(error.__cause__ or error))
             raise SystemExit(EXIT_INTERRUPTED) from None
         except click.exceptions.NoArgsIsHelpError as error:

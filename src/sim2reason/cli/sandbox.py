@@ -7,6 +7,7 @@ from multiprocessing.connection import Connection
 from threading import Thread
 from typing import ParamSpec, TypeVar
 
+from sim2reason.datasets.interrupts import deaf_children
 from sim2reason.errors import Sim2ReasonError, SimulationError
 
 P = ParamSpec("P")
@@ -22,7 +23,8 @@ def sandboxed(patience: float, function: Callable[P, R], *args: P.args, **kwargs
     """
     ours, theirs = get_context("spawn").Pipe(duplex=False)
     process = get_context("spawn").Process(target=_serve, args=(theirs, function, args, kwargs), daemon=True)
-    process.start()
+    with deaf_children():
+        process.start()
     theirs.close()  # now the worker alone holds it: its death closes the pipe
     try:
         if not ours.poll(patience):

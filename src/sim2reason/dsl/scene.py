@@ -48,9 +48,7 @@ class Scene(Model):
             raise SceneError("entities", f"there are {len(names)}", f"give 1 to {MAX_ENTITIES}")
         for index, name in enumerate(names):
             if name in (*names[:index], "world", *self._named_connections()):  # addresses of numbers begin with these
-                problem = (
-                    "two entities are" if name in names[:index] else "an entity, and the world or a connection, are"
-                )
+                problem = "two entities are" if name in names[:index] else "an entity and the world or a string are"
                 raise SceneError(f"entities.{index}.name", f"{problem} called {name!r}", "rename one")
         self._check_links()
         self._check_forest()

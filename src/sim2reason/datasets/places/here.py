@@ -14,6 +14,7 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
+from sim2reason.datasets.interrupts import deaf_children
 from sim2reason.datasets.places import HERE, PLACES, Crew, Reply, Run, Source
 from sim2reason.datasets.worker import Batch, Message, serve
 from sim2reason.errors import DatasetError
@@ -35,7 +36,8 @@ class _Worker:
     def start(cls, maker: str, patience: float) -> "_Worker":
         ours, theirs = _SPAWN.Pipe()
         process = _SPAWN.Process(target=serve, args=(theirs, maker), daemon=True)
-        process.start()
+        with deaf_children():
+            process.start()
         theirs.close()  # now the worker alone holds it: its death closes the pipe
         return cls(process, ours, patience, time.monotonic() + max(patience, STARTING))
 
