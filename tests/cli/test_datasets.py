@@ -1,12 +1,21 @@
-"""generate, verify and show, with a fake maker."""
+"""generate, verify, show and stats, with a fake maker."""
 
+import gc
 import json
+import weakref
+from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
 
+import sim2reason
 from sim2reason.cli import main
+from sim2reason.datasets import store
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.show import show
 
 USUAL = "--items", "30", "--recipe", "incline,pulley", "--difficulty", "easy", "--workers", "1"
 
@@ -132,3 +141,82 @@ def test_weights_and_units_are_part_of_the_configuration(tmp_path: Path) -> None
     card = (tmp_path / "data/README.md").read_text()
     assert " --weights period=2.0,reverse.sum=0.0 --units cgs" in card
     assert "another configuration" in generate(tmp_path / "data", "--units", "cgs").stderr
+
+
+def shown(data: Path, *args: object) -> list[str]:
+    result = call("show", data, "-n", 100, "--json", *args)
+    assert result.exit_code == 0, result.output
+    return [item["id"] for item in json.loads(result.stdout)]
+
+
+def test_show_picks_what_fits(data: Path) -> None:
+    every = shown(data)
+    assert shown(data, "--recipe", "pulley") == [name for name in every if name.startswith("pulley")]
+    assert (
+        shown(data, "--recipe", "pulley,incline", "--mode", "all", "--kind", "state", "--quantity", "weight") == every
+    )
+    assert shown(data, "--recipe", "incline", "-n", 2)[1:] not in ([], [every[2]]), "from all over those that fit"
+    assert [item.id for item in show(data, items=100, recipe="pulley")] == shown(data, "--recipe", "pulley")
+
+
+@pytest.mark.parametrize("name", ["--recipe", "--difficulty", "--mode", "--kind", "--quantity"])
+def test_where_nothing_fits_it_is_said(data: Path, name: str) -> None:
+    result = call("show", data, name, "nothing,none")
+    assert result.exit_code == 2
+    assert f"holds no problem of {name[2:]} nothing or none; see: sim2reason stats" in result.stderr
+    assert result.stdout == ""
+
+
+def test_an_empty_dataset_shows_nothing(tmp_path: Path) -> None:
+    assert generate(tmp_path / "data", "--items", 0).exit_code == 0
+    assert call("show", tmp_path / "data", "--json").stdout == "[]\n"
+    assert call("stats", tmp_path / "data").exit_code == 0
+
+
+def test_show_holds_a_file_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert generate(tmp_path / "data", "--shard-size", 5).exit_code == 0
+    read, most = store.read, 0
+    held: list[weakref.ref[Item]] = []
+
+    def watched(path: Path, places: Sequence[int] | None = None) -> list[Item]:
+        nonlocal most
+        gc.collect()
+        most = max(most, sum(each() is not None for each in held))
+        items = read(path, places)
+        held.extend(weakref.ref(item) for item in items)
+        return items
+
+    monkeypatch.setattr(store, "read", watched)
+    assert call("show", tmp_path / "data", "-n", 50_000_000).stdout.count("Answer: ") == 29
+    assert len(held) == 29
+    assert most <= 5
+
+
+def test_stats_count_what_is_there(data: Path) -> None:
+    told = json.loads(call("stats", data, "--json").stdout)
+    items = list(Dataset(data))
+    assert told["items"] == 29
+    for by in ("recipe", "difficulty", "mode", "kind", "shape"):
+        assert told["counts"][by] == Counter(getattr(item, by) for item in items)
+    assert told["counts"]["quantity"] == {"weight": 29}
+    assert told["counts"]["split"] == {"train": 29}
+    refused: Counter[str] = Counter()
+    for found in Dataset(data).manifest.rejected.values():
+        refused.update(found)
+    assert told["refused"] == refused
+    answers = sorted(item.answer.value for item in items)
+    assert (told["answers"]["N"]["least"], told["answers"]["N"]["greatest"]) == (answers[0], answers[-1])
+    assert told["answers"]["N"]["median"] == pytest.approx(answers[14], rel=5e-3)
+    words = sorted(len(item.prompt.split()) for item in items)
+    assert told["words"] == {"items": 29, "least": words[0], "median": words[14], "greatest": words[-1]}
+    table = call("stats", data).stdout
+    assert all(name in table for name in ("recipe", "quantity", "weight", "refused draws", "median", "N  "))
+
+
+def test_verify_and_show_take_what_generate_gave(tmp_path: Path) -> None:
+    """The functions of the commands, one after the other."""
+    order = {"items": 6, "recipe": ("incline", "pulley"), "difficulty": "easy", "maker": "fake_makers:steady"}
+    made = sim2reason.generate(tmp_path / "data", workers=1, **order)
+    assert sim2reason.verify(made.path).faults == ()
+    assert len(list(sim2reason.show(made, items=6))) == len(made) == sim2reason.stats(made).items
+    assert sim2reason.show(made, id="pulley-easy-numeric-0-1").__next__().recipe == "pulley"

@@ -53,10 +53,28 @@ def test_help_lists_all_commands_and_loads_nothing_heavy() -> None:
     assert all(name in result.stdout for name in COMMANDS)
 
 
-def test_no_command_shows_help_or_asks_for_one() -> None:
-    assert CliRunner().invoke(main, ["fly"]).exit_code == 2
-    assert CliRunner().invoke(main, ["../errors"]).exit_code == 2
-    assert CliRunner().invoke(main, ["console"]).exit_code == 2
+@pytest.mark.parametrize("name", ["fly", "../errors", "console", "", ".", "Show", "SHOW", "list.py"])
+def test_what_is_no_command_is_one_line(name: str) -> None:
+    result = CliRunner().invoke(main, [name])
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+
+
+def test_a_path_is_no_command(tmp_path: Path) -> None:
+    """Not even one to a file that looks like a command, which is not run."""
+    for path in (tmp_path / "show.py", tmp_path / "scene.yaml"):
+        path.write_text("def command(): ...\nraise SystemExit(7)\n")
+        for name in (path, path.with_suffix("")):
+            result = CliRunner().invoke(main, [str(name)])
+            assert (result.exit_code, result.stderr.count("\n")) == (2, 1)
+
+
+def test_without_a_command_the_help_is_shown() -> None:
+    result = CliRunner().invoke(main, [])
+    assert result.exit_code == 2
+    assert [line.strip() for line in result.stderr.splitlines()] == [
+        line.strip() for line in CliRunner().invoke(main, ["--help"]).stdout.splitlines()
+    ]
 
 
 def test_the_version_is_that_of_the_package() -> None:
@@ -83,7 +101,8 @@ def broken(monkeypatch: pytest.MonkeyPatch) -> "list[BaseException]":
     [
         (SceneError("scene.entities[0]", "no type", "say one"), 2, "sim2reason: scene.entities[0]: no type; say one\n"),
         (FileNotFoundError(2, "No such file or directory", "x.yaml"), 2, "sim2reason: x.yaml: No such file"),
-        (OSError(28, "No space left on device"), 2, "sim2reason: No space left on device; check"),
+        (OSError(28, "No space left on device"), 2, "sim2reason: standard output: No space left on device; check"),
+        (OSError(28, "No space left on device", "x.yaml"), 2, "sim2reason: x.yaml: No space left on device; check"),
         (click.ClickException("bad"), 2, "sim2reason: bad\n"),
         (KeyboardInterrupt(), 130, "sim2reason: interrupted\n"),
     ],

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 import pytest
 from click.testing import CliRunner
 
-from sim2reason.cli import main, registries
-from sim2reason.errors import UnknownNameError
+from sim2reason import registries
+from sim2reason.cli import main
 from sim2reason.registry import Registry
 
 
@@ -46,14 +46,6 @@ def test_list_speaks_to_programs() -> None:
     assert value == {"things": [{"name": "mass", "summary": "unit kg"}, {"name": "work", "summary": "Do some work."}]}
 
 
-@pytest.mark.usefixtures("fakes")
-def test_names_are_chosen_by_commas_or_all() -> None:
-    assert registries.chosen("things", "all") == ("mass", "work")
-    assert registries.chosen("things", " work,mass,work") == ("work", "mass")
-    with pytest.raises(UnknownNameError, match="did you mean: mass"):
-        registries.chosen("things", "mas")
-
-
 def test_an_unknown_kind_is_said_with_the_known() -> None:
     result = CliRunner().invoke(main, ["list", "nonsense"])
     assert result.exit_code == 2
@@ -68,3 +60,10 @@ def test_every_registry_of_the_library_is_found_and_filled() -> None:
     assert "quantities" in value
     assert all(members for members in value.values())
     assert all(member["summary"] for members in value.values() for member in members)
+
+
+def test_each_line_says_something_of_its_own() -> None:
+    value = json.loads(CliRunner().invoke(main, ["list", "--json"]).stdout)
+    for kind in ("engines", "recipes", "modes", "filters"):
+        said = [member["summary"] for member in value[kind]]
+        assert len(set(said)) == len(said), kind

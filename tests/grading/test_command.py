@@ -1,6 +1,7 @@
 """Grading whole files: the adapter for items, and the command."""
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from sim2reason.cli import main
 from sim2reason.cli.grade import command
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.grade import Response, grade, line, responses, tallies
+from sim2reason.datasets.grade import GradedResponse, Response, Tallies, grade, graded, line, responses
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import Config, Request
 from sim2reason.errors import DatasetError
@@ -43,6 +44,11 @@ def said(tmp_path: Path, data: Path) -> Path:
     return tmp_path / "said.jsonl"
 
 
+def read(path: Path) -> list[Response]:
+    with path.open("rb") as file:
+        return list(responses(file, str(path)))
+
+
 def test_an_item_is_graded_in_its_unit_and_tolerance(item: Item) -> None:
     value = item.answer.value
     assert grade(item, rf"\boxed{{{value!r}}}").reward
@@ -55,14 +61,16 @@ def test_an_item_is_graded_in_its_unit_and_tolerance(item: Item) -> None:
 
 
 def test_tallies_by_recipe_and_kind(item: Item) -> None:
-    graded = [(item, grade(item, text)) for text in (rf"\boxed{{{item.answer.value!r}}}", r"\boxed{0}", "")]
-    rows = tallies(graded)
+    tallies = Tallies()
+    for text in (rf"\boxed{{{item.answer.value!r}}}", r"\boxed{0}", ""):
+        tallies.add(GradedResponse(Response(id=item.id, response=text), grade(item, text), item.recipe, item.kind))
+    rows = list(tallies)
     assert [(row.by, row.name) for row in rows] == [("all", ""), ("recipe", "pulley"), ("kind", "state")]
     assert all(row.responses == 3 and row.reward == pytest.approx(1 / 3) for row in rows)
     assert rows[0].outcomes == {
         "correct": 1, "wrong": 1, "wrong unit": 0, "no answer": 1, "unreadable": 0, "too long": 0,
     }  # fmt: skip
-    assert tallies([]) == []
+    assert list(Tallies()) == []
 
 
 def test_the_command_writes_scores_and_a_summary(data: Path, said: Path, tmp_path: Path) -> None:
@@ -89,9 +97,9 @@ def test_what_a_policy_said_may_be_anything(item: Item, tmp_path: Path) -> None:
     said = [right, [{"role": "assistant", "content": right}], None, 3, [], {"a": [None]}, "\ud800" + right, "\ud800"]
     path = tmp_path / "said.jsonl"
     path.write_text("".join(json.dumps({"id": item.id, "response": each}) + "\n" for each in said), encoding="utf-8")
-    graded = [(response, grade(item, response.response)) for response in responses(path)]
-    assert [score.reward for _, score in graded] == [1, 1, 0, 0, 0, 0, 1, 0]
-    assert all(line(*pair).encode() for pair in graded), "a half of a surrogate pair can be written to no file"
+    scored = [(response, grade(item, response.response)) for response in read(path)]
+    assert [score.reward for _, score in scored] == [1, 1, 0, 0, 0, 0, 1, 0]
+    assert all(line(*pair).encode() for pair in scored), "a half of a surrogate pair can be written to no file"
 
 
 @pytest.mark.parametrize("bad", ["{", '{"id": "x"}', '{"id": 3, "response": "x"}', '["x"]', '{"response": "x"}'])
@@ -99,7 +107,7 @@ def test_a_bad_line_is_named(bad: str, tmp_path: Path) -> None:
     path = tmp_path / "said.jsonl"
     path.write_text('{"id": "x", "response": ""}\n' + bad + "\n", encoding="utf-8")
     with pytest.raises(DatasetError, match=r"said\.jsonl:2: .*a line is"):
-        list(responses(path))
+        read(path)
 
 
 def test_an_unknown_id_is_an_error(data: Path, said: Path) -> None:
@@ -109,6 +117,13 @@ def test_an_unknown_id_is_an_error(data: Path, said: Path) -> None:
     assert "'nobody' is no item of" in str(result.exception)
 
 
+def test_an_unknown_id_is_no_page(data: Path, said: Path) -> None:
+    said.write_text(json.dumps({"id": "\ud800" + "x" * 1_000_000, "response": ""}), encoding="utf-8")
+    result = CliRunner().invoke(main, ["grade", str(data), "--responses", str(said)])
+    assert result.exit_code == 2
+    assert len(result.stderr) < 300
+
+
 @pytest.mark.parametrize("content", [b"\xff\xfe\x00binary", b"", b"\n\n", b"[1]"])
 def test_a_file_without_responses_is_one_line(data: Path, tmp_path: Path, content: bytes) -> None:
     (tmp_path / "said.jsonl").write_bytes(content)
@@ -116,3 +131,40 @@ def test_a_file_without_responses_is_one_line(data: Path, tmp_path: Path, conten
     assert result.exit_code == 2
     assert result.stderr.count("\n") == 1
     assert "said.jsonl" in result.stderr
+
+
+def test_dashes_are_standard_input_and_output(data: Path, said: Path) -> None:
+    usual = CliRunner().invoke(main, ["grade", str(data), "--responses", str(said)])
+    piped = CliRunner().invoke(main, ["grade", str(data), "--responses", "-", "-o", "-"], input=said.read_bytes())
+    assert piped.exit_code == 0, piped.output
+    assert piped.stderr == usual.stdout
+    assert [json.loads(line)["id"] for line in piped.stdout.splitlines()] == [item.id for item in Dataset(data)]
+    both = CliRunner().invoke(main, ["grade", str(data), "--responses", str(said), "-o", "-", "--json"])
+    assert (both.exit_code, both.stderr.count("\n")) == (2, 1)
+
+
+def test_responses_are_held_a_few_at_a_time(data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many there are; their order stays, and each file is read once for those that are held together."""
+    monkeypatch.setattr("sim2reason.datasets.grade.TOGETHER", (3, 10**6))
+    opened, names = Dataset(data), [item.id for item in Dataset(data)]
+    given = (Response(id=names[k % 8], response=str(k)) for k in range(100))
+    taken, out = 0, list[str]()
+
+    def counted() -> Iterator[Response]:
+        nonlocal taken
+        for response in given:
+            taken += 1
+            yield response
+
+    for found in graded(opened, counted()):
+        out.append(str(found.response.response))
+        assert taken <= len(out) + 3
+    assert out == [str(k) for k in range(100)]
+
+
+def test_a_failure_leaves_no_scores(data: Path, said: Path, tmp_path: Path) -> None:
+    with said.open("a", encoding="utf-8") as file:
+        file.write('{"id": "nobody", "response": ""}')
+    result = CliRunner().invoke(main, ["grade", str(data), "--responses", str(said), "-o", str(tmp_path / "scores")])
+    assert result.exit_code == 2
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "said.jsonl"]

@@ -8,9 +8,9 @@ from pydantic import ValidationError
 
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.names import ALL, Names, difficulties_named, modes_named, recipes_named
+from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.places import HERE
-from sim2reason.datasets.plan import MAKER, SI, Config
+from sim2reason.datasets.plan import ALL, MAKER, SI, Config, Names
 from sim2reason.errors import DatasetError
 from sim2reason.questions.spoken_units import system_named
 

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of, make
-from sim2reason.datasets.names import ALL, Names, difficulties_named, modes_named, recipes_named
-from sim2reason.datasets.plan import SI, Config, Request, whole
+from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
+from sim2reason.datasets.plan import ALL, SI, Config, Names, Request, whole
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.weights import check
 from sim2reason.dsl.scene import Scene

@@ -1,18 +1,8 @@
 """Names of recipes, difficulties and modes as an order gives them: one, several, or all."""
 
-from collections.abc import Sequence
-
+from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.questions import MODES
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, known
-
-ALL = "all"
-Names = str | Sequence[str]
-"""One name, several, or ``all``."""
-
-
-def several(names: Names) -> tuple[str, ...]:
-    """The names that are given, be it one or more."""
-    return (names,) if isinstance(names, str) else tuple(names)
 
 
 def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:

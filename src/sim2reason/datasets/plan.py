@@ -5,7 +5,7 @@ import json
 import platform
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import import_module
@@ -37,6 +37,9 @@ TRAIN = "train"
 SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 """The packages whose versions may change the bytes of a dataset."""
 
+ALL = "all"
+Names = str | Sequence[str]
+"""One name, several, or ``all``."""
 Weights = tuple[tuple[str, float], ...]
 """Pairs of a name and a weight."""
 Share = Annotated[float, Gt(0.0), Le(1.0)]
@@ -45,6 +48,11 @@ _ID = re.compile(
     r"(?P<recipe>[^-].{0,80}?)-(?P<difficulty>[a-z]{1,20})-(?P<mode>[a-z]{1,20})-(?P<seed>\d{1,19})-(?P<index>\d{1,19})"
     r"(?:-(?P<units>[a-z]{1,20}(?<![0-9a-f]{8})))?(?:-(?P<weights>[0-9a-f]{8}))?"
 )
+
+
+def several(names: Names) -> tuple[str, ...]:
+    """The names that are given, be it one or more."""
+    return (names,) if isinstance(names, str) else tuple(names)
 
 
 def whole(name: str, value: object) -> int:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.names import ALL, Names, several
+from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.errors import DatasetError
 
 PROBLEMS = 3

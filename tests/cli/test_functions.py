@@ -1,0 +1,120 @@
+"""Each command has a public function of its name, which takes what the command takes, by the same names."""
+
+import ast
+import inspect
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import get_type_hints, is_typeddict
+
+import click
+import pytest
+
+import sim2reason
+from sim2reason.cli import main, options
+from sim2reason.cli.options import Printing
+
+COMMANDS = main.list_commands(click.Context(main))
+ONE_ROW = {"dataset", "responses"}, {"item", "response"}
+"""A file of responses to a dataset, or one response to one item."""
+OTHERWISE: dict[str, tuple[set[str], set[str]]] = {
+    "grade": ONE_ROW,
+    "generate": ({"shard-size", "shard"}, {"shard", "advance"}),  # the size of shards; parts are for shells
+    "describe": (set(), {"without"}),  # topics, which are no words of a shell
+}
+"""What only a command takes, and only its function."""
+
+
+def command(name: str) -> click.Command:
+    found = main.get_command(click.Context(main), name)
+    assert found is not None
+    return found
+
+
+def taken(found: click.Command) -> Iterator[str]:
+    """What a command takes, but for what says how its result is printed or kept."""
+    for param in found.params:
+        if isinstance(param, click.Option):
+            if not (param.hidden or isinstance(param, Printing) or "--json" in param.opts):
+                yield max(param.opts, key=len).removeprefix("--")
+        else:
+            yield str(param.name)
+
+
+def parameters(function: Callable[..., object]) -> Iterator[str]:
+    for name, parameter in inspect.signature(function).parameters.items():
+        if parameter.kind is parameter.VAR_KEYWORD:
+            order = get_type_hints(function)[name].__args__[0]
+            assert is_typeddict(order)
+            yield from (each for each in order.__annotations__ if each != "maker")  # hidden in the command, too
+        else:
+            yield name
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_a_public_function_has_its_name_and_its_options(name: str) -> None:
+    assert name in sim2reason.__all__, f"a function sim2reason.{name}, beside cli/{name}.py"
+    function = getattr(sim2reason, name)
+    only_command, only_function = OTHERWISE.get(name, (set(), set()))
+    assert set(taken(command(name))) - only_command == set(parameters(function)) - only_function
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_defaults_are_the_same(name: str) -> None:
+    signature = inspect.signature(getattr(sim2reason, name)).parameters
+    for param in command(name).params:
+        held = signature.get(max(param.opts, key=len).removeprefix("--"))
+        if held is None or held.default in (held.empty, None, ()) or param.required or isinstance(param, Printing):
+            continue
+        default = param.get_default(click.Context(command(name)))
+        assert default in (held.default, getattr(held.default, "__name__", "")), param.name
+
+
+def all_options() -> Iterator[tuple[str, click.Option]]:
+    for name in COMMANDS:
+        for param in command(name).params:
+            if isinstance(param, click.Option):
+                yield name, param
+
+
+@pytest.mark.parametrize(
+    ("short", "long"), [("-o", "--out"), ("-n", "--items"), ("-h", "--help")], ids=["out", "items", "help"]
+)
+def test_a_letter_means_one_word(short: str, long: str) -> None:
+    for name, param in all_options():
+        if {short, long} & set(param.opts):
+            assert {short, long} == set(param.opts), name
+
+
+def test_a_word_has_one_meaning() -> None:
+    """All options of one name convert what they are given alike, but for bounds and what is chosen from."""
+    kinds: dict[str, set[tuple[str, bool, int]]] = {}
+    for _, param in all_options():
+        if not param.hidden and param.opts != ["--shard-size"]:
+            kind = type(param.type).__name__, param.is_flag, param.nargs
+            kinds.setdefault(max(param.opts, key=len), set()).add(kind)
+    assert {name: found for name, found in kinds.items() if len(found) > 1} == {}
+
+
+def test_synonyms_are_no_options() -> None:
+    words = {max(param.opts, key=len).removeprefix("--") for _, param in all_options()}
+    for synonyms in ({"mode", "modes"}, {"recipe", "recipes"}, {"items", "count", "number"}, {"out", "output", "o"}):
+        assert len(words & synonyms) <= 1
+    assert {"out", "items", "mode", "recipe"} <= words
+
+
+def test_where_several_names_may_stand_all_may() -> None:
+    """Else an option says one problem's coordinate, as those of `item` and `sample` do."""
+    found = {(name, str(param.name)) for name, param in all_options() if param.callback is options.names}
+    named = {(name, str(param.name)) for name, param in all_options() if param.name in ("recipe", "difficulty", "mode")}
+    one = {(name, each) for name, each in named if name in ("item", "sample")}
+    assert named - one <= found
+    assert not one & found
+    assert options.names(click.Context(main), click.Option(["--mode"]), "all") == "all"
+    assert options.names(click.Context(main), click.Option(["--mode"]), " a, b,a") == ("a", "b")
+
+
+def test_the_import_stays_light() -> None:
+    """The public names are looked up when they are used."""
+    tree = ast.parse(Path(sim2reason.__file__).read_text(encoding="utf-8"))
+    imports = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
+    assert not [node for node in imports if "sim2reason" in ast.unparse(node)]

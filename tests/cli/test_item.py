@@ -1,0 +1,80 @@
+"""One problem by its coordinates, its scene, and questions about a scene of one's own."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+import sim2reason
+from sim2reason.cli import main
+from sim2reason.scene_files import dump
+
+
+def call(*args: object) -> Result:
+    return CliRunner().invoke(main, [str(arg) for arg in args])
+
+
+def test_an_item_is_that_of_a_dataset_and_is_told_whole() -> None:
+    problem = sim2reason.item("rocket", "easy", seed=3, index=1)
+    told = call("item", "rocket", "easy", "--seed", 3, "--index", 1)
+    assert told.exit_code == 0, told.output
+    assert told.stdout.split() == f"{problem.id} {problem.prompt} Answer: {problem.answer.shown}".split()
+    assert json.loads(call("item", "rocket", "easy", "--seed", 3, "--index", 1, "--json").stdout) == problem.model_dump(
+        mode="json"
+    )
+
+
+@pytest.mark.parametrize(("mode", "recipe"), [("numeric", "incline"), ("reverse", "projectile")])
+def test_a_sample_is_the_scene_of_the_item_of_the_same_coordinates(mode: str, recipe: str, tmp_path: Path) -> None:
+    problem = sim2reason.item(recipe, "easy", mode, seed=2, index=5)
+    assert dump(sim2reason.sample(recipe, "easy", mode, seed=2, index=5)) == problem.scene
+    where = "--recipe", recipe, "--difficulty", "easy", "--mode", mode, "--seed", 2, "--index", 5
+    assert call("sample", *where).stdout == problem.scene
+    assert call("sample", *where, "-o", tmp_path / "scene.yaml").exit_code == 0
+    assert (tmp_path / "scene.yaml").read_text(encoding="utf-8") == problem.scene
+
+
+def test_what_else_is_told(tmp_path: Path) -> None:
+    figure = tmp_path / "scene.svg"
+    told = call("item", "incline", "easy", "--units", "cgs", "--scene", "--solutions", "--figure", figure)
+    assert told.exit_code == 0, told.output
+    assert told.stdout.startswith("incline-easy-numeric-0-0-cgs\n")
+    assert "    scene:\n" in told.stdout
+    assert r"\boxed{" in told.stdout.partition("Answer:")[2]
+    assert figure.stat().st_size > 1000
+
+
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        (("pully", "easy"), "did you mean: pulley"),
+        (("all", "easy"), "no such name among recipes: 'all'"),
+        (("pulley", "brutal"), "easy, medium, hard"),
+        (("pulley", "easy", "--mode", "all"), "there are: numeric, reverse, symbolic"),
+        (("pulley", "easy", "--units", "cgsx"), "there are: SI, cgs, mixed"),
+        (("pulley", "easy", "--weights", "periods=2"), "there is no kind 'periods'"),
+        (("pulley", "easy", "--figure", "scene.gif"), ".svg, .png or .pdf"),
+        (("pulley", "easy", "--index", "-1"), "--index"),
+    ],
+)
+def test_wrong_coordinates_are_one_line(args: tuple[str, ...], said: str) -> None:
+    told = call("item", *args)
+    assert told.exit_code == 2
+    assert said in told.stderr
+    assert told.stderr.count("\n") == 1
+
+
+def test_questions_about_a_scene_are_items_too(tmp_path: Path) -> None:
+    problem = sim2reason.item("incline", "easy", seed=2)
+    (tmp_path / "scene.yaml").write_text(problem.scene, encoding="utf-8")
+    asked = sim2reason.ask(sim2reason.load(tmp_path / "scene.yaml"), items=3, seed=4, mode=("numeric", "reverse"))
+    assert len({item.id for item in asked}) == 3
+    assert {item.mode for item in asked} <= {"numeric", "reverse"}
+    assert all(sim2reason.grade(item, rf"\boxed{{{item.answer.value!r}}}").reward == 1.0 for item in asked)
+    options = "--items", 3, "--seed", 4, "--mode", "numeric,reverse"
+    listed = json.loads(call("ask", tmp_path / "scene.yaml", *options, "--json").stdout)
+    assert listed == [item.model_dump(mode="json") for item in asked]
+    told = call("ask", tmp_path / "scene.yaml", *options).stdout
+    assert all(f"Answer: {item.answer.shown}\n" in told for item in asked)
+    assert listed[0].keys() == problem.model_dump(mode="json").keys()
