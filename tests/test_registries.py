@@ -85,6 +85,10 @@ def test_every_registry_is_sorted_and_refuses_what_it_does_not_hold(kind: str) -
     nearest = next(iter(registry))
     with pytest.raises(UnknownNameError, match="did you mean"):
         _ = registry[nearest + "x"]
+    for name in ("qzqzqz", "x" * 1_000_000):
+        with pytest.raises(UnknownNameError, match=r"there are: |see: sim2reason list \w+") as refused:
+            _ = registry[name]
+        assert len(str(refused.value)) < 1000
     with pytest.raises(ValueError, match="registered twice"):
         registry.add(nearest, lambda: None)
 

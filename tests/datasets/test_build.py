@@ -142,6 +142,23 @@ def test_a_second_run_changes_nothing(data: Path, make: Make, contents: Contents
     assert contents(data) == whole
 
 
+def test_where_nothing_is_left_to_do_nothing_is_written(
+    data: Path, config: Config, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """So a dataset on a disk that can only be read is as well done as any; a damaged one is not."""
+
+    def refuse(*args: object, **_: object) -> None:
+        raise OSError(30, "Read-only file system", str(args[0]))
+
+    done: list[int] = []
+    monkeypatch.setattr("sim2reason.datasets.build.Journal", refuse)
+    assert build(data, config, advance=done.append) == load(data)
+    assert sum(done) == config.items
+    (data / "README.md").write_text("")
+    with pytest.raises(OSError, match="Read-only"):
+        build(data, config)
+
+
 def test_a_run_goes_on_from_its_journal(tmp_path: Path, config: Config, data: Path, contents: Contents) -> None:
     def interrupt(steps: int) -> None:
         nonlocal done

@@ -1,9 +1,13 @@
+from typing import Any
+
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from sim2reason.datasets.card import text
+from sim2reason.datasets.items import item, sample, stream
 from sim2reason.datasets.manifest import Manifest, merged
 from sim2reason.datasets.plan import LARGEST, Config, Request, file_name, versions
 from sim2reason.errors import DrawError
@@ -102,6 +106,25 @@ def test_the_card_of_an_empty_dataset_has_no_tables_of_nothing() -> None:
     assert "size_categories: [n<1K]" in card
     assert "Refused" not in card
     assert "\n\n\n" not in card
+
+
+@pytest.mark.parametrize("value", [True, False, 1.0, 1.5, "1", None, -1, 2**63, float("nan"), [1]])
+def test_a_coordinate_is_a_whole_number(value: Any) -> None:  # noqa: ANN401 - anything
+    for seed, index in ((value, 0), (0, value)):
+        with pytest.raises(DrawError, match=r"(seed|index): .* is out of range; give a whole number"):
+            Request("pulley", "easy", "numeric", seed, index)
+    for make in (item, sample):
+        with pytest.raises(DrawError, match="seed: "):
+            make("rocket", "easy", seed=value)
+    for name in ("seed", "start"):
+        with pytest.raises(DrawError, match=f"{name}: "):
+            next(stream("rocket", "easy", **{name: value}))
+
+
+def test_whole_numbers_of_numpy_are_as_good() -> None:
+    request = Request("pulley", "easy", "numeric", np.int64(3), np.uint8(4))  # type: ignore[arg-type]
+    assert request == Request("pulley", "easy", "numeric", 3, 4)
+    assert (type(request.seed), type(request.index)) == (int, int)
 
 
 @pytest.mark.parametrize(("seed", "index"), [(-1, 0), (0, -1), (LARGEST + 1, 0)])

@@ -135,6 +135,18 @@ def test_rings_and_doubled_names_are_refused() -> None:
         Scene(entities=(Named(name="a", entity=RAMP), Named(name="a", entity=RAMP)))
 
 
+def test_names_at_which_something_else_stands_are_refused() -> None:
+    """An address begins with the name of an entity, of a connection, or with *world*."""
+    string = String.between(("ramp", RIGHT), ("left", LEFT))
+    assert scene((string,), ramp=RAMP, left=hanging(1.0)).value("tendon_1") == string
+    for name in ("world", "tendon_1"):
+        tied = String.between((name, RIGHT), ("left", LEFT))
+        with pytest.raises(SceneError, match=rf"entities\.0\.name: an entity and .* called '{name}'; rename one"):
+            scene((tied,), **{name: RAMP}, left=hanging(1.0))
+    free = scene((string,), ramp=RAMP, left=hanging(1.0), tendon_2=RAMP, world_1=RAMP)
+    assert free.value("tendon_2.blocks.0.mass") == 2.0
+
+
 def test_two_hands_on_one_string_are_refused() -> None:
     hands = {"one": ConstantForcePuller(force=1.0), "two": ConstantForcePuller(force=2.0)}
     string = String.between(("one", ConstantForcePuller.end), ("bight", UNDER), ("two", ConstantForcePuller.end))

@@ -14,7 +14,7 @@ from sim2reason.dsl.entity import ENTITIES, outer_ports, ports_of
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
-from sim2reason.scene_files import dump, load
+from sim2reason.scene_files import dump, load, loads
 from sim2reason.scene_files.tendons import directions, told_end
 from sim2reason.scene_files.yaml_text import MAX_BYTES
 
@@ -123,6 +123,30 @@ def test_a_path_is_a_file_and_a_text_is_a_text(tmp_path: Path) -> None:
     path.write_bytes(b"#" * (MAX_BYTES + 1))
     with pytest.raises(SceneError, match="more than 65536 bytes"):
         load(path)
+
+
+@pytest.mark.parametrize("ending", ["yaml", "yml", "json"])
+def test_a_line_with_the_ending_of_a_file_is_a_path(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path(f"a scene.{ending}").write_text(BIGHT, encoding="utf-8")
+    assert load(f"a scene.{ending}") == load(str(tmp_path / f"a scene.{ending}")) == load(BIGHT)
+    with pytest.raises(FileNotFoundError, match=f"nowhere.{ending}"):
+        load(f"nowhere.{ending}")
+
+
+@pytest.mark.parametrize("text", ["{a: x.yaml", "[x.json", "scene: \nx.yaml", "x\0.yaml", "x.yaml ", "x.text", ""])
+def test_everything_else_is_a_text(text: str) -> None:
+    with pytest.raises(SceneError):
+        load(text)
+
+
+@pytest.mark.parametrize("text", ["x.yaml", "/etc/passwd.json"])
+def test_a_text_that_looks_like_a_path_leads_nowhere(text: str) -> None:
+    """So that what stands in a file can't name another."""
+    with pytest.raises(SceneError, match="not a mapping"):
+        loads(text)
 
 
 # ---- strings

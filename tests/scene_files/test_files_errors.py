@@ -197,6 +197,13 @@ VALUES = [
 ]
 
 
+@pytest.mark.parametrize("name", ["world", "tendon_1"])
+def test_a_name_at_which_something_else_stands_is_refused(name: str) -> None:
+    error = refused(GOOD.replace("name: hand", f"name: {name}").replace("entity: hand", f"entity: {name}"))
+    assert (error.place, error.remedy) == ("scene.entities[1].name (line 13)", "rename one")
+    assert f"called '{name}'" in error.problem
+
+
 @pytest.mark.parametrize(("old", "new", "place", "problem", "remedy"), VALUES)
 def test_the_path_the_problem_and_the_remedy_are_told(
     old: str, new: str, place: str, problem: str, remedy: str

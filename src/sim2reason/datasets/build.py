@@ -10,10 +10,10 @@ from sim2reason.datasets.atomic_files import LOCK, locked
 from sim2reason.datasets.cells import empty, table
 from sim2reason.datasets.distinct import marks
 from sim2reason.datasets.finish import finish
-from sim2reason.datasets.journal import FOLDER, Journal
+from sim2reason.datasets.journal import FOLDER, Journal, RunPlan
 from sim2reason.datasets.manifest import MANIFEST, Counts, Manifest, RefusedPosition, Shard, load, merged
 from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
-from sim2reason.datasets.plan import MAKER, Config, versions
+from sim2reason.datasets.plan import MAKER, Config
 from sim2reason.datasets.splits import split_of
 from sim2reason.datasets.verify import verify
 from sim2reason.datasets.work_queue import WorkQueue
@@ -92,7 +92,7 @@ def _standing(out: Path, config: Config) -> Manifest | None:
         manifest = load(out)
     except DatasetError:
         return None
-    same = manifest.config == config and manifest.versions == versions()
+    same = RunPlan(config=manifest.config, versions=manifest.versions) == RunPlan.of(config)
     return manifest if same and set(verify(out).faults) <= set(empty(manifest.cells)) else None
 
 

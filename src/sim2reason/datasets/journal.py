@@ -33,6 +33,11 @@ class RunPlan(Record):
     config: Config
     versions: dict[str, str]
 
+    @classmethod
+    def of(cls, config: Config) -> "RunPlan":
+        """That of a configuration here and now."""
+        return cls(config=config, versions=versions())
+
     def differences(self, other: "RunPlan") -> list[str]:
         """In words: where `other` differs from this, but for more items, which only come behind these."""
         mine, theirs = _flat(self), _flat(other)
@@ -50,7 +55,7 @@ class Journal:
 
         `alone` says that no other run writes here at this time.
         """
-        self.out, self.folder, self.plan = out, out / FOLDER, RunPlan(config=config, versions=versions())
+        self.out, self.folder, self.plan = out, out / FOLDER, RunPlan.of(config)
         manifest = self._claim()
         self.folder.mkdir(exist_ok=True)
         if alone:
