@@ -110,7 +110,7 @@ def test_duplicates_are_left_out_and_told(make: Make, tmp_path: Path) -> None:
     manifest = make(maker="fake_makers:twins")
     found = list(refused(tmp_path / "data", "duplicates"))
     assert found[0].reason == "same as incline-easy-numeric-0-0"
-    assert manifest.rejected["pulley"]["distinct"] == sum(p.recipe == "pulley" for p in found) == 23
+    assert manifest.rejected["pulley"]["distinct: same"] == sum(p.recipe == "pulley" for p in found) == 23
     prompts = [item.prompt for item in Dataset(tmp_path / "data")]
     assert len(prompts) == len(set(prompts)) == manifest.rows
 

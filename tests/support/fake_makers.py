@@ -28,7 +28,8 @@ def steady(request: Request) -> Made:
         difficulty=request.difficulty,
         entities=("block",),
         asked=QueryRecord(subject="a.block", quantity="weight", time=number % 100 / 10),
-        scene=f"scene:\n  name: {request.id}\n",
+        # of another kind each, since letters beside them make digits part of a word
+        scene=f"scene:\n  name: {request.id}\n  kind: {request.id.replace('-', '_')}\n",
         certificate={"agreement": 1e-9, "channels": ["a.block"]},
         provenance=Provenance(
             recipe=request.recipe,
@@ -131,3 +132,19 @@ def _weight(value: float) -> Answer:
     bindings = tuple(Binding(numbers=(m, 9.8), answer=9.8 * m) for m in (value / 9.8, *(0.5 + n for n in range(8))))
     formula = FormulaRecord(latex="m g", symbols=("m", "g"), units=("kg", "m/s^2"), bindings=bindings)
     return Answer(value=value, unit="N", formula=formula)
+
+
+def masses(request: Request) -> Made:
+    """Steady, but of one problem, whose only number is a mass of three digits; some say the same in the same words."""
+    made = steady(request)
+    if made.item is None:
+        return made
+    mass = 1.0 + int.from_bytes(hashlib.sha256(f"mass of {request.id}".encode()).digest()[:4], "big") % 900 / 100
+    changes = {
+        "scene": f"scene:\n  mass: {mass:.2f}\n",
+        "asked": made.item.asked.model_copy(update={"time": None}),
+        "answer": made.item.answer.model_copy(update={"value": mass}),
+    }
+    if request.index % 5 == 0:
+        changes["prompt"] = f"One of several equal texts, number {request.index // 20}."
+    return Made(made.item.model_copy(update=changes), made.rejected)

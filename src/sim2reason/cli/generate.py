@@ -6,12 +6,13 @@ from typing import Unpack
 import click
 
 from sim2reason.cli import console, options
-from sim2reason.datasets.build import build, build_part
+from sim2reason.datasets.build import Work, build, build_part
 from sim2reason.datasets.cells import empty
+from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.generate import ITEMS, Order, configured
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
-from sim2reason.datasets.plan import LARGEST, LARGEST_SHARD, MAKER, SHARD
+from sim2reason.datasets.plan import DISTANCE, LARGEST, LARGEST_SHARD, LICENSE, MAKER, SHARD
 
 EXAMPLE = """\b
 Example:
@@ -54,6 +55,20 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
     help="Shares of splits, as in train=0.9,test=0.1; variants of a problem keep together.",
 )
 @click.option(
+    "--distance",
+    type=click.FloatRange(0.0, 1.0),
+    default=DISTANCE,
+    show_default=True,
+    help="Variants of a problem differ in some number by this much, relatively; 0 keeps all that differ.",
+)
+@click.option(
+    "--decontaminate",
+    multiple=True,
+    type=click.Path(path_type=Path),
+    help="Leave out what shares ten words in a row with this benchmark: .json, .jsonl, .parquet, .txt. Repeatable.",
+)
+@click.option("--license", default=LICENSE, show_default=True, help="Of the data, as the Hugging Face hub calls it.")
+@click.option(
     "--shard", "part", default="", help="Make one part of several, as in 3/8, and leave the end to another run."
 )
 @click.option(
@@ -71,13 +86,14 @@ def command(
     out: Path, part: str, workers: int | None, on: str, to_json: bool, patience: float, **order: Unpack[Order]
 ) -> int:
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
-    config = configured(**order)
+    config, benchmarks = configured(**order), Benchmarks(order.get("decontaminate", ()))
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("problems", config.items) as advance:
+        work = Work(workers=workers, on=on, patience=patience, advance=advance, benchmarks=benchmarks)
         if part:
-            build_part(out, config, _part(part), workers=workers, patience=patience, advance=advance, on=on)
+            build_part(out, config, _part(part), **work)
             return 0
-        manifest = build(out, config, workers=workers, patience=patience, advance=advance, on=on)
+        manifest = build(out, config, **work)
     if to_json:
         console.as_json(manifest.model_dump(mode="json"))
     else:
@@ -101,7 +117,7 @@ def _tell(out: Path, manifest: Manifest) -> None:
     names = sorted(counts.keys() | refused.keys())
     console.table(["recipe", "problems", "refused draws"], [(n, counts.get(n, 0), refused.get(n, 0)) for n in names])
     click.echo(f"{manifest.rows} problems in {out} (counts by filter: {out}/README.md)")
-    for kind in ("quarantined", "unfilled"):
+    for kind in ("quarantined", "unfilled", "contaminated", "variants"):
         refused = manifest.refused[kind]
         for first in refused.first[:1]:
             where = f"{first.recipe} {first.difficulty} {first.mode}, seed {first.seed}, index {first.index}"

@@ -1,15 +1,18 @@
 """Build a dataset, or go on with one: shards first, duplicates out, then the card, and the manifest last."""
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import closing
+from contextlib import AbstractContextManager, closing
 from functools import partial
 from pathlib import Path
+from typing import TypedDict, Unpack
 
 from sim2reason.datasets import shard_files
 from sim2reason.datasets.atomic_files import LOCK, locked
 from sim2reason.datasets.cells import empty, table
+from sim2reason.datasets.contamination import Benchmarks, Overlap
 from sim2reason.datasets.distinct import marks
 from sim2reason.datasets.finish import finish
+from sim2reason.datasets.histograms import counted
 from sim2reason.datasets.journal import FOLDER, Journal, RunPlan
 from sim2reason.datasets.manifest import MANIFEST, Counts, Manifest, RefusedPosition, Shard, load, merged
 from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
@@ -22,66 +25,68 @@ from sim2reason.errors import DatasetError
 
 Part = tuple[int, int]
 """Of N processes that share the work, this one's number, from 0, and N."""
+FindsOverlap = Callable[[str], Overlap | None]
+"""Finds the words that a prompt shares with a benchmark."""
 
 
-def build(
-    out: Path | str,
-    config: Config,
-    *,
-    workers: int | None = None,
-    patience: float = PATIENCE,
-    advance: Callable[[int], object] = lambda _: None,
-    on: str = HERE,
-) -> Manifest:
+class Work(TypedDict, total=False):
+    """How the work is done; nothing of it changes the result."""
+
+    workers: int | None
+    """How many processes; by default one for each core of the place."""
+    on: str
+    """A name in `PLACES`; by default this machine."""
+    patience: float
+    """Seconds after which a batch counts as hung."""
+    advance: Callable[[int], object]
+    """Called with the number of positions that are done."""
+    benchmarks: Benchmarks | None
+    """The files that the configuration names, so that no problem shares a run of words with them."""
+
+
+def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
     """Fill the folder `out` with the dataset of `config`, and give its manifest.
 
-    May be interrupted at any moment: the next call makes what is missing or damaged, and ends in the same
-    bytes, whatever the number of `workers` (default: one per core) and wherever they are (`on` is a name in `PLACES`).
-    A dataset of fewer items and otherwise the same configuration is gone on with, too. `advance` is called with the
-    number of positions that are done. DatasetError if `out` holds anything else, or a weight makes no sense.
+    May be interrupted at any moment: the next call makes what is missing or damaged, and ends in the same bytes,
+    whoever works and where. A dataset of fewer items and otherwise the same configuration is gone on with, too.
+    DatasetError if `out` holds anything else, a weight makes no sense, or `config` names other benchmarks.
     """
-    out = _folder(out, config)
+    out, overlap = _folder(out, config), _overlap(config, work.get("benchmarks"))
     with locked(out):
         standing = _standing(out, config)
         if standing is not None:
-            advance(config.items)
+            work.get("advance", _unseen)(config.items)
             return standing
-        with opened(on, partial(Crew, config.maker, workers, patience)) as run:
+        with _workers(config, work) as run:
             journal = Journal(out, config)
-            _fill(journal, range(config.shards), run, advance)
+            _fill(journal, range(config.shards), run, overlap, work)
         manifest = finish(journal)
         journal.close()
     return manifest
 
 
-def build_part(
-    out: Path | str,
-    config: Config,
-    part: Part,
-    *,
-    workers: int | None = None,
-    patience: float = PATIENCE,
-    advance: Callable[[int], object] = lambda _: None,
-    on: str = HERE,
-) -> None:
+def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]) -> None:
     """Make every N-th shard of a dataset, beside other processes that make the others; `build` then ends the work.
 
-    The arguments are those of `build`; `part` is this process's number, from 0, and how many there are. DatasetError
-    if another process has the same part, or `build` is at work, too.
+    `part` is this process's number, from 0, and how many there are. DatasetError if another process has the same part,
+    or `build` is at work, too.
     """
     number, parts = part
     if not 0 <= number < parts:
         raise DatasetError(f"part {number + 1}/{parts}: there is none; count from 1/{parts} to {parts}/{parts}")
-    with (
-        opened(on, partial(Crew, config.maker, workers, patience)) as run,
-        locked(out := _folder(out, config), shared=True),
-    ):
+    out, overlap = _folder(out, config), _overlap(config, work.get("benchmarks"))
+    with _workers(config, work) as run, locked(out, shared=True):
         journal = Journal(out, config, alone=False)
         mine = journal.folder / f"part-{number + 1}-of-{parts}{LOCK}"
         mine.touch()
         with locked(mine):
-            _fill(journal, range(number, config.shards, parts), run, advance)
+            _fill(journal, range(number, config.shards, parts), run, overlap, work)
             mine.unlink()
+
+
+def _unseen(done: int) -> None:
+    """Nobody looks on."""
+    del done
 
 
 def _standing(out: Path, config: Config) -> Manifest | None:
@@ -107,9 +112,25 @@ def _folder(out: Path | str, config: Config) -> Path:
     return out
 
 
-def _fill(journal: Journal, numbers: range, run: Run, advance: Callable[[int], object]) -> None:
+def _overlap(config: Config, benchmarks: Benchmarks | None) -> FindsOverlap:
+    """What finds the words that a prompt shares with a benchmark."""
+    if config.decontaminate != (benchmarks.files if benchmarks is not None else ()):
+        names = ", ".join(file.name for file in config.decontaminate)
+        raise DatasetError(
+            f"decontaminate: the configuration names {names or 'no file'}; give the benchmarks that it names"
+        )
+    return benchmarks.overlap if benchmarks is not None else lambda _: None
+
+
+def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
+    """Those who shall make the items, at their place."""
+    crew = partial(Crew, config.maker, work.get("workers"), work.get("patience", PATIENCE))
+    return opened(work.get("on", HERE), crew)
+
+
+def _fill(journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, work: Work) -> None:
     """Make those of some shards that do not stand."""
-    config = journal.plan.config
+    config, advance = journal.plan.config, work.get("advance", _unseen)
 
     def missing() -> Iterator[int]:
         for number in numbers:
@@ -123,14 +144,16 @@ def _fill(journal: Journal, numbers: range, run: Run, advance: Callable[[int], o
         for batch, reply in replies:
             before = queue.done
             for number, outcomes in queue.settle(batch, reply):
-                _write(journal, number, outcomes)
+                _write(journal, overlap, number, outcomes)
             advance(queue.done - before)
 
 
-def _write(journal: Journal, number: int, outcomes: Sequence[Attempt]) -> None:
+def _write(journal: Journal, overlap: FindsOverlap, number: int, outcomes: Sequence[Attempt]) -> None:
     """Write the files of a complete range, and keep its record."""
     config, positions = journal.plan.config, journal.plan.config.positions(number)
-    made = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
+    found = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
+    overlaps = {position: shared for position, item in found if (shared := overlap(item.prompt))}
+    made = [(position, item) for position, item in found if position not in overlaps]
     homes = [(split_of(item, config.split), item) for _, item in made]
     by_split = {name: [item for home, item in homes if home == name] for name in config.split}
     requests = [(outcome, config.request(outcome.position)) for outcome in outcomes]
@@ -142,9 +165,11 @@ def _write(journal: Journal, number: int, outcomes: Sequence[Attempt]) -> None:
         positions=(positions.start, positions.stop),
         files=shard_files.write(journal.out, journal.folder, number, config.shards, by_split),
         counts=shard_files.counts(by_split),
+        histograms=counted(item for _, item in made),
         rejected=merged({r.recipe: each.rejected} for each, r in requests),
         cells=table(wanted, ((item.mode, item.kind, item.recipe) for _, item in made)),
         quarantined=tuple(failed),
+        contaminated=tuple(RefusedPosition.of(k, config.request(k), found.told) for k, found in overlaps.items()),
         unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in barren),
     )
     journal.note(shard, marks(made, scenes=len(config.split) > 1))

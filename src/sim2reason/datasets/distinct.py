@@ -1,60 +1,142 @@
 """Leave out what a dataset already holds: the lower position stays.
 
-An item never looks at another while it is made, so this is a pass over what was kept of each when it was made: hashes
-of what no other may share. Two items are the same if they have the same words, or ask the same of the same scene; in a
-dataset of several splits, if they have the same scene.
+An item never looks at another while it is made, so this is a pass over what was kept of each when it was made. Two
+items are the same if they have the same words, or ask the same of the same scene; in a dataset of several splits, if
+they have the same scene. They are alike if they are variants of one problem whose numbers are too close (`variants`).
 
-The pass needs 8 bytes for each mark of each item, and as much again to sort them: 10⁷ items fit into half a gigabyte.
-Of so many, two that differ have the same hash of 64 bits with a probability of 1e-5.
+Of each item some hashes are held in memory, of 8 bytes, and numbers only where others have the same problem, for a
+stretch of all problems at a time. Of 10⁷ items, two that differ have the same hash with a probability of 1e-5.
 """
 
 from collections.abc import Callable, Iterator, Sequence
 from hashlib import blake2b
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sim2reason.datasets.item import Item
+from sim2reason.datasets.variants import Logarithms, Variants, hashed, holds, too_close, twice, variant
 
-Marks = NDArray[np.uint64]
-"""For each item of a shard a row: its position, then its marks."""
-Double = tuple[int, int]
-"""The position of an item that is left out, and of the one that says the same."""
+Table = NDArray[np.uint64]
+POSITION, PROBLEM, COUNT, OWN = 0, 1, 2, 3
+"""Columns of a table: the position, the problem that the item is a variant of, how many numbers it has, its marks."""
+HELD = 2_000_000  # numbers of variants that are compared at once, in some 200 MB, if no problem has more
 NOBODY = -1
+
+
+class Marks(NamedTuple):
+    """What is kept of the items of a shard."""
+
+    table: Table
+    """A row for each item, see `POSITION`."""
+    logarithms: Logarithms
+    """Of the numbers of all items."""
+
+
+class Double(NamedTuple):
+    """An item that is left out."""
+
+    position: int
+    first: int
+    """The position of one before it, which stays."""
+    alike: bool
+    """Whether they are only alike, and not the same."""
+
+
+Read = Callable[[int], Marks]
+"""The marks of a shard by its number; they are asked for several times."""
+Others = NDArray[np.int64]
+"""For each position another one, or nobody."""
 
 
 def marks(items: Sequence[tuple[int, Item]], *, scenes: bool) -> Marks:
     """Those of items at their positions; with one of the whole scene if no two may share it."""
-    columns = 4 if scenes else 3
-    rows = [(position, *map(_hash, _keys(item)))[:columns] for position, item in items]
-    return np.array(rows, dtype=np.uint64).reshape(len(rows), columns)
+    columns = OWN + (3 if scenes else 2)
+    found = [variant(item) for _, item in items]
+    rows = [
+        (position, hashed(each), len(each.logarithms), *map(_hash, _keys(item)))[:columns]
+        for (position, item), each in zip(items, found, strict=True)
+    ]
+    logarithms = [number for each in found for number in each.logarithms]
+    return Marks(np.array(rows, np.uint64).reshape(len(rows), columns), np.array(logarithms, np.float32))
 
 
-def doubles(read: Callable[[int], Marks], count: int) -> Iterator[tuple[int, list[Double]]]:
-    """For each of `count` shards that has some, what is to be left out; `read` gives the marks of a shard, twice.
+def doubles(read: Read, shards: int, items: int, distance: float) -> Iterator[tuple[int, list[Double]]]:
+    """For each of so many shards that has some, what is to be left out of as many positions as there are `items`.
 
-    Only what is kept counts as seen, so the pass gives the same if it is repeated over shards of which some went
-    through it already.
+    An item goes if one before it that stays is the same, or closer than `distance`. So the pass gives the same if it is
+    repeated over shards of which some went through it already, and for the first shards of a larger dataset.
     """
-    columns = read(0).shape[1] - 1 if count else 0
-    repeated = [_repeated(read, count, column) for column in range(1, columns + 1)]
+    alike = same = np.full(items, NOBODY, dtype=np.int64)
+    while True:  # each round is right for a longer beginning of all positions; the second one nearly always ends it
+        before, same = same, _same(read, shards, alike)
+        if distance == 0.0 or (before is not alike and np.array_equal(before, same)):
+            break
+        alike = _alike(read, shards, distance, same)
+    for number in range(shards):
+        positions = read(number).table[:, POSITION].astype(np.int64)
+        gone = positions[(same[positions] != NOBODY) | (alike[positions] != NOBODY)].tolist()
+        if gone:
+            pairs = ((place, int(same[place]), int(alike[place])) for place in gone)
+            yield number, [Double(at, first if first != NOBODY else near, first == NOBODY) for at, first, near in pairs]
+
+
+def _same(read: Read, shards: int, alike: Others) -> Others:
+    """For each item that is the same as one before it which stays, that one."""
+    columns = range(OWN, read(0).table.shape[1]) if shards else range(0)
+    repeated = [_repeated(read, shards, column) for column in columns]
     first = [np.full(len(values), NOBODY, dtype=np.int64) for values in repeated]
-    for number in range(count):
-        found = read(number)
-        wanted = [found[:, column] for column in range(1, columns + 1)]
-        places = [np.searchsorted(values, each) for values, each in zip(repeated, wanted, strict=True)]
-        shared = [_holds(*each) for each in zip(repeated, places, wanted, strict=True)]
-        left_out: list[Double] = []
+    same = np.full(len(alike), NOBODY, dtype=np.int64)
+    for number in range(shards):
+        table = read(number).table
+        places = [np.searchsorted(values, table[:, column]) for values, column in zip(repeated, columns, strict=True)]
+        shared = [holds(values, table[:, column]) for values, column in zip(repeated, columns, strict=True)]
         for row in np.flatnonzero(np.any(shared, axis=0)).tolist():
-            at = [(column, int(places[column][row])) for column in range(columns) if shared[column][row]]
-            seen = next((int(first[column][place]) for column, place in at if first[column][place] != NOBODY), NOBODY)
-            if seen != NOBODY:
-                left_out.append((int(found[row, 0]), seen))
-                continue
-            for column, place in at:
-                first[column][place] = int(found[row, 0])
-        if left_out:
-            yield number, left_out
+            at = [(n, int(places[n][row])) for n in range(len(columns)) if shared[n][row]]
+            seen = next((int(first[n][place]) for n, place in at if first[n][place] != NOBODY), NOBODY)
+            position = int(table[row, POSITION])
+            same[position] = seen
+            for n, place in at if seen == NOBODY and alike[position] == NOBODY else ():
+                first[n][place] = position
+    return same
+
+
+def _alike(read: Read, shards: int, distance: float, same: Others) -> Others:
+    """For each item that is too close to one before it which stays, that one; what is the same as another is gone."""
+    problems = _repeated(read, shards, PROBLEM)
+    alike = np.full(len(same), NOBODY, dtype=np.int64)
+    for begin, end in _stretches(read, shards, problems):
+        for position, first in too_close(_variants(read, shards, problems[begin:end], same), distance):
+            alike[position] = first
+    return alike
+
+
+def _stretches(read: Read, shards: int, problems: Table) -> Iterator[tuple[int, int]]:
+    """Cut problems into stretches whose variants may be held in memory, as first and last one and behind it."""
+    numbers = np.zeros(len(problems), dtype=np.int64)
+    for number in range(shards):
+        table = read(number).table
+        table = table[holds(problems, table[:, PROBLEM])]
+        np.add.at(numbers, np.searchsorted(problems, table[:, PROBLEM]), table[:, COUNT].astype(np.int64) + 1)
+    stretch = np.cumsum(numbers) // HELD
+    edges = [*np.flatnonzero(np.diff(stretch, prepend=-1)).tolist(), len(problems)]
+    yield from pairwise(edges)
+
+
+def _variants(read: Read, shards: int, problems: Table, same: Others) -> Variants:
+    """The variants of some problems that may stay."""
+    tables: list[Table] = []
+    held: list[Logarithms] = []
+    for number in range(shards):
+        table, logarithms = read(number)
+        wanted = holds(problems, table[:, PROBLEM]) & (same[table[:, POSITION].astype(np.int64)] == NOBODY)
+        tables.append(table[wanted, : COUNT + 1])
+        held.append(logarithms[np.repeat(wanted, table[:, COUNT].astype(np.int64))])
+    table = np.concatenate(tables)
+    counts = table[:, COUNT].astype(np.int32)
+    return Variants(table[:, POSITION].astype(np.int64), table[:, PROBLEM], counts, np.concatenate(held))
 
 
 def _keys(item: Item) -> tuple[str, str, str]:
@@ -68,16 +150,6 @@ def _hash(key: str) -> int:
     return int.from_bytes(blake2b(key.encode(), digest_size=8).digest(), "little")
 
 
-def _repeated(read: Callable[[int], Marks], count: int, column: int) -> Marks:
-    """The marks of a column that more than one item has, in order."""
-    values = np.concatenate([read(number)[:, column] for number in range(count)])
-    values.sort()
-    return np.unique(values[1:][values[1:] == values[:-1]])
-
-
-def _holds(values: Marks, places: NDArray[np.intp], wanted: Marks) -> NDArray[np.bool_]:
-    """Which of the wanted ones stand where they would."""
-    if not len(values):
-        return np.zeros(len(wanted), dtype=np.bool_)
-    inside = np.minimum(places, len(values) - 1)
-    return values[inside] == wanted
+def _repeated(read: Read, shards: int, column: int) -> Table:
+    """The values of a column that more than one item has, in order."""
+    return twice(np.concatenate([np.zeros(0, np.uint64), *(read(n).table[:, column] for n in range(shards))]))

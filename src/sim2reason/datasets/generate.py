@@ -1,12 +1,14 @@
 """Generate a dataset from Python, as the command of this name does."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TypedDict, Unpack
 
 from pydantic import ValidationError
 
+from sim2reason.datasets.benchmark_files import described
 from sim2reason.datasets.build import build
+from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.places import HERE
@@ -15,7 +17,7 @@ from sim2reason.errors import DatasetError
 from sim2reason.questions.spoken_units import system_named
 
 ITEMS = 1000
-AS_GIVEN = "seed", "shard", "maker", "solutions", "weights", "split"
+AS_GIVEN = "seed", "shard", "maker", "solutions", "weights", "split", "distance", "license"
 
 
 class Order(TypedDict, total=False):
@@ -34,6 +36,12 @@ class Order(TypedDict, total=False):
     """Whether items come with worked solutions."""
     split: Mapping[str, float]
     """The shares of the splits: ``{"train": 0.9, "test": 0.1}``."""
+    distance: float
+    """How far apart, relatively, some number of two variants of a problem is at least."""
+    decontaminate: Sequence[Path | str]
+    """Files of benchmarks with which no problem may share a run of words."""
+    license: str
+    """Of the data, as the Hugging Face hub calls it."""
     shard: int
     """How many problems stand in one file."""
     maker: str
@@ -59,7 +67,8 @@ def generate(
         DatasetError: an order that makes no sense, a folder that holds anything else, or a place where nobody works.
         MissingExtraError: the place needs a package that is not installed.
     """
-    build(out, configured(**order), workers=workers, advance=advance, on=on)
+    benchmarks = Benchmarks(order.get("decontaminate", ()))
+    build(out, configured(**order), workers=workers, advance=advance, on=on, benchmarks=benchmarks)
     return Dataset(out)
 
 
@@ -72,7 +81,8 @@ def configured(**order: Unpack[Order]) -> Config:
         "difficulties": difficulties_named(order.get("difficulty", ALL)),
         "modes": modes_named(order.get("mode", "numeric"), check=ours),
         "units": system_named(order.get("units", SI)).name,
-        **{name: value for name, value in order.items() if name in AS_GIVEN and value},
+        "decontaminate": tuple(described(Path(path)) for path in order.get("decontaminate", ())),
+        **{name: value for name, value in order.items() if name in AS_GIVEN and value not in ({}, "")},
     }
     try:
         return Config.model_validate(fields)

@@ -20,6 +20,7 @@ from sim2reason.datasets.atomic_files import canonical, checksum, put, put_text,
 from sim2reason.datasets.distinct import Marks
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, load, shards
+from sim2reason.datasets.pictures import remove_pictures
 from sim2reason.datasets.plan import DATA, Config, file_name, versions
 from sim2reason.errors import DatasetError
 
@@ -57,6 +58,8 @@ class Journal:
         """
         self.out, self.folder, self.plan = out, out / FOLDER, RunPlan.of(config)
         manifest = self._claim()
+        self.files_before: dict[str, str] = manifest.files if manifest else {}
+        """The card and what belongs to it, with their checksums, if the dataset was finished before."""
         self.folder.mkdir(exist_ok=True)
         if alone:
             sweep(self.folder)
@@ -94,6 +97,7 @@ class Journal:
         if manifest.config != self.plan.config:
             (self.out / MANIFEST).unlink(missing_ok=True)
             (self.out / SHARDS).unlink(missing_ok=True)
+            remove_pictures(self.out, manifest.files)
 
     def _found(self) -> dict[tuple[str, int], Path]:
         """The files that stand, by split and number: of a smaller dataset, each had another total in its name."""
@@ -133,19 +137,24 @@ class Journal:
     def marks(self, number: int) -> Marks | None:
         """What no other item may share with those of a shard, if that is kept."""
         try:
-            found: Marks = np.load(self._marks(number), allow_pickle=False)
-        except (OSError, ValueError):
+            with self._marks(number).open("rb") as file:
+                return Marks(np.load(file, allow_pickle=False), np.load(file, allow_pickle=False))
+        except (OSError, ValueError, EOFError):
             return None
-        return found
 
-    def note(self, shard: Shard, marks: Marks) -> None:
-        """Keep the record of a shard whose files stand."""
+    def keep(self, number: int, marks: Marks) -> None:
+        """Keep what no other item may share with those of a shard."""
 
         def write(path: Path) -> None:
             with path.open("wb") as file:
-                np.save(file, marks, allow_pickle=False)
+                for part in marks:
+                    np.save(file, part, allow_pickle=False)
 
-        put(self._marks(shard.number), write, self.folder)
+        put(self._marks(number), write, self.folder)
+
+    def note(self, shard: Shard, marks: Marks) -> None:
+        """Keep the record of a shard whose files stand."""
+        self.keep(shard.number, marks)
         self._save(shard)
         for file in shard.files:
             before = self._files.pop((file.split, shard.number), None)

@@ -5,12 +5,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from hashlib import sha256
 from itertools import islice
 from pathlib import Path
-from typing import Literal
+from typing import Literal, get_args
 
-from pydantic import ValidationError
+from pydantic import Field, ValidationError
 
 from sim2reason.datasets.atomic_files import canonical
 from sim2reason.datasets.cells import Cell
+from sim2reason.datasets.histograms import Counted
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.plan import Config, Request
 from sim2reason.errors import DatasetError
@@ -18,8 +19,14 @@ from sim2reason.errors import DatasetError
 MANIFEST, SHARDS = "manifest.json", "shards.jsonl"
 FIRST = 20  # of the refused positions that the manifest itself names; all stand beside their shards
 Counts = dict[str, int]
-Refusal = Literal["quarantined", "unfilled", "duplicates"]
-REFUSALS: tuple[Refusal, ...] = ("quarantined", "unfilled", "duplicates")
+Refusal = Literal["quarantined", "unfilled", "contaminated", "duplicates", "variants"]
+REFUSALS: tuple[Refusal, ...] = get_args(Refusal)
+COUNTED: dict[Refusal, str] = {
+    "contaminated": "contaminated",
+    "duplicates": "distinct: same",
+    "variants": "distinct: alike",
+}
+"""Under which name items that were left out are counted beside the draws that filters refused."""
 
 
 class RefusedPosition(Record):
@@ -68,7 +75,9 @@ class Shard(Record):
     """The first one, and that behind the last one."""
     files: tuple[ShardFile, ...]
     counts: dict[str, Counts]
-    """Items by recipe, difficulty, mode, kind and split."""
+    """Items by recipe, difficulty, mode, kind, quantity and split."""
+    histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])
+    """What the card shows as pictures: by the picture's name, series and bin."""
     rejected: dict[str, Counts]
     """By recipe, then by filter: the draws that were refused while these items were made."""
     cells: tuple[Cell, ...] = ()
@@ -77,8 +86,12 @@ class Shard(Record):
     """Requests that crashed or hung their worker twice, or raised an error that they should not."""
     unfilled: tuple[RefusedPosition, ...] = ()
     """Requests for which no draw passed within the maker's budget."""
+    contaminated: tuple[RefusedPosition, ...] = ()
+    """Items that were left out because they share a run of words with a benchmark."""
     duplicates: tuple[RefusedPosition, ...] = ()
     """Items that were left out because one at a lower position says or asks the same."""
+    variants: tuple[RefusedPosition, ...] = ()
+    """Items that were left out because one at a lower position asks the same with nearly the same numbers."""
 
     @property
     def rows(self) -> int:
@@ -106,7 +119,9 @@ class Manifest(Record):
     versions: dict[str, str]
     rows: int
     counts: dict[str, Counts]
-    """Items by recipe, difficulty, mode, kind and split."""
+    """Items by recipe, difficulty, mode, kind, quantity and split."""
+    histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])
+    """What the card shows as pictures: by the picture's name, series and bin."""
     cells: tuple[Cell, ...]
     """By mode, kind and recipe: what was asked for, and what was kept."""
     rejected: dict[str, Counts]
@@ -114,7 +129,9 @@ class Manifest(Record):
     refused: dict[Refusal, RefusedPositions]
     shards: int
     files: dict[str, str]
-    """The card and the list of shards, each with its SHA-256."""
+    """The card, its pictures and the list of shards, each with its SHA-256."""
+    pictures: str = ""
+    """The package that drew those of the card, with its version; empty for none."""
     seal: str = ""
     """The SHA-256 of this manifest with an empty seal."""
 
@@ -180,6 +197,12 @@ def merged(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:
         for key, counts in part.items():
             total.setdefault(key, Counter()).update(counts)
     return {key: dict(sorted(total[key].items())) for key in sorted(total)}
+
+
+def all_histograms(parts: Iterable[Mapping[str, Counted]]) -> dict[str, Counted]:
+    """Add histograms."""
+    found = tuple(parts)
+    return {name: merged(part.get(name, {}) for part in found) for name in sorted({n for part in found for n in part})}
 
 
 def _first(error: ValidationError) -> str:

@@ -16,8 +16,9 @@ from operator import index as as_index
 from typing import Annotated, Self, SupportsIndex, cast
 
 from annotated_types import Ge, Gt, Le, MinLen
-from pydantic import Field, field_validator
+from pydantic import Field, StringConstraints, field_validator
 
+from sim2reason.datasets.benchmark_files import BenchmarkFile
 from sim2reason.datasets.item import Item, Record
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.recipes import DIFFICULTIES
@@ -34,6 +35,13 @@ DATA = "data"
 """The folder of all shards."""
 TRAIN = "train"
 """The split that holds everything where none is asked for; so the Hugging Face hub calls it, too."""
+DISTANCE = 0.05
+"""How far apart the numbers of two variants of a problem are at least: the relative tolerance of answers.
+
+If no number of one differs by more from that of the other, its answer included, then who knows one answer knows both.
+"""
+LICENSE = "apache-2.0"
+"""Of the data, by the name that the Hugging Face hub has for it: that of the library."""
 SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 """The packages whose versions may change the bytes of a dataset."""
 
@@ -140,6 +148,13 @@ class Config(Record):
     """Whether items come with worked solutions."""
     split: dict[str, Share] = Field(default_factory=lambda: {TRAIN: 1.0})
     """The shares of the splits, by name; together 1."""
+
+    distance: Annotated[float, Ge(0.0), Le(1.0)] = DISTANCE
+    """By how much some number of two variants of a problem differs at least, relatively; 0 keeps all that differ."""
+    decontaminate: tuple[BenchmarkFile, ...] = ()
+    """Files of benchmarks with which no problem shares a run of words."""
+    license: Annotated[str, StringConstraints(pattern=r"^[a-z0-9][a-z0-9.+-]{0,39}$")] = LICENSE
+    """The licence of the data, as the card gives it."""
 
     @field_validator("split")
     @classmethod

@@ -26,9 +26,17 @@ def _write(out: Path, scratch: Path, name: str, split: str, items: Sequence[Item
 
 
 def counts(items: BySplit) -> dict[str, Counts]:
-    """How many items there are of each recipe, difficulty, mode, kind and split."""
-    found = (merged({by: {str(getattr(item, by)): 1}} for by in COUNTED) for held in items.values() for item in held)
+    """How many items there are of each recipe, difficulty, mode, kind, quantity and split."""
+    of_items = [
+        {by: str(getattr(item, by)) for by in COUNTED} | {"quantity": item.asked.quantity} for item in flat(items)
+    ]
+    found = (merged({by: {name: 1}} for by, name in each.items()) for each in of_items)
     return merged([*found, {"split": {name: len(held) for name, held in items.items()}}])
+
+
+def flat(items: BySplit) -> list[Item]:
+    """The items of all splits."""
+    return [item for held in items.values() for item in held]
 
 
 def read(out: Path, file: ShardFile, places: Sequence[int] | None = None) -> list[Item]:

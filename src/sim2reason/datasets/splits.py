@@ -32,6 +32,11 @@ def split_of(item: Item, shares: Mapping[str, float]) -> str:
     return next((name for name, bound in bounds if place < bound), names[-1])
 
 
+def numbers_in(text: str) -> list[float]:
+    """What `without_numbers` takes out of a text."""
+    return [float(found.replace("−", "-")) for found in _NUMBER.findall(text)]
+
+
 def without_numbers(text: str) -> str:
     """The same text for all numbers."""
     return _NUMBER.sub("#", text)

@@ -1,9 +1,12 @@
-"""Shapes on paper: the one place, with `plot`, that knows matplotlib."""
+"""Shapes on paper: the one place, with `plot` and `histogram`, that knows matplotlib."""
 
 # pyright: reportUnknownMemberType=false
 # matplotlib leaves its keyword arguments untyped.
 
 import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -60,6 +63,16 @@ def matplotlib() -> Any:  # noqa: ANN401 - a module
     return found
 
 
+@contextmanager
+def settings(more: Mapping[str, object] | None = None) -> Iterator[None]:
+    """What all our figures are made with, whatever else somebody has set; MissingExtraError as `matplotlib`."""
+    package = matplotlib()
+    with package.rc_context():
+        package.rcdefaults()
+        package.rcParams.update({**SETTINGS, **(more or {})})
+        yield
+
+
 def draw(drawing: Drawing, path: Path, dpi: int = 150) -> None:
     """Write a drawing as SVG, PNG or PDF, by the ending of `path`.
 
@@ -68,21 +81,31 @@ def draw(drawing: Drawing, path: Path, dpi: int = 150) -> None:
         UnsupportedError: `path` ends otherwise.
     """
     check(path)
-    with matplotlib().rc_context(SETTINGS):
-        from matplotlib.figure import Figure  # noqa: PLC0415 - the same
+    with settings():
+        save(_page(drawing), path, dpi)
 
-        left, low, right, high = drawing.box()
-        left, low, right, high = left - MARGIN, low - MARGIN, right + MARGIN, high + MARGIN
-        figure = Figure(figsize=(INCH * (right - left), INCH * (high - low)))
-        axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-        axes.set_xlim(left, right)
-        axes.set_ylim(low, high)
-        axes.axis("off")
-        for order, shape in enumerate(drawing.shapes):
-            _shape(axes, shape, order)
-        for label in drawing.labels:
-            _label(axes, label)
-        save(figure, path, dpi)
+
+def png(drawing: Drawing, dpi: int = 100) -> bytes:
+    """A drawing as the bytes of a PNG; MissingExtraError if matplotlib is not installed."""
+    with settings():
+        return as_png(_page(drawing), dpi)
+
+
+def _page(drawing: Drawing) -> "Figure":
+    from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
+
+    left, low, right, high = drawing.box()
+    left, low, right, high = left - MARGIN, low - MARGIN, right + MARGIN, high + MARGIN
+    figure = Figure(figsize=(INCH * (right - left), INCH * (high - low)))
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.set_xlim(left, right)
+    axes.set_ylim(low, high)
+    axes.axis("off")
+    for order, shape in enumerate(drawing.shapes):
+        _shape(axes, shape, order)
+    for label in drawing.labels:
+        _label(axes, label)
+    return figure
 
 
 def check(path: Path) -> str:
@@ -97,6 +120,13 @@ def save(figure: "Figure", path: Path, dpi: int) -> None:
     """Write a figure, the same bytes every time."""
     ending = check(path)
     figure.savefig(path, format=ending, dpi=dpi, metadata=METADATA[ending], facecolor="white")
+
+
+def as_png(figure: "Figure", dpi: int) -> bytes:
+    """The bytes of a figure as PNG, the same every time."""
+    buffer = BytesIO()
+    figure.savefig(buffer, format="png", dpi=dpi, metadata=METADATA["png"], facecolor="white")
+    return buffer.getvalue()
 
 
 def _shape(axes: "Axes", shape: Shape, order: int) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sim2reason.dsl.measures import show_unit
-from sim2reason.figures.canvas import SETTINGS, check, matplotlib, save
+from sim2reason.figures.canvas import check, matplotlib, save, settings
 from sim2reason.figures.curves import MotionCurves, Panel, motion_curves
 from sim2reason.figures.trajectories import Trajectories
 from sim2reason.prose.writer import Description
@@ -48,10 +48,10 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
         UnsupportedError: `path` ends otherwise.
     """
     check(path)
-    package = matplotlib()
+    matplotlib()  # says at once if it is missing
     shown = motion_curves(trace, description)
     second = show_unit(shown.units.time)
-    with package.rc_context({**SETTINGS, "font.size": 8.0}):
+    with settings({"font.size": 8.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 
         listed = shown.marks[:MOST]
