@@ -51,15 +51,14 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
     whoever works and where. A dataset of fewer items and otherwise the same configuration is gone on with, too.
     DatasetError if `out` holds anything else, a weight makes no sense, or `config` names other benchmarks.
     """
-    out, overlap = _folder(out, config), _overlap(config, work.get("benchmarks"))
-    with locked(out):
+    overlap = _overlap(config, work.get("benchmarks"))
+    with _workers(config, work) as run, locked(out := _folder(out, config)):
         standing = _standing(out, config)
         if standing is not None:
             work.get("advance", _unseen)(config.items)
             return standing
-        with _workers(config, work) as run:
-            journal = Journal(out, config)
-            _fill(journal, range(config.shards), run, overlap, work)
+        journal = Journal(out, config)
+        _fill(journal, range(config.shards), run, overlap, work)
         manifest = finish(journal)
         journal.close()
     return manifest
@@ -74,8 +73,8 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
     number, parts = part
     if not 0 <= number < parts:
         raise DatasetError(f"part {number + 1}/{parts}: there is none; count from 1/{parts} to {parts}/{parts}")
-    out, overlap = _folder(out, config), _overlap(config, work.get("benchmarks"))
-    with _workers(config, work) as run, locked(out, shared=True):
+    overlap = _overlap(config, work.get("benchmarks"))
+    with _workers(config, work) as run, locked(out := _folder(out, config), shared=True):
         journal = Journal(out, config, alone=False)
         mine = journal.folder / f"part-{number + 1}-of-{parts}{LOCK}"
         mine.touch()
