@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plain_scenes import G, atwood, ramp, row, table
+from plain_scenes import G, atwood, ramp, row, squeezed, table
 from sim2reason.dsl.scene import Scene
 from sim2reason.prose.writer import describe
 from sim2reason.quantities.subjects.bodies import Bodies
@@ -69,6 +69,17 @@ def test_a_block_that_slides_down_is_somewhere_at_the_textbook_time() -> None:
     a = G * (sin(radians(30)) - 0.2 * cos(radians(30)))
     assert Moved(BLOCK, 0.5).time(trace) == pytest.approx(sqrt(2.0 * 0.5 / a), rel=1e-10)
     assert Moved(BLOCK, 1e3).time(trace) is None
+
+
+def test_what_a_collision_sends_back_is_spoken_of_by_its_distance_from_its_start() -> None:
+    """A cart of 0.1 kg at 1 m/s meets one of 1 kg after 1 m, and comes back at 9/11 m/s: 1.5 m behind at 73/18 s."""
+    scene = squeezed(heavy=0.1)
+    moment, words = Moved("track.gliders.0", 1.5), words_of(describe(scene))
+    assert moment.time(simulate(scene)) == pytest.approx(73.0 / 18.0, rel=1e-9)
+    assert moment.phrases(words)[0] == "when cart A is first 1.5 m from its starting point"
+    clause = moment.clause(words)
+    assert clause is not None
+    assert clause.statement == "cart A is first 1.5 m from its starting point"
 
 
 def test_a_block_sent_uphill_turns_and_is_first_there_on_its_way_up() -> None:

@@ -1,9 +1,10 @@
-"""The instant at which a body has moved a stated distance along a straight line."""
+"""The instant at which a body has moved a stated distance along a straight line, or is first so far from its start."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.paths import center_path, rides
 from sim2reason.questions.crossing import first_crossing
@@ -17,7 +18,11 @@ from sim2reason.simulation.trace import Trace
 @MOMENTS.register("moved")
 @dataclass(frozen=True, slots=True)
 class Moved(DistanceThreshold):
-    """When a body has moved a stated distance along a straight line, without turning back."""
+    """When a body has moved a stated distance along a straight line, without turning back.
+
+    What collides may have turned back in a collision, and which way it goes then, symbols do not say: it is spoken of
+    by its distance from where it started.
+    """
 
     label = "moved"
     verb = Verb("has moved", "moved", "has")
@@ -30,19 +35,32 @@ class Moved(DistanceThreshold):
         return {n: said for n, said in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
 
     def time(self, trace: Trace) -> float | None:
-        """When it is so far away, if it has not turned back before."""
+        """When it is first so far away; if it has not turned back before, unless it collides."""
         found = first_crossing(trace, self.excess)
-        return found if found is not None and not _turns_back(trace, self.name, found) else None
+        if found is None or _collides(trace.mechanism, self.name):
+            return found
+        return None if _turns_back(trace, self.name, found) else found
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: after the block has moved 0.50 m."""
+        """As in: after the block has moved 0.50 m, when the cart is first 0.50 m from its starting point."""
+        if _collides(words.mechanism, self.name):
+            there = f"{self.subject(words)} is first {self.said(words)} from its starting point"
+            return (f"when {there}", f"at the moment when {there}", f"at the instant at which {there}")
         moved = f"{self.subject(words)} has moved {self.said(words)}"
         return (f"after {moved}", f"when {moved}", f"at the moment when {moved}")
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the block has moved 0.50 m."""
         said = self.said(words)
+        if _collides(words.mechanism, self.name):
+            there = f"first {said} from its starting point"
+            return Clause(self.subject(words), "is", there, f"is {there}")
         return Clause(self.subject(words), "has", f"moved {said}", f"has moved {said}", f"to move {said}")
+
+
+def _collides(mechanism: Mechanism, name: str) -> bool:
+    """Whether a body may meet another one, or what is fixed."""
+    return any(name in meeting.names for meeting in mechanism.meetings)
 
 
 def _turns_back(trace: Trace, name: str, until: float) -> bool:

@@ -33,9 +33,9 @@ class QuestionFirst(PromptShape):
     share = 1.2
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of questions that begin with the word that asks."""
-        front = one_of(FRONTS, rng)
-        return f"{front}{lowered(question)} {description.text}" if begins_plainly(question) else None
+        """Of questions that begin with the word that asks, and assume nothing of what is not yet told."""
+        front, lone = one_of(FRONTS, rng), len(units(question)) == 1
+        return f"{front}{lowered(question)} {description.text}" if lone and begins_plainly(question) else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """What a front announces, up to the end of its sentence or the next, is the question."""
