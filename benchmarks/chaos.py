@@ -1,0 +1,228 @@
+"""What becomes of a dataset under faults, kills and a full disk: python benchmarks/chaos.py [items] [kills].
+
+One item in a hundred goes wrong: it ends its process by a segmentation fault or an exit, hangs, raises an error that
+can't be pickled or told, or asks for more memory than there is. Then the same run is killed (SIGKILL) at random times
+and gone on with until it ends; four processes make a part each at once; and a run meets disks that are full at several
+sizes. Told are how many of the other items are there, which are lost or there twice, files that are torn, and whether
+the bytes at the end are those of a run that nobody disturbed. By default 1000 items and 50 kills.
+"""
+
+import ctypes
+import os
+import random
+import resource
+import shutil
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Sequence
+from hashlib import sha256
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from threading import Lock
+
+HERE = Path(__file__).resolve().parent
+SUPPORT = HERE.parent / "tests" / "support"
+sys.path += [str(HERE), str(SUPPORT)]
+
+from fake_makers import steady  # noqa: E402 - it lies where the path now leads
+from sim2reason.datasets.dataset import Dataset  # noqa: E402 - the same
+from sim2reason.datasets.plan import Made, Request  # noqa: E402 - the same
+from sim2reason.datasets.store import count  # noqa: E402 - the same
+from sim2reason.errors import Sim2ReasonError  # noqa: E402 - the same
+
+SHARD = 50
+PATIENCE = 2.0  # s: all but those that hang take milliseconds
+SLOW = 0.003  # s an item, so that there is time to be killed
+SEED = 7
+ROOM = 0.1, 0.3, 0.5, 0.7, 0.9  # of what the dataset needs, on disks that are too small
+FULL = "full-disk"  # as an argument: this process has a mount namespace of its own
+
+
+class UntellableError(Exception):
+    """It holds what no pipe can carry, and can't even be told."""
+
+    def __str__(self) -> str:
+        """No words at all."""
+        raise self
+
+
+def segfault() -> None:
+    ctypes.string_at(0)
+
+
+def leave() -> None:
+    os._exit(3)
+
+
+def hang() -> None:
+    while True:
+        time.sleep(1.0)
+
+
+def raise_untellable() -> None:
+    raise UntellableError(Lock())
+
+
+def eat() -> None:
+    """Meet a limit of the address space."""
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    resource.setrlimit(resource.RLIMIT_AS, (2**32, before[1]))
+    try:
+        _ = [bytearray(2**28) for _ in range(64)]
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, before)
+
+
+FAULTS = segfault, leave, hang, raise_untellable, eat
+
+
+def fault_of(request: Request) -> int:
+    """Which fault a request has; beyond the last one for none. One in a hundred has some."""
+    return int.from_bytes(sha256(f"fault {request.id}".encode()).digest()[:4], "big") % (100 * len(FAULTS))
+
+
+def make(request: Request) -> Made:
+    """Steady, but slow, and with faults."""
+    time.sleep(SLOW)
+    fault = fault_of(request)
+    if fault < len(FAULTS):
+        FAULTS[fault]()
+    return steady(request)
+
+
+def start(out: Path, items: int, *options: str) -> "subprocess.Popen[bytes]":
+    code = "from sim2reason.cli import main; main()"
+    fixed = ["--items", str(items), "--recipe", "incline,pulley", "--shard-size", str(SHARD), "--maker", "chaos:make"]
+    paths = os.pathsep.join([str(HERE), str(SUPPORT), os.environ.get("PYTHONPATH", "")])
+    return subprocess.Popen(
+        [sys.executable, "-c", code, "generate", str(out), *fixed, "--patience", str(PATIENCE), *options],
+        env=os.environ | {"PYTHONPATH": paths},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+
+
+def finish(out: Path, items: int, *options: str) -> tuple[int, str]:
+    run = start(out, items, *options)
+    _, told = run.communicate()
+    return run.returncode, told.decode().strip()
+
+
+def content(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def torn(out: Path) -> int:
+    """Files of items that are not whole."""
+    bad = 0
+    for path in out.glob("data/*.parquet"):
+        try:
+            count(path)
+        except (OSError, ValueError):
+            bad += 1
+    return bad
+
+
+def report(name: str, out: Path, whole: dict[str, bytes], broken: int) -> None:
+    data = Dataset(out)
+    config = data.manifest.config
+    sound = [request for request in map(config.request, range(config.items)) if fault_of(request) >= len(FAULTS)]
+    wanted = {request.id for request in sound if steady(request).item is not None}
+    ids = Counter(item.id for item in data)
+    quarantined = data.manifest.refused["quarantined"].total
+    same = content(out) == whole
+    print(
+        f"{name}: {len(wanted & ids.keys()) / len(wanted):.2%} of {len(wanted)} others finished, "
+        f"{len(wanted - ids.keys())} lost, {sum(n - 1 for n in ids.values())} twice, {broken} torn, "
+        f"{quarantined} of {config.items - len(sound)} faults quarantined; "
+        f"{'the same bytes' if same else 'OTHER BYTES'}",
+        flush=True,
+    )
+
+
+def killed(out: Path, items: int, kills: int) -> int:
+    """Kill runs at random times until there were so many kills, then let one end; give the files that were torn."""
+    rng, broken, done = random.Random(SEED), 0, 0
+    while done < kills:
+        before = len(list(out.glob("data/*.parquet")))
+        run = start(out, items, "--workers", str(rng.choice((1, 2, 4))))
+        more, end = rng.choice((0, 0, 1)), time.monotonic() + 60.0
+        while len(list(out.glob("data/*.parquet"))) < before + more and run.poll() is None and time.monotonic() < end:
+            time.sleep(0.005)
+        time.sleep(rng.uniform(0.0, 0.3) if more else rng.uniform(0.0, 2.0))
+        run.kill()
+        run.communicate()
+        broken += torn(out)
+        if run.returncode == 0:
+            print(f"it had finished after {done} kills: ask for more items")
+            break
+        done += 1
+    code, told = finish(out, items, "--workers", "2")
+    assert code == 0, told
+    return broken + torn(out)
+
+
+def parts(out: Path, items: int) -> None:
+    """Four processes at once make a part each, a fifth ends their work."""
+    runs = [start(out, items, "--workers", "1", "--shard", f"{number}/4") for number in (1, 2, 3, 4)]
+    for run in runs:
+        _, told = run.communicate()
+        assert run.returncode == 0, told.decode()
+    code, told = finish(out, items, "--workers", "1")
+    assert code == 0, told
+
+
+def full_disk(folder: Path, whole: Path, items: int) -> None:
+    """Runs on disks of several sizes: each ends in one line, and in the same bytes once there is room."""
+    wanted = content(whole)
+    for size in [int(share * sum(map(len, wanted.values())) / 1000) for share in ROOM]:
+        place = folder / f"disk-{size}"
+        place.mkdir()
+        subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}k", "none", str(place)], check=True)
+        code, told = finish(place / "out", items, "--workers", "2")
+        line = told.splitlines()[-1] if told else ""
+        broken = torn(place / "out")
+        subprocess.run(["mount", "-o", "remount,size=1g", str(place)], check=True)
+        again, _ = finish(place / "out", items, "--workers", "2")
+        same = again == 0 and content(place / "out") == wanted
+        print(
+            f"disk of {size} kB: exit code {code}, {broken} torn, {'the same bytes' if same else 'OTHER BYTES'} after"
+        )
+        print(f"  {line}", flush=True)
+        subprocess.run(["umount", str(place)], check=True)
+
+
+def main(items: int = 1000, kills: int = 50) -> None:
+    with TemporaryDirectory() as scratch:
+        folder = Path(scratch)
+        begin = time.monotonic()
+        code, told = finish(folder / "whole", items, "--workers", "2")
+        assert code == 0, told
+        whole = content(folder / "whole")
+        report("undisturbed", folder / "whole", whole, torn(folder / "whole"))
+        broken = killed(folder / "killed", items, kills)
+        report(f"{kills} kills", folder / "killed", whole, broken)
+        parts(folder / "parts", items)
+        report("4 parts at once", folder / "parts", whole, torn(folder / "parts"))
+        if shutil.which("unshare") is None:
+            print("full disk: needs unshare (Linux)")
+        else:
+            arguments = [sys.executable, __file__, FULL, str(folder), str(folder / "whole"), str(items)]
+            subprocess.run(["unshare", "--map-root-user", "--mount", *arguments], check=False)
+        print(f"{time.monotonic() - begin:.0f} s in all")
+
+
+def started(arguments: Sequence[str]) -> None:
+    if arguments[:1] == [FULL]:
+        full_disk(Path(arguments[1]), Path(arguments[2]), int(arguments[3]))
+    else:
+        main(*map(int, arguments))
+
+
+if __name__ == "__main__":
+    try:
+        started(sys.argv[1:])
+    except Sim2ReasonError as error:
+        sys.exit(str(error))
