@@ -142,8 +142,8 @@ def report(name: str, out: Path, whole: dict[str, bytes], broken: int) -> None:
     )
 
 
-def killed(out: Path, items: int, kills: int) -> int:
-    """Kill runs at random times until there were so many kills, then let one end; give the files that were torn."""
+def killed(out: Path, items: int, kills: int) -> tuple[int, int]:
+    """Kill runs at random times until there were so many kills, then let one end; give kills, and files that were torn."""
     rng, broken, done = random.Random(SEED), 0, 0
     while done < kills:
         before = len(list(out.glob("data/*.parquet")))
@@ -156,12 +156,12 @@ def killed(out: Path, items: int, kills: int) -> int:
         run.communicate()
         broken += torn(out)
         if run.returncode == 0:
-            print(f"it had finished after {done} kills: ask for more items")
-            break
+            print("it has finished before all kills: ask for more items")
+            return done, broken
         done += 1
     code, told = finish(out, items, "--workers", "2")
     assert code == 0, told
-    return broken + torn(out)
+    return done, broken + torn(out)
 
 
 def parts(out: Path, items: int) -> None:
@@ -202,8 +202,8 @@ def main(items: int = 1000, kills: int = 50) -> None:
         assert code == 0, told
         whole = content(folder / "whole")
         report("undisturbed", folder / "whole", whole, torn(folder / "whole"))
-        broken = killed(folder / "killed", items, kills)
-        report(f"{kills} kills", folder / "killed", whole, broken)
+        done, broken = killed(folder / "killed", items, kills)
+        report(f"{done} kills", folder / "killed", whole, broken)
         parts(folder / "parts", items)
         report("4 parts at once", folder / "parts", whole, torn(folder / "parts"))
         if shutil.which("unshare") is None:

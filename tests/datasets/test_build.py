@@ -228,6 +228,36 @@ def test_a_plan_that_is_none_makes_no_folder_ours(make: Make, data: Path, conten
     assert contents(data) == whole
 
 
+def test_a_run_that_was_killed_before_its_plan_stood_goes_on(make: Make, data: Path, contents: Contents) -> None:
+    for name, content in (("empty", None), ("half", "half a pl")):
+        (data.parent / name / FOLDER).mkdir(parents=True)
+        if content is not None:
+            (data.parent / name / FOLDER / "plan.json.77.tmp").write_text(content)
+        make(name)
+        assert contents(data.parent / name) == contents(data)
+
+
+def test_parts_may_begin_at_once(tmp_path: Path, config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second part looks at the folder while the first one has made it and writes its plan."""
+    from sim2reason.datasets import journal
+    from sim2reason.datasets.journal import Journal
+
+    put_text, begun = journal.put_text, list[Journal]()
+
+    def meanwhile(path: Path, text: str, scratch: Path) -> None:
+        if not begun:
+            monkeypatch.setattr(journal, "put_text", put_text)
+            begun.append(Journal(tmp_path / "out", config, alone=False))
+        put_text(path, text, scratch)
+
+    (tmp_path / "out").mkdir()
+    monkeypatch.setattr(journal, "put_text", meanwhile)
+    assert Journal(tmp_path / "out", config, alone=False).plan == begun[0].plan
+    other = config.model_copy(update={"seed": 1})
+    with pytest.raises(DatasetError, match="another configuration"):
+        Journal(tmp_path / "out", other, alone=False)
+
+
 def test_what_lies_beside_a_dataset_stays(make: Make, data: Path) -> None:
     strange = [data / ".mine.tmp", data / "data/.mine.tmp", data / "notes.md", data / "data/other.parquet"]
     for path in strange:

@@ -16,7 +16,7 @@ from typing import TypeVar
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.datasets.atomic_files import canonical, checksum, put, put_text, sweep
+from sim2reason.datasets.atomic_files import TEMPORARY, canonical, checksum, put, put_text, sweep
 from sim2reason.datasets.distinct import Marks
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, load, shards
@@ -65,6 +65,8 @@ class Journal:
             sweep(self.folder)
         if alone or not (self.folder / PLAN).is_file():
             put_text(self.folder / PLAN, canonical(self.plan.model_dump(mode="json")), self.folder)
+        if not alone:
+            self._claim()  # another part may have begun at the same moment
         if manifest is not None:
             self._open_again(manifest)
         self._files = self._found()
@@ -73,11 +75,12 @@ class Journal:
         """The manifest of a finished dataset that this plan goes on with, if there is one."""
         if self.folder.is_symlink():
             raise DatasetError(f"{self.folder}: is a link; choose a new folder")
-        begun = _read(self.folder / PLAN, RunPlan)
+        strangers = sorted(path.name for path in self.out.iterdir() if not self._is_fresh(path))
+        begun = _read(self.folder / PLAN, RunPlan)  # after the look at the folder: another part may be putting it
         manifest = load(self.out) if (self.out / MANIFEST).is_file() else None
         found = RunPlan(config=manifest.config, versions=manifest.versions) if manifest else begun
         if found is None:
-            if strangers := sorted(path.name for path in self.out.iterdir()):
+            if strangers:
                 raise DatasetError(f"{self.out}: holds {strangers[0]} and is no dataset; choose a new folder")
         elif differences := (begun or found).differences(self.plan):
             raise DatasetError(
@@ -85,6 +88,12 @@ class Journal:
                 "choose a new folder, or the same options and versions to go on"
             )
         return manifest
+
+    def _is_fresh(self, path: Path) -> bool:
+        """Whether something in `out` is our folder, before its plan stands: a run began, or was killed at once."""
+        if path != self.folder or not path.is_dir():
+            return False
+        return all(held.name.startswith(f"{PLAN}.") and held.suffix == TEMPORARY for held in path.iterdir())
 
     def _open_again(self, manifest: Manifest) -> None:
         """Take the records of a finished dataset over; its manifest holds no longer if the dataset grows."""

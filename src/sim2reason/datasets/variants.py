@@ -87,7 +87,7 @@ def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[in
     """The first of some items whose numbers are all within the limit."""
     rows = np.array(others, dtype=np.int64)
     rows = rows[found.problems[rows] == found.problems[row]]  # two problems may meet in a cell by chance
-    places = np.arange(found.counts[row])
+    places = np.arange(int(found.counts[row]))
     apart = np.abs(found.logarithms[starts[rows][:, None] + places] - found.logarithms[starts[row] + places])
     close = np.flatnonzero(apart.max(axis=1, initial=0.0) < limit)
     return int(rows[close[0]]) if len(close) else None

@@ -4,7 +4,7 @@
 # matplotlib leaves its keyword arguments untyped.
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Mapping
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
@@ -64,7 +64,7 @@ def matplotlib() -> Any:  # noqa: ANN401 - a module
 
 
 @contextmanager
-def settings(more: Mapping[str, object] | None = None) -> Iterator[None]:
+def settings(more: Mapping[str, object] | None = None) -> Generator[None, None, None]:
     """What all our figures are made with, whatever else somebody has set; MissingExtraError as `matplotlib`."""
     package = matplotlib()
     with package.rc_context():

@@ -55,7 +55,7 @@ def png(histogram: Histogram, dpi: int = 100) -> bytes:
             axes.set_xticks(shown, ticks)
             axes.set(xlabel=histogram.axis, ylabel="problems")
         if len(histogram.series) > 1:
-            place = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0), "borderaxespad": 0.2}
-            axes.legend(frameon=False, ncols=len(histogram.series), **place)
+            names = len(histogram.series)
+            axes.legend(frameon=False, ncols=names, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
         axes.spines[["top", "right"]].set_visible(False)
         return as_png(figure, dpi)
