@@ -29,6 +29,7 @@ POINTS = 8  # beside the scene's own
 NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
 WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
 TRIES, WIDELY, ACROSS = 16, 24, 4
+DRAWS = 3  # of questions of one kind
 BARREN = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
 SAME = 1e-6  # relative: how well the formula agrees with the engine
 ASSUME, JOINT = "Assume that ", " and that "
@@ -61,7 +62,7 @@ class Symbolic(QuestionMode):
         formulas = study.once("formulas", lambda: self.kinds & _formulas(study.mechanism))
         kinds = [name for name in names if name in formulas]
         refused = study.once("refused", set[Query])
-        for name in kinds:
+        for name in (name for name in kinds for _ in range(DRAWS)):
             question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < BARREN else None
             if question is not None and _derived(question.query, study, words) is not None:
                 refused.clear()

@@ -14,12 +14,12 @@ RAMP = {"TwoSideMassPlane": 1.5}
 FACES = {**RAMP, "MassPrismPlane": 2.5}
 SIDES = dict.fromkeys((f"{MOVABLE}.left", f"{MOVABLE}.right"), ("Hanging", "OnPlane"))  # more would be too long to tell
 TIERS = {
-    "easy": Tier(  # a load over a light pulley: anything more would be too long to tell
+    "easy": Tier(  # a load over a light pulley, most often by a rough slope: anything more would be too long to tell
         Count(2, 2),
         ({"MassWithFixedPulley": 1.0}, RAMP),
         {**NUMBERS["easy"], "MassWithFixedPulley.system": ("Hanging",)},
         spread=4.0,
-        rough=0.3,
+        rough=0.8,
         massive=0.0,
         more=0.0,
         words=WORDS["easy"] + TWO,

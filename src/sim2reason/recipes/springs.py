@@ -17,11 +17,11 @@ IDEAS = {
         Idea(KIND, {"springs": Count(2, 2), "damping?": 0.0, "launch?": 0.0}),
     ),
     "medium": (
-        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}, 3.0),
+        Idea(KIND, {**EVEN, "springs": Count(2, 2), "damping?": 0.0, "launch?": 0.7}),
         Idea(KIND, {**EVEN, **CENTRAL}),
     ),
     "hard": (  # friction of the springs themselves
-        Idea(KIND, {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6}, 4.0),
+        Idea(KIND, {**EVEN, "springs": Count(3, 3), "damping?": 0.6, "damping": Range(2.0, 8.0), "launch?": 0.6}, 2.0),
         Idea(KIND, {**EVEN, **CENTRAL}),
     ),
 }

@@ -20,15 +20,16 @@ class PointMass(ChangedMechanism):
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """The whole, where anything with inertia about its centre of mass can turn."""
         del query
-        return [""] if _solid(study.mechanism) else []
+        return [""] if solid(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Without that inertia."""
         del subject
-        return with_bodies(mechanism, _solid(mechanism), inertialess)
+        return with_bodies(mechanism, solid(mechanism), inertialess)
 
 
-def _solid(mechanism: Mechanism) -> list[str]:
+def solid(mechanism: Mechanism) -> list[str]:
+    """The bodies with inertia about their centres of mass that can turn."""
     return [name for name in massive(mechanism) if any(mechanism.body[name].inertia) and _turns(mechanism, name)]
 
 
