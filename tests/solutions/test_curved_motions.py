@@ -229,6 +229,21 @@ def swung(query: Query) -> float:
     return answer("arm", RotationEntity(pieces=(rod,), angle=ANGLE), query)
 
 
+def test_the_angle_of_an_arm_is_that_of_its_centre_of_mass() -> None:
+    """Heavier on the far side, it begins at 180° − 60° and falls to 30°; ω² = 2 g S (cos 30° + cos 60°)/I."""
+    light, heavy = UniformRod(mass=1.0, length=0.6), UniformRod(mass=3.0, length=LENGTH)
+    pieces = (
+        AxialPiece(distance=0.2, body=light, axis="along the arm"),
+        AxialPiece(distance=0.5, side="from the axle, on the other side", body=heavy, axis="along the arm"),
+    )
+    inertia = 0.6**2 / 12.0 + 0.2**2 + 3.0 * (LENGTH**2 / 12.0 + 0.5**2)
+    fallen = cos(radians(30.0)) + cos(radians(60.0))
+    rate = answer(
+        "arm", RotationEntity(pieces=pieces, angle=ANGLE), at("angular velocity", ROD, Deflected("arm.arm", 30.0))
+    )
+    assert rate == pytest.approx(sqrt(2.0 * G * (3.0 * 0.5 - 0.2) * fallen / inertia))
+
+
 def test_a_rod_let_go_at_an_angle() -> None:
     grown = swung(at("angular acceleration", ROD, AtStart(), "start"))
     assert grown == pytest.approx(MASS * G * PLACE * sin(radians(ANGLE)) / ABOUT)

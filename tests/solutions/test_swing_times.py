@@ -22,6 +22,7 @@ from sim2reason.questions.moments.deflected import Deflected
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions import solve
 from worked import answer, asked
@@ -184,3 +185,11 @@ def test_the_impulse_on_a_thrown_bob_is_a_chord() -> None:
     speed = sqrt(4.0 + 2.0 * G * LENGTH * (1.0 - cos(radians(30.0))))
     expected = 0.5 * sqrt(4.0 + speed**2 - 4.0 * speed * cos(radians(30.0)))
     assert summed("impulse of the net force", BOB, LowestPoint(BOB), 30.0, 2.0) == pytest.approx(expected)
+
+
+def test_what_goes_round_is_where_it_has_turned_beyond_a_whole_turn() -> None:
+    """By energy: v² = v₀² + 2 g ℓ (cos φ − cos θ); sent down from 30°, it is at 30° − 400° then."""
+    pendulum = Pendulum(bob=Ball(mass=0.5), hanger=LightRod(length=LENGTH), angle=30.0, speed=7.0)
+    query = Query("event", Target("velocity", BOB), TurnedThrough(BOB, 400.0))
+    speed = sqrt(49.0 + 2.0 * G * LENGTH * (cos(radians(370.0)) - cos(radians(30.0))))
+    assert answer("pendulum", pendulum, query) == pytest.approx(speed)

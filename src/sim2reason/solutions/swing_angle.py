@@ -134,7 +134,9 @@ class SwingAngle(ABC):
     def _when(self) -> Symbol:
         """Write the time of the moment."""
         time = self.setting.time
-        if isinstance(self.setting.query.moment, Deflected | TurnedThrough | WentSlack):
+        if isinstance(self.setting.query.moment, Deflected):
+            return self.times.reaches(self._stated, time)
+        if isinstance(self.setting.query.moment, TurnedThrough | WentSlack):
             return self.times.reaches(self.angle if self.falls else added(PI, -self.angle), time)
         return self.times.upright(time)
 
@@ -155,8 +157,9 @@ class SwingAngle(ABC):
         if isinstance(moment, AtTime):
             return self._at_time(moment)
         if isinstance(moment, Deflected | TurnedThrough):
-            given, turns = self._given(moment.value), isinstance(moment, TurnedThrough)
-            signed = given if (self.turned > 0.0 if turns else self.now >= 0.0) else -given
+            turns = isinstance(moment, TurnedThrough)
+            size = self._stated if turns or self.falls else PI - self._stated
+            signed = size if (self.turned > 0.0 if turns else self.now >= 0.0) else -size
             return added(self.first, signed) if turns else signed
         if isinstance(moment, WentSlack):
             return self._slack()
@@ -177,10 +180,13 @@ class SwingAngle(ABC):
             return Number(pi) if self.falls else ZERO
         return self._turned()
 
-    def _given(self, degrees: float) -> Symbol:
-        name = self.book.fresh(r"\phi")
-        self.book.know(name.name, np.radians(degrees), DEGREES)
-        self.book.stated[name.name] = rf"{degrees:g}{DEGREES}"
+    @cached_property
+    def _stated(self) -> Symbol:
+        """The angle that the moment says: of the line to the centre of mass, or by how much it has turned."""
+        moment, name = self.setting.query.moment, self.book.fresh(r"\phi")
+        assert isinstance(moment, Deflected | TurnedThrough)
+        self.book.know(name.name, np.radians(moment.value), DEGREES)
+        self.book.stated[name.name] = rf"{moment.value:g}{DEGREES}"
         return name
 
     @abstractmethod
@@ -265,7 +271,8 @@ class SwingAngle(ABC):
     def _deflection(self) -> Expression:
         if isinstance(self.angle, Number):
             raise UnsolvedError("the angle is that of the lowest or highest point")
-        return -self.angle if self.angle.negative else self.angle
+        size = -self.angle if self.angle.negative else self.angle
+        return size if self.falls else PI - size
 
     def _between(self) -> Expression:
         return self.between
