@@ -147,13 +147,12 @@ class ModeLaws:
             self.book.observed[mode.square.name] = float(self.squares[mode.number])
         step = self.book.open("mode laws")
         step.label(f"mode {mode.number}")
-        where = f"$-{mode.square.latex()}$ times those from balance" if driven else "zero"
-        shares = ", ".join(f"${part.latex()}$" for part in mode.shape)
-        step.say(
-            f"In one mode displacements are as {shares}, accelerations {where}:"
-            if names
-            else f"All accelerations are {where}:"
-        )
+        rate, shares = f"$-{mode.square.latex()}$", ", ".join(f"${part.latex()}$" for part in mode.shape)
+        if names:
+            where = f"{rate} times those from balance" if driven else "zero"
+            step.say(f"In one mode displacements are as {shares}, accelerations {where}:")
+        else:
+            step.say(f"The acceleration is {f'{rate} times the displacement from balance' if driven else 'zero'}:")
         said: list[str] = []
         for i in range(self.size) if driven else unknown:
             pulls, inertia = self.row(mode, i)

@@ -1,6 +1,8 @@
 """How a body turns about its own axis: by the speed of its rim, which rolling makes that of its centre."""
 
+from abc import abstractmethod
 from dataclasses import dataclass
+from typing import ClassVar
 
 from sim2reason.questions import Target
 from sim2reason.solutions.expressions import Expression, Symbol, multiplied, ratio
@@ -59,45 +61,47 @@ class InertiaTimes(AboutAxis):
         return finish(known, multiplied(held.expression(), other), self.noun, known.setting.mark(body), what)
 
 
-@dataclass(frozen=True, slots=True)
-class EnergyOfRim(AboutAxis):
+class KineticShare(Goal):
+    """A part of the kinetic energy: half of what counts as a mass, times the square of a speed."""
+
+    noun: ClassVar[VectorName]
+
+    @property
+    def uses(self) -> str:
+        """The velocity."""
+        return "v"
+
+    @abstractmethod
+    def energy(self, body: str, known: Known) -> Expression:
+        """Of a body."""
+
+    def write(self, target: Target, known: Known) -> Symbol:
+        """One formula."""
+        body = target.subject
+        what = f"the {self.noun.said} of {known.setting.called(body)}"
+        return finish(known, self.energy(body, known), self.noun, known.setting.mark(body), what)
+
+
+class EnergyOfRim(KineticShare, AboutAxis):
     """½ I ω² as ½ (I/R²) of the square of the rim's speed."""
 
-    noun: VectorName
+    noun = VectorName.of("rotational kinetic energy", "energy of rotation")
 
-    @property
-    def uses(self) -> str:
-        """The velocity."""
-        return "v"
-
-    def write(self, target: Target, known: Known) -> Symbol:
+    def energy(self, body: str, known: Known) -> Expression:
         """Half of I/R² times the square."""
-        body = target.subject
-        formula = multiplied(
-            known.rim_inertia(body).scaled(0.5).expression(), squared(known.rim("v", body).expression())
-        )
-        what = f"the {self.noun.said} of {known.setting.called(body)}"
-        return finish(known, formula, self.noun, known.setting.mark(body), what)
+        half = known.rim_inertia(body).scaled(0.5).expression()
+        return multiplied(half, squared(known.rim("v", body).expression()))
 
 
-@dataclass(frozen=True, slots=True)
-class EnergyOfCenter(Goal):
+class EnergyOfCenter(KineticShare):
     """½ m v² of the centre of mass."""
 
-    noun: VectorName
+    noun = VectorName.of("translational kinetic energy", "energy of translation")
 
-    @property
-    def uses(self) -> str:
-        """The velocity."""
-        return "v"
-
-    def write(self, target: Target, known: Known) -> Symbol:
+    def energy(self, body: str, known: Known) -> Expression:
         """Half of m v²."""
-        body = target.subject
         speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
-        formula = multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
-        what = f"the {self.noun.said} of {known.setting.called(body)}"
-        return finish(known, formula, self.noun, known.setting.mark(body), what)
+        return multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
 
 
 def squared(held: Expression) -> Expression:
@@ -120,8 +124,5 @@ GOALS.add("angle rolled", AngularGoal(VectorName.of("angle rolled", "angle"), "s
 GOALS.add("moment of inertia", InertiaTimes(VectorName.of("moment of inertia"), ""))
 GOALS.add("angular momentum", InertiaTimes(VectorName.of("angular momentum"), "v"))
 GOALS.add("torque", InertiaTimes(VectorName.of("torque"), "a"))
-GOALS.add("rotational kinetic energy", EnergyOfRim(VectorName.of("rotational kinetic energy", "energy of rotation")))
-GOALS.add(
-    "translational kinetic energy",
-    EnergyOfCenter(VectorName.of("translational kinetic energy", "energy of translation")),
-)
+GOALS.add("rotational kinetic energy", EnergyOfRim())
+GOALS.add("translational kinetic energy", EnergyOfCenter())
