@@ -70,8 +70,9 @@ def number(
     asked = None if unit is None else parse_unit(unit)
     try:
         said = _answer(response, asked, lenient=lenient)
-        signed = said.signed_by(positive, below_zero=reference < 0)
-        _check_again(said, signed, asked, positive)
+        signed = said.signed_by(positive, below_zero=reference < 0) if said.remark.directions else said
+        if said.remark.again:
+            _check_again(said, signed, asked, positive)
         return _judge(signed.value, said.unit, reference, asked, tolerance)
     except Refused as refused:
         return refused.score

@@ -17,6 +17,7 @@ from sim2reason.grading.tokens import Token
 __all__ = ["Statement", "flattened", "is_signed", "statement", "unwrapped"]
 
 _SPECIAL: Final = frozenset({"relation", "hedge", "soft", "arrow", "step", "colon", "stop"})
+_DIVIDING: Final = frozenset({"step", "word", "arrow", "hedge"})
 _STEPS: Final = frozenset({"so", "hence", "thus", "therefore", "thereby"})
 _SAYS: Final = frozenset({"is", "equals", "was"})
 _CONDITIONS: Final = frozenset({"at", "when", "for", "after", "with", "given", "from", "since"})
@@ -96,21 +97,24 @@ def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
     """The statements, each with whether it is said to follow from those before; remarks stay with their value."""
     parts: list[tuple[bool, Tokens]] = [(False, [])]
     depth = 0
-    last = max((position for position, token in enumerate(tokens) if token.kind == "relation"), default=-1)
+    kinds = [token.kind for token in tokens]
+    last = len(kinds) - 1 - kinds[::-1].index("relation") if "relation" in kinds else -1
     related = False  # whether the statement that is being read has a relation
     for position, token in enumerate(tokens):
-        depth += (token.kind == "open") - (token.kind == "close")
-        if depth == 0 and (implied := _divides(tokens, position, related=position < last)) is not None:
+        kind = kinds[position]
+        depth += (kind == "open") - (kind == "close")
+        divides = depth == 0 and kind in _DIVIDING
+        if divides and (implied := _divides(tokens, position, related=position < last)) is not None:
             if parts[-1][1]:
                 parts.append((implied, []))
                 related = False
-            elif position == 0 and token.kind == "hedge":
+            elif position == 0 and kind == "hedge":
                 raise _hedge(token)
             continue
         if depth == 0 and token.apart > 1 and related and position <= last:
             parts.append((False, []))
             related = False
-        related = related or token.kind == "relation"
+        related = related or kind == "relation"
         parts[-1][1].append(token)
     if not parts[-1][1]:
         parts.pop()
@@ -145,11 +149,12 @@ def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
     depth = 0
     tried: set[str] = set()  # a name ends at the first colon or the first verb, or at none: so this stays linear
     for token in unwrapped(tokens):
-        depth += (token.kind == "open") - (token.kind == "close")
-        says = token.kind == "colon" or (token.kind == "word" and token.text.lower() in _SAYS)
-        says = says and depth == 0 and len(sides) == 1 and token.kind not in tried
-        tried |= {token.kind} if says else set[str]()
-        if (depth == 0 and token.kind == "relation") or (says and labels.is_name(sides[0])):
+        kind = token.kind
+        depth += (kind == "open") - (kind == "close")
+        says = kind == "colon" or (kind == "word" and token.text.lower() in _SAYS)
+        if says := says and depth == 0 and len(sides) == 1 and kind not in tried:
+            tried.add(kind)
+        if (depth == 0 and kind == "relation") or (says and labels.is_name(sides[0])):
             if not sides[-1] and relations and relations[-1].kind != "colon" and relations[-1].kind != "word":
                 raise _unreadable("there is nothing between two signs of equality")
             sides.append([])
@@ -191,7 +196,7 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
     if named and relations[-1].text == "~" and labels.has_numbers(named[-1]):
         raise Refused(Outcome.WRONG, "a range is not one value")
     labels.check(named)
-    claims = tuple(side for side in named if labels.has_numbers(side) or len(side) > 1 or len(labels.names(side)) > 1)
+    claims = tuple(side for side in named if len(side) > 1 or len(side[0].text) > 1 or labels.has_numbers(side))
     return Statement(
         value, claims, _doubt(value), bool(relations) and relations[-1].text == "≈", any(map(labels.is_bare, named))
     )
