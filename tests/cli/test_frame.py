@@ -33,6 +33,17 @@ def test_help_shows_an_example(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", COMMANDS)
+def test_lines_of_an_example_stay_lines(name: str) -> None:
+    """Click joins lines to paragraphs, but for those after its mark."""
+    shown = CliRunner().invoke(main, [name, "--help"]).stdout.splitlines()
+    command = main.get_command(click.Context(main), name)
+    assert command is not None
+    lines = [line for line in (command.epilog or "").splitlines() if line.startswith("    ")]
+    assert lines
+    assert not [line for line in lines if f"  {line}" not in shown]
+
+
+@pytest.mark.parametrize("name", COMMANDS)
 def test_an_unknown_option_is_one_line_and_exit_code_two(name: str) -> None:
     result = CliRunner().invoke(main, [name, "--no-such-option"])
     assert result.exit_code == 2

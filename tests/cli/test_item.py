@@ -1,6 +1,7 @@
 """One problem by its coordinates, its scene, and questions about a scene of one's own."""
 
 import json
+from itertools import islice
 from pathlib import Path
 
 import pytest
@@ -63,6 +64,12 @@ def test_wrong_coordinates_are_one_line(args: tuple[str, ...], said: str) -> Non
     assert told.exit_code == 2
     assert said in told.stderr
     assert told.stderr.count("\n") == 1
+
+
+def test_a_stream_deals_modes_too() -> None:
+    first, second, third = islice(sim2reason.stream("rocket", "easy", ("numeric", "reverse"), seed=3), 3)
+    assert [first.mode, second.mode, third.mode] == ["numeric", "reverse", "numeric"]
+    assert first == sim2reason.item("rocket", "easy", seed=3)
 
 
 def test_questions_about_a_scene_are_items_too(tmp_path: Path) -> None:

@@ -78,7 +78,7 @@ def test_json_has_the_steps_with_their_relations() -> None:
     ("args", "said"),
     [
         (("--id", "nobody"), "is no id; one looks like pulley-easy-numeric-0-4"),
-        (("--id", "pulley-easy-numeric-0-4-0123abcd"), "see: sim2reason explain OUT --id pulley-"),
+        (("--id", "pulley-easy-numeric-0-4-0123abcd"), "see: sim2reason explain DATASET --id"),
         (("--id", "pulley-easy-numeric-0-4-cgsx"), "no such units: 'cgsx'"),
         (("--id", "pully-easy-numeric-0-4"), "pully"),
         (("--id", "pulley-easy-numerical-0-4"), "numerical"),

@@ -17,7 +17,6 @@ from sim2reason.datasets.plan import DISTANCE, LARGEST, LARGEST_SHARD, LICENSE, 
 EXAMPLE = """\b
 Example:
     sim2reason generate problems --items 1000 --recipe pulley,incline --seed 7
-
     sim2reason generate problems --items 1000 --split train=0.9,validation=0.05,test=0.05
     sim2reason generate problems --items 100000 --shard 3/8
 

@@ -53,23 +53,24 @@ def identity(text: str, *, required: bool = False) -> Callable[[F], F]:
     return click.option("--id", "id", required=required, help=text)
 
 
-def recipe(default: str = ALL) -> Callable[[F], F]:
-    """One recipe, several, or all."""
-    return click.option(
-        "--recipe", callback=names, default=default, show_default=True, help="Recipes, separated by commas, or all."
-    )
+def several(option: str, text: str, default: str = ALL) -> Callable[[F], F]:
+    """One name, several, or all."""
+    return click.option(option, callback=names, default=default, show_default=True, help=text)
 
 
-def difficulty(default: str = ALL) -> Callable[[F], F]:
-    """One difficulty, several, or all."""
-    text = "easy, medium, hard, several separated by commas, or all."
-    return click.option("--difficulty", callback=names, default=default, show_default=True, help=text)
+def recipe() -> Callable[[F], F]:
+    """Recipes."""
+    return several("--recipe", "Recipes, separated by commas, or all.")
+
+
+def difficulty() -> Callable[[F], F]:
+    """Difficulties."""
+    return several("--difficulty", "easy, medium, hard, several separated by commas, or all.")
 
 
 def mode(default: str = "numeric") -> Callable[[F], F]:
-    """One mode of questions, several, or all."""
-    text = "Modes of questions (numeric, reverse, symbolic), separated by commas, or all."
-    return click.option("--mode", callback=names, default=default, show_default=True, help=text)
+    """Modes of questions."""
+    return several("--mode", "Modes of questions (numeric, reverse, symbolic), separated by commas, or all.", default)
 
 
 def one_mode() -> Callable[[F], F]:

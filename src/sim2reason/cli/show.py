@@ -22,10 +22,8 @@ Example:
 @options.recipe()
 @options.difficulty()
 @options.mode("all")
-@click.option("--kind", callback=options.names, default="all", help="Kinds of question, separated by commas, or all.")
-@click.option(
-    "--quantity", callback=options.names, default="all", help="What is asked for, as in speed,tension; or all."
-)
+@options.several("--kind", "Kinds of question, separated by commas, or all.")
+@options.several("--quantity", "Quantities, as in speed,tension; or all.")
 @click.option("--scene", "with_scene", is_flag=True, cls=options.Printing, help="Print the scene too.")
 @click.option("--solution", "with_solution", is_flag=True, cls=options.Printing, help="Print the worked solution too.")
 @options.to_json("For a program to read: a list of whole items.")

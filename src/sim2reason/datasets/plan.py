@@ -110,7 +110,7 @@ class Request:
         seed, index, units = int(match["seed"]), int(match["index"]), match["units"] or SI
         request = cls(match["recipe"], match["difficulty"], match["mode"], seed, index, weights, units)
         if request.id != name:
-            raise DrawError(f"{name!r}: its weights do not stand in its id; see: sim2reason explain OUT --id {name}")
+            raise DrawError(f"{name!r}: its weights do not stand in its id; see: sim2reason explain DATASET --id ID")
         return request
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from sim2reason.datasets import store
 from sim2reason.datasets.atomic_files import checksum
 from sim2reason.datasets.cells import empty
+from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, ShardFile, load, shards
@@ -21,14 +22,14 @@ class Findings(Record):
     faults: tuple[str, ...]
 
 
-def verify(dataset: Path | str) -> Findings:
+def verify(dataset: Dataset | Path | str) -> Findings:
     """Check a dataset against its manifest.
 
     Finds a flipped byte in any file of the dataset, a missing and an extra shard, a wrong count of rows, and a mode,
     kind and recipe that was asked for, but of which none was kept.
     DatasetError if `dataset` is no finished dataset at all.
     """
-    out = Path(dataset)
+    out = dataset.path if isinstance(dataset, Dataset) else Path(dataset)
     if not out.is_dir():
         raise DatasetError(f"{out}: no such folder; give one that sim2reason generate has made")
     if not (out / MANIFEST).is_file() and (out / FOLDER).is_dir():
