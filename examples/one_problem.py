@@ -4,5 +4,5 @@ import sim2reason
 
 problem = sim2reason.item(recipe="pulley", difficulty="easy", seed=7, index=0)
 print(problem.prompt)
-print(f"\nAnswer: {problem.answer.value:.4g} {problem.answer.unit}")
+print(f"\nAnswer: {problem.answer.shown}")
 print(f"The two engines differ by {problem.certificate['worst']:.1e} of the scene's scale.")

@@ -49,7 +49,7 @@ def test_it_is_described_simulated_and_asked_about(run: Run) -> None:
     asked = json.loads(run("ask", "scene.yaml", "-n", "3", "--json"))
     assert len(asked) == 3
     acceleration = 9.0 / 4.0 - 0.1 * 9.8  # Newton, with kinetic friction
-    found = [each["answer"] for each in asked if "acceleration of" in each["question"]]
+    found = [each["answer"]["value"] for each in asked if each["asked"]["quantity"] == "acceleration"]
     assert all(abs(answer / acceleration - 1.0) < 1e-9 for answer in found)
 
 
