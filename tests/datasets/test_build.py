@@ -218,6 +218,16 @@ def test_a_folder_of_somebody_elses_is_refused_whatever_it_is_called(make: Make,
     assert (theirs / "thesis.tex").read_text() == "years of work"
 
 
+def test_a_plan_that_another_part_is_writing_makes_a_folder_nobody_elses(tmp_path: Path, config: Config) -> None:
+    """Parts begin at once: one may see the folder before its plan stands."""
+    out = tmp_path / "parts"
+    (out / FOLDER).mkdir(parents=True)
+    (out / FOLDER / "plan.json.4711.tmp").write_text("{")
+    build_part(out, config, (0, 3), workers=1)
+    with pytest.raises(DatasetError, match="another configuration"):
+        build_part(out, config.model_copy(update={"seed": 1}), (2, 3), workers=1)
+
+
 def test_a_plan_that_is_none_makes_no_folder_ours(make: Make, data: Path, contents: Contents) -> None:
     (data / MANIFEST).unlink()
     (data / FOLDER).mkdir()
@@ -239,8 +249,7 @@ def test_a_run_that_was_killed_before_its_plan_stood_goes_on(make: Make, data: P
 
 def test_parts_may_begin_at_once(tmp_path: Path, config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
     """The second part looks at the folder while the first one has made it and writes its plan."""
-    from sim2reason.datasets import journal
-    from sim2reason.datasets.journal import Journal
+        from sim2reason.datasets.journal import Journal
 
     put_text, begun = journal.put_text, list[Journal]()
 
