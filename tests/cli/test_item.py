@@ -84,4 +84,5 @@ def test_questions_about_a_scene_are_items_too(tmp_path: Path) -> None:
     assert listed == [item.model_dump(mode="json") for item in asked]
     told = call("ask", tmp_path / "scene.yaml", *options).stdout
     assert all(f"Answer: {item.answer.shown}\n" in told for item in asked)
+    assert all("".join(item.prompt.split()) in "".join(told.split()) for item in asked), "its scene hides the unknown"
     assert listed[0].keys() == problem.model_dump(mode="json").keys()

@@ -2,10 +2,14 @@
 
 from pathlib import Path
 from textwrap import fill
+from typing import TYPE_CHECKING
 
 import click
 
 from sim2reason.cli import console, options, source
+
+if TYPE_CHECKING:
+    from sim2reason.datasets.ask import AskedScene
 
 EXAMPLE = """\b
 Example:
@@ -28,11 +32,24 @@ def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, to_
     if to_json:
         console.as_json_list(item.model_dump(mode="json") for _, item in result.found.values())
     else:
-        for line in result.text.splitlines():
-            click.echo(line if line.startswith("|") else fill(line, WIDTH, break_on_hyphens=False))
-        for number, (certified, item) in enumerate(result.found.values(), start=1):
-            click.echo(f"\n{number}. {certified.question.text}\n   Answer: {item.answer.shown}")
+        _tell(result)
     if len(result.found) < items:
         said = ", ".join(f"{number} {name}" for name, number in sorted(result.refused.items()))
         console.explain(f"sim2reason: {len(result.found)} of {items} questions; refused: {said or 'none'}")
     return 0 if result.found else 1
+
+
+def _tell(result: "AskedScene") -> None:
+    """The scene's text once, if it gives no answer away, and its questions; else whole prompts."""
+    found = list(result.found.values())
+    whole = any(certified.question.unknown or certified.question.formula for certified, _ in found)
+    _print("" if whole else result.text)
+    for number, (certified, item) in enumerate(found, start=1):
+        said = item.prompt if whole else certified.question.text
+        _print(f"\n{number}. {said}")
+        click.echo(f"   Answer: {item.answer.shown}")
+
+
+def _print(text: str) -> None:
+    for line in text.splitlines():
+        click.echo(line if line.startswith("|") else fill(line, WIDTH, break_on_hyphens=False))
