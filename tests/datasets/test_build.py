@@ -249,7 +249,8 @@ def test_a_run_that_was_killed_before_its_plan_stood_goes_on(make: Make, data: P
 
 def test_parts_may_begin_at_once(tmp_path: Path, config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
     """The second part looks at the folder while the first one has made it and writes its plan."""
-        from sim2reason.datasets.journal import Journal
+    from sim2reason.datasets import journal
+    from sim2reason.datasets.journal import Journal
 
     put_text, begun = journal.put_text, list[Journal]()
 
