@@ -50,6 +50,7 @@ class Description:
     seed: int = 0
     voice: Voice = numeric
     without: frozenset[Topic] = frozenset()  # topics on which it says nothing
+    dry: "Writer | None" = field(default=None, compare=False, repr=False)  # of the first pass, if it is known
 
     @property
     def text(self) -> str:
@@ -62,11 +63,16 @@ class Description:
 
     def voiced(self, voice: Voice) -> "Description":
         """The same sentences in another voice."""
-        return describe(self.scene, self.seed, voice, self.without)
+        return self._written(voice, self.without)
 
     def leaving_out(self, topics: Collection[Topic]) -> "Description":
         """The same sentences without those on some topics."""
-        return describe(self.scene, self.seed, self.voice, topics) if topics else self
+        return self._written(self.voice, topics) if topics else self
+
+    def _written(self, voice: Voice, without: Collection[Topic]) -> "Description":
+        """Written again: the first pass depends on nothing but the scene and the seed."""
+        dry = self.dry if self.dry is not None else draft(self.scene, self.seed)[1]
+        return written(dry, self.seed, voice, without)
 
     def mention(self, address: str) -> str:
         """How the text speaks of a body; SceneError for one that it does not mention."""
@@ -101,7 +107,7 @@ def written(dry: "Writer", seed: int = 0, voice: Voice = numeric, without: Colle
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
     final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told), without)
     said, order, left_out = tuple(final.sentences()), tuple(final.told), frozenset(without)
-    return Description(scene, said, names, final.symbols, final.roles, order, seed, voice, left_out)
+    return Description(scene, said, names, final.symbols, final.roles, order, seed, voice, left_out, dry)
 
 
 def draft(scene: Scene, seed: int = 0) -> "tuple[list[str], Writer]":
