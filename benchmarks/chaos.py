@@ -143,7 +143,7 @@ def report(name: str, out: Path, whole: dict[str, bytes], broken: int) -> None:
 
 
 def killed(out: Path, items: int, kills: int) -> tuple[int, int]:
-    """Kill runs at random times until there were so many kills, then let one end; give kills and torn files."""
+    """Kill runs at random times, so many times, then let one end; give the kills, and files that were torn."""
     rng, broken, done = random.Random(SEED), 0, 0
     while done < kills:
         before = len(list(out.glob("data/*.parquet")))

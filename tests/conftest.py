@@ -14,3 +14,14 @@ settings.load_profile("busy")
 def pytest_collection_finish() -> None:
     """Let the collector of garbage pass over what was loaded, as workers do: most of a run is the making of items."""
     collect_seldom()
+
+
+@pytest.fixture
+def pictures() -> None:
+    """Whoever wants them; they cost more than all else of a small dataset."""
+
+
+@pytest.fixture(autouse=True)
+def _no_pictures(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    if "pictures" not in request.fixturenames:
+        monkeypatch.setattr("sim2reason.datasets.finish.put_pictures", lambda *_: ())

@@ -11,17 +11,6 @@ Make = Callable[..., Manifest]
 
 
 @pytest.fixture
-def pictures() -> None:
-    """Whoever wants them; they cost more than all else of a small dataset."""
-
-
-@pytest.fixture(autouse=True)
-def _no_pictures(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    if "pictures" not in request.fixturenames:
-        monkeypatch.setattr("sim2reason.datasets.finish.put_pictures", lambda *_: ())
-
-
-@pytest.fixture
 def config() -> Config:
     return Config(items=95, recipes=("incline", "pulley"), difficulties=("easy",), shard=20, maker="fake_makers:steady")
 

@@ -65,6 +65,8 @@ def test_a_request_of_another_configuration_has_no_position() -> None:
         {"shard": 0},
         {"shard": 10**9},
         {"seed": -1},
+        {"distance": -0.1},
+        {"license": "none\ntags: x"},
         {"split": {"a": 0.5}},
         {"split": {"../a": 1.0}},
         {"colour": "red"},
@@ -101,10 +103,11 @@ def test_the_card_of_an_empty_dataset_has_no_tables_of_nothing() -> None:
         shards=0,
         files={},
     )
-    card = text(manifest, None)
-    assert card.startswith("---\npretty_name")
-    assert "size_categories: [n<1K]" in card
+    card = text(manifest, (), ())
+    assert card.startswith("---\nlicense: apache-2.0\npretty_name")
+    assert "size_categories:\n- n<1K\n" in card
     assert "Refused" not in card
+    assert "Example" not in card
     assert "\n\n\n" not in card
 
 
