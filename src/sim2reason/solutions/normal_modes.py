@@ -117,13 +117,13 @@ class NormalModes(ModeLaws):
         if push != ZERO and abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max()):
             below = own * mode.square if mode.square != ZERO else own
             unit = METRES if mode.square != ZERO else ACCELERATION
-            said = "Its place of balance is" if mode.square != ZERO else "It is accelerated by"
+            said = "It balances at" if mode.square != ZERO else "It is accelerated by"
             mode.rise = self.book.told("start", said, self.book.fresh("b", str(n)), push / below, unit)
         carry = shape * (self.mass @ self.begun)
         if momentum != ZERO and abs(float(carry.sum())) > FAINT * float(np.abs(carry).max()):
             below = own * mode.rate if mode.rate is not None else own
             unit = METRES if mode.rate is not None else SPEED
-            said = "The speed at the start makes it swing by" if mode.rate is not None else "It goes on with the speed"
+            said = "The speed at the start makes it swing by" if mode.rate is not None else "It goes on at"
             mode.swing = self.book.told("start", said, self.book.fresh("c", str(n)), momentum / below, unit)
 
     def _own_mass(self, mode: Mode, *, named: bool) -> Expression:

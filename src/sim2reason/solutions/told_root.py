@@ -14,18 +14,15 @@ NamedRoot = tuple[Symbol, Expression, float]
 def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, near: float, unit: str, said: str) -> str:
     """What `said` announces: a name, and the number near one at which a formula of it vanishes.
 
-    Where the formula hangs on what is unknown, only that the name is such a root.
+    Where the formula hangs on what is unknown, nothing: the equation, which was told, holds the name.
     """
     return told_roots(book, step, [(name, residual, near)], unit, said)
 
 
 def told_roots(book: Book, step: Writing, roots: Sequence[NamedRoot], unit: str, said: str) -> str:
-    """The same of several at once, one after the other; nothing where the equations alone say what they are."""
-    told, names, hidden = list[str](), list[str](), False
+    """The same of several at once, one after the other."""
+    told, hidden = list[str](), False
     for name, residual, near in roots:
         hidden = hidden or not book.hidden.isdisjoint(residual.symbols())
         told.append(step.result(name, (ImplicitRoot if hidden else NumericRoot)(residual, name.name, near), unit))
-        names.append(f"${name.name}$")
-    if not hidden:
-        return f"{said} {joined(told)}."
-    return f"Let {names[0]} be that root." if len(names) == 1 else ""
+    return "" if hidden else f"{said} {joined(told)}."

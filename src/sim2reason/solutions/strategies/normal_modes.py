@@ -229,7 +229,7 @@ class _Modal(LinearWay):
             raise UnsolvedError("its path is no line of its own")
         i, last = own[0], self._time
         times = self._turned(i)
-        return [Travelled(self, [ZERO, *(self._at(i, time) for time in (*times, last))])]
+        return [Travelled(self, [ZERO, *self._at(i, [*times, last])])]
 
     def _turned(self, i: int) -> list[Symbol]:
         """Write when a free coordinate turns back before the moment."""
@@ -245,9 +245,14 @@ class _Modal(LinearWay):
         step.close()
         return names
 
-    def _at(self, i: int, time: Symbol) -> Symbol:
-        formula = place(self._modes, self.motion.free.index(i), time)
-        return self.book.told("place", "Then it is at", self.book.fresh("x"), formula, METRES)
+    def _at(self, i: int, times: list[Symbol]) -> list[Symbol]:
+        """Write where it is at some times."""
+        step, names = self.book.open("place"), [self.book.fresh("x") for _ in times]
+        formulas = [place(self._modes, self.motion.free.index(i), time) for time in times]
+        told = [step.result(n, formula, METRES, law=True) for n, formula in zip(names, formulas, strict=True)]
+        step.say(f"Then it is at {joined(told)}.")
+        step.close()
+        return names
 
     def _turns(self, i: int) -> list[float]:
         """When a free coordinate turns back before the moment, s, by the engine."""
