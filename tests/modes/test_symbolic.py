@@ -21,6 +21,7 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.pendulum import Pendulum
+from sim2reason.errors import SceneError
 from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
 from sim2reason.filters.few_symbols import FewSymbols
@@ -256,19 +257,19 @@ def test_a_formula_in_too_few_symbols_is_no_answer() -> None:
 
 
 def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two heavy planets, a rocket above a planet, springs at angles; a throw and a slope are another matter."""
+    """Two heavy planets, a rocket above a planet, springs at angles; the rest of their cells is another matter."""
 
-    def never(*_: object) -> None:
-        raise AssertionError
+    def only_offered(scene: Scene, *_: object) -> None:
+        assert SYMBOLIC.offers(scene.mechanism)
+        raise SceneError("a scene", "looked at", "")
 
-    for recipe in ("projectile", "incline", "pulley"):
-        assert SYMBOLIC.offers(sample(recipe, "hard", seed=1).mechanism)
-    monkeypatch.setattr(item_search, "QuestionSearch", never)
+    monkeypatch.setattr(item_search, "QuestionSearch", only_offered)
     for recipe in ("orbital", "rocket", "springs"):
-        made = make(Request(recipe, "hard", "symbolic", 1, 0))
-        assert made.item is None
-        assert set(made.rejected) == {NOTHING}
-    assert all(MODES[name].offers(sample("orbital", "hard", seed=1).mechanism) for name in ("numeric", "reverse"))
+        scenes = [sample(recipe, "hard", seed=1, index=index) for index in range(12)]
+        assert {SYMBOLIC.offers(scene.mechanism) for scene in scenes} == {True, False}
+        assert all(MODES[name].offers(scene.mechanism) for scene in scenes for name in ("numeric", "reverse"))
+        rejected = make(Request(recipe, "hard", "symbolic", 1, 0)).rejected
+        assert set(rejected) == {NOTHING, "scene"}
 
 
 @pytest.mark.parametrize(("recipe", "difficulty"), [("rolling", "easy"), ("rotation", "medium")])

@@ -59,7 +59,7 @@ def test_a_strategy_that_is_unfit_for_a_mechanism_would_find_nothing(
 def test_no_formula_is_looked_for_where_none_fits_into_a_box() -> None:
     """Pucks that meet aside, a block between springs at angles, a rocket above a planet: the strategies say so."""
     for recipe in ("springs", "orbital"):
-        mechanism = sample(recipe, "hard", seed=1).mechanism
+        mechanism = sample(recipe, "hard", seed=1, index=2).mechanism  # of three springs, and of two heavy planets
         assert not any(
             s.formulas(mechanism) & {"start", "state"} for s in STRATEGIES.values() if not s.unfit(mechanism)
         )
@@ -68,8 +68,10 @@ def test_no_formula_is_looked_for_where_none_fits_into_a_box() -> None:
     assert any(aside)
     tables = (sample("collision", "easy", seed=1, index=n).mechanism for n in range(8))
     assert [not STRATEGIES["impulse"].formulas(mechanism) for mechanism in tables] == aside
-    assert not STRATEGIES["rocket"].formulas(sample("rocket", "hard", seed=1).mechanism)
-    assert not STRATEGIES["integration"].formulas(sample("rocket", "hard", seed=1).mechanism)
+    above = sample("rocket", "hard", seed=1, index=1).mechanism
+    assert above.attractions
+    assert not STRATEGIES["rocket"].formulas(above)
+    assert not STRATEGIES["integration"].formulas(above)
 
 
 @pytest.mark.parametrize(("carts", "kinds"), [(2, {"period"}), (3, set[str]())])
