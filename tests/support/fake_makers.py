@@ -115,7 +115,7 @@ def with_answers(request: Request) -> Made:
     ][request.index % 4]
     wrong = [2.0, 1.02, -1.0, 0.5, 3.0, 0.01][: 1 + request.index % 6]
     changes = {
-        "prompt": f"A block of mass {value:.4g} kg rests. What is asked? {form}",
+        "prompt": f"Item {request.id}: a block of mass {value:.4g} kg rests. What is asked? {form}",
         "answer": answer,
         "distractors": tuple(
             Distractor(

@@ -34,9 +34,10 @@ def command(problems: Path, to: str, out: Path, split: str, to_json: bool) -> No
     from sim2reason.exports import EXPORTS
     from sim2reason.exports.parts.export import export
 
-    lacks = EXPORTS[to].lacks
-    with console.progress("problems", len(Dataset(problems))) as advance:
-        done = export(problems, out, to=to, split=console.words(split) if split else (), advance=advance)
+    chosen, lacks = console.words(split) if split else (), EXPORTS[to].lacks
+    counts = Dataset(problems).manifest.counts.get("split", {})
+    with console.progress("problems", sum(counts.get(name, 0) for name in chosen or counts)) as advance:
+        done = export(problems, out, to=to, split=chosen, advance=advance)
     if to_json:
         console.as_json({"folder": str(done.folder), "rows": done.rows, "left_out": done.left_out})
         return
