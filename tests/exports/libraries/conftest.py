@@ -1,7 +1,6 @@
 """Exports as their own libraries see them. `make test-exports` runs each file where its library is installed."""
 
 import os
-import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -92,17 +91,14 @@ def follow(real: Path, tmp_path: Path) -> Callable[[str], None]:
         folder = tmp_path / "page"
         folder.mkdir()
         (folder / "problems").symlink_to(real)  # what the page's first command generates
-        text, path = (PAGES / f"{name}.md").read_text(encoding="utf-8"), str(folder / f"problems-{name}")
-        for shown in readme.shown(text):
-            if not shown.command.startswith("sim2reason generate"):
-                printed = run(shown.command, folder, PYTHONPATH=path)
-                assert readme.fits(shown.output, printed), printed
-        assert (folder / f"problems-{name}/README.md").is_file()
-        blocks = re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
-        blocks_there = re.findall(
-            r"^```python\n(.*?)^```", (Path(path) / "README.md").read_text(), re.DOTALL | re.MULTILINE
-        )
-        for block, where in [(b, folder) for b in blocks] + [(b, Path(path)) for b in blocks_there]:
-            run([sys.executable, "-c", block], where, PYTHONPATH=path)
+        path = folder / f"problems-{name}"
+        for page, where in ((PAGES / f"{name}.md", folder), (path / "README.md", path)):
+            for language, lines, start in readme._blocks(page.read_text(encoding="utf-8")):
+                if language == "python":
+                    run([sys.executable, "-c", "\n".join(lines)], where, PYTHONPATH=str(path))
+                for shown in readme._commands(lines, start) if language == "console" else ():
+                    if not shown.command.startswith("sim2reason generate"):
+                        printed = run(shown.command, where, PYTHONPATH=str(path))
+                        assert readme.fits(shown.output, printed), printed
 
     return read
