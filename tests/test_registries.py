@@ -25,7 +25,7 @@ from sim2reason.errors import UnknownNameError
 from sim2reason.exports import EXPORTS
 from sim2reason.figures.curves import panels
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Words
 from sim2reason.questions.functionals import FUNCTIONALS

@@ -9,8 +9,8 @@ from click.testing import CliRunner, Result
 
 from scene_files import drawn
 from sim2reason.cli import main
+from sim2reason.prose.description import describe as describe_scene
 from sim2reason.prose.voices import hiding, symbolic
-from sim2reason.prose.writer import describe as describe_scene
 from sim2reason.scene_files import dump, load
 
 RAMP = """\

@@ -10,7 +10,7 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.pendulum import Pendulum
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.scene_files import dump
 
 

@@ -16,7 +16,7 @@ from sim2reason.entities.constant_force_puller import ConstantForcePuller
 from sim2reason.entities.slider_mass import SliderMass
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import LineShape
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.simulation.scenes import certify
 from told import check_told, check_whole
 

@@ -12,7 +12,7 @@ from sim2reason.connections.spring import SpringConnection
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Wordings
 from sim2reason.entities.slider_mass import SliderMass
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from told import certified, check_told, check_whole
 
 ONE, OTHER, K = 0.8, 2.0, 90.0

@@ -11,7 +11,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc, LineShape
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.trace import Trace
 from told import certified, check_told, check_whole, drawn, scene_of

@@ -10,7 +10,7 @@ from sim2reason.dsl.state import State
 from sim2reason.entities.spring_mass_ring import SpringMassRing
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.simulation.engines.exact import simulate
 from told import certified, check_told, check_whole, drawn, scene_of

@@ -23,7 +23,7 @@ from sim2reason.figures.hanging import PulleyPiece
 from sim2reason.figures.layout_cost import Layout
 from sim2reason.figures.shapes import Area, Drawing
 from sim2reason.figures.vectors import common, depth, dot, unit
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 
 SVG = "{http://www.w3.org/2000/svg}"
 

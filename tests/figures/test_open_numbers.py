@@ -9,8 +9,8 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.figures.drawing import drawing
+from sim2reason.prose.description import describe
 from sim2reason.prose.voices import Voice, hiding, numeric, symbolic_but_zero
-from sim2reason.prose.writer import describe
 from sim2reason.recipes import RECIPES
 
 

@@ -16,7 +16,7 @@ from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.figures.curves import VERBS, motion_curves, told
 from sim2reason.figures.plot import REASONS, Colors, plot
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Event, Trace
 

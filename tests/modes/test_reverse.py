@@ -15,8 +15,8 @@ from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
 from sim2reason.modes.reverse import unfixed
+from sim2reason.prose.description import describe
 from sim2reason.prose.voices import hiding
-from sim2reason.prose.writer import describe
 from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.conditions import asking_for
 from sim2reason.questions.dependence import Dependence, roots

@@ -22,7 +22,7 @@ from sim2reason.errors import DrawError, SceneError, SimulationError, TextError,
 from sim2reason.parsing import parse_scene
 from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.tokens import MAX_CHARACTERS, MAX_PIECES, pieces
-from sim2reason.prose.writer import Description, describe
+from sim2reason.prose.description import Description, describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
 from sim2reason.scene_files import load

@@ -3,9 +3,9 @@
 import pytest
 
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.prose.description import describe
 from sim2reason.prose.symbol_names import with_names, without_names
 from sim2reason.prose.voices import symbolic_but_zero
-from sim2reason.prose.writer import describe
 from sim2reason.recipes import RECIPES
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from plain_scenes import arm, atwood, ramp, table
 from sim2reason.dsl.scene import Scene
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, Moment, Study, Target
 from sim2reason.questions.constancy import hangs_on, lasts
 from sim2reason.questions.moments.all_along import AllAlong

@@ -17,7 +17,7 @@ from sim2reason.dsl.fields import Resistance
 from sim2reason.dsl.mechanism import ZERO, X, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.whole import ALL

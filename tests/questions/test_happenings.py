@@ -11,7 +11,7 @@ from plain_scenes import ramp
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import Z
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, Study, Words
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away

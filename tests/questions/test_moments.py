@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from plain_scenes import G, atwood, ramp, row, squeezed, table
 from sim2reason.dsl.scene import Scene
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.questions import Moment

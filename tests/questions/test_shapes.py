@@ -11,8 +11,8 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SimulationError, TextError, UnsupportedError
 from sim2reason.prose import describe
+from sim2reason.prose.description import Description
 from sim2reason.prose.voices import hiding
-from sim2reason.prose.writer import Description
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS, shaped, unit_in_words

@@ -9,7 +9,7 @@ import pytest
 from motions import told_motions
 from plain_scenes import G, atwood, ramp, squeezed, swing, table
 from sim2reason.dsl.scene import Scene
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import KINDS, MODES, Noun, Query, Study, Words
 from sim2reason.questions.moments.at_start import AtStart

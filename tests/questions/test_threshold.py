@@ -22,8 +22,8 @@ from sim2reason.entities.parts.mass_systems import Hanging, OnPlane
 from sim2reason.entities.parts.rolling import Rough
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.prose.description import describe
 from sim2reason.prose.voices import hiding
-from sim2reason.prose.writer import describe
 from sim2reason.questions import KINDS, MODES, Study, Words
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES

@@ -12,7 +12,7 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.projectile import Projectile
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.given import StatedResult

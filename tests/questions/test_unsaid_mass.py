@@ -12,7 +12,7 @@ from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import either
 from sim2reason.filters import FILTERS, Candidate
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.questions import MODES
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets

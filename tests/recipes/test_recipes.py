@@ -9,7 +9,7 @@ from sim2reason.dsl.entity import outer_ports
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.mobility import is_weightless, stuck_bodies
 from sim2reason.errors import SceneError, UnknownNameError
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, box, hybrid, incline, mixed, pulley
 from sim2reason.recipes.parts.grow import LONGEST_SENTENCE, Tier, grow
 from sim2reason.scene_files import dump, load

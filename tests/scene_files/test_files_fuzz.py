@@ -10,7 +10,7 @@ import pytest
 from scene_files import composed, drawn, spoiled
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, Sim2ReasonError
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.scene_files import dump, load
 from sim2reason.scene_files.yaml_text import write
 from sim2reason.simulation.scenes import simulate

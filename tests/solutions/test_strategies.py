@@ -13,7 +13,7 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import Rough
 from sim2reason.entities.rolling_entity import RollingEntity
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.questions import MODES, Study
 from sim2reason.questions.prompt import words_of
 from sim2reason.recipes import RECIPES

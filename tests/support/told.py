@@ -11,7 +11,7 @@ from sim2reason.errors import DrawError, SceneError, TextError
 from sim2reason.parsing import parse_scene
 from sim2reason.parsing.equivalence import Signature, signature
 from sim2reason.parsing.tokens import pieces
-from sim2reason.prose.writer import Description, describe
+from sim2reason.prose.description import Description, describe
 from sim2reason.scene_files import dump, load
 from sim2reason.simulation.scenes import certify
 

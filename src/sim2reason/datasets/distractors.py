@@ -5,7 +5,7 @@ from sim2reason.dsl.entity import Part
 from sim2reason.filters import Candidate
 from sim2reason.filters.parts.effects import Effect, effects
 from sim2reason.filters.parts.numbers import elasticities, matters
-from sim2reason.prose.writer import Description
+from sim2reason.prose.description import Description
 
 APART = 1e-2  # relative: wrong answers that differ by less are one
 SMALLEST, LARGEST = 1e-2, 1e3  # times the right answer: nobody would believe less or more

@@ -11,7 +11,7 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.length import followed
-from sim2reason.prose.writer import Description, describe
+from sim2reason.prose.description import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
 from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND

@@ -10,7 +10,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.units import UnitSystem
 from sim2reason.figures.trajectories import Trajectories, trajectories
-from sim2reason.prose.writer import Description
+from sim2reason.prose.description import Description
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects.bodies import AXES
 from sim2reason.quantities.subjects.strings import strings

@@ -23,7 +23,7 @@ from sim2reason.figures.scaled.piece import ScaledPiece
 from sim2reason.figures.shapes import SMALL, Drawing, LineShape, Shape, Sketch, Wanted, outline, width
 from sim2reason.figures.springs import spring
 from sim2reason.figures.vectors import box, mirrored
-from sim2reason.prose.writer import Description, describe
+from sim2reason.prose.description import Description, describe
 
 BETWEEN = 1.2  # parts of a scene that nothing joins
 MOUNT = 1.9  # the longest bracket from a corner to a pulley

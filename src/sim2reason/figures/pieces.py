@@ -15,7 +15,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.figures.paths import PathKnot, Paths
 from sim2reason.figures.shapes import Sketch
 from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
-from sim2reason.prose.writer import Description
+from sim2reason.prose.description import Description
 
 LIKE = 1e-9  # SI units, between numbers that are one
 

@@ -13,7 +13,7 @@ from sim2reason.dsl.measures import show_unit
 from sim2reason.figures.canvas import check, matplotlib, save, settings
 from sim2reason.figures.curves import MotionCurves, Panel, motion_curves
 from sim2reason.figures.trajectories import Trajectories
-from sim2reason.prose.writer import Description
+from sim2reason.prose.description import Description
 from sim2reason.simulation.trace import Trace
 
 if TYPE_CHECKING:

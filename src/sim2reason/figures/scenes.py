@@ -6,7 +6,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.figures.canvas import check, draw, matplotlib
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import plot as plotted
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.simulation.scenes import BOTH, simulate
 
 

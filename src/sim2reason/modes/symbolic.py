@@ -8,10 +8,10 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
+from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.prose.symbol_names import with_names
 from sim2reason.prose.voices import symbolic_but_zero
-from sim2reason.prose.writer import Description
 from sim2reason.questions import KINDS, MODES, Formula, Query, Question, QuestionMode, Reading, Study, Words, mode
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question

@@ -17,9 +17,10 @@ from sim2reason.parsing.matcher import NONE_GIVEN
 from sim2reason.parsing.parse_state import ParseState
 from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import closings
+from sim2reason.prose.description import Description
 from sim2reason.prose.naming import Names, letters
 from sim2reason.prose.voices import Voice, hiding, numeric, symbolic
-from sim2reason.prose.writer import Description, Writer
+from sim2reason.prose.writer import Writer
 
 _ZEROS = re.compile(r"(?<=\d)\.0+(?![\d])|(?<=\.)(\d*[1-9])0+(?!\d)")
 

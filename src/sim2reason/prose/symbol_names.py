@@ -8,7 +8,7 @@ from functools import cache
 from sim2reason.dsl.body import BODIES
 from sim2reason.dsl.model import field_types
 from sim2reason.dsl.units import parse_unit
-from sim2reason.prose.writer import Description
+from sim2reason.prose.description import Description
 
 NOUNS = (
     (r"\b(?:at|points) ", "deg", "an angle ", ""),

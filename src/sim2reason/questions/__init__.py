@@ -10,8 +10,8 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.prose.description import Description
 from sim2reason.prose.voices import hiding
-from sim2reason.prose.writer import Description
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.moments import MOMENTS, Moment

@@ -8,8 +8,8 @@ from typing import Self
 from sim2reason.dsl.mechanism import Drawn, Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vectors import Vector
+from sim2reason.prose.description import Description
 from sim2reason.prose.voices import numeric
-from sim2reason.prose.writer import Description
 from sim2reason.quantities.subjects.lines import line_phrases, pulleys
 from sim2reason.quantities.subjects.springs import springs
 from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words

@@ -10,7 +10,7 @@ from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, SimulationError, UnsupportedError
-from sim2reason.prose.writer import Description, describe
+from sim2reason.prose.description import Description, describe
 from sim2reason.questions import Study, Words
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Targets, targets

@@ -11,8 +11,8 @@ from sim2reason.dsl.entity import Part
 from sim2reason.dsl.model import Model, Parameter, rebuilt
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.prose.description import describe
 from sim2reason.prose.voices import numeric
-from sim2reason.prose.writer import describe
 from sim2reason.questions import Study
 
 

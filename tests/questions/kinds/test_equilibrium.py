@@ -11,7 +11,7 @@ from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import GRAVITY, Mechanism, X, Z
 from sim2reason.errors import SceneError
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, Query, Study, Target, Words
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence

@@ -10,7 +10,7 @@ from plain_scenes import atwood
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, Study, Words
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.period_words import PeriodQuery

@@ -12,7 +12,7 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.spring_mass_incline import SpringMassIncline
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.questions import Study
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes

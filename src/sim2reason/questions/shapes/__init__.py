@@ -11,7 +11,7 @@ from typing import ClassVar, TypeVar
 
 import numpy as np
 
-from sim2reason.prose.writer import Description
+from sim2reason.prose.description import Description
 from sim2reason.registry import Registry
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.prose.writer import Description
+from sim2reason.prose.description import Description
 from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import splits, text_of, units, without_assumptions
 

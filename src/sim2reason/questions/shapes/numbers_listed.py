@@ -6,10 +6,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.dsl.model import Parameter
+from sim2reason.prose.description import Description
 from sim2reason.prose.phrases import join
 from sim2reason.prose.symbol_names import with_names, without_names
 from sim2reason.prose.voices import Voice, symbolic
-from sim2reason.prose.writer import Description
 from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import QUESTION, is_table, one_of, splits, text_of, units
 

@@ -17,7 +17,7 @@ from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
-from sim2reason.prose.writer import draft, written
+from sim2reason.prose.description import draft, written
 from sim2reason.recipes.parts.open_ports import OpenPort, ends_for, is_down, is_passed, open_ports, stands_still, takes
 
 TRIES = 40

@@ -8,7 +8,7 @@ from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, Sim2ReasonError
 from sim2reason.parsing import parse_scene
-from sim2reason.prose.writer import describe
+from sim2reason.prose.description import describe
 from sim2reason.simulation.scenes import simulate
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding

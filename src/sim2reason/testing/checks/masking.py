@@ -7,8 +7,8 @@ from sim2reason.dsl.template import Topic
 from sim2reason.errors import TextError
 from sim2reason.parsing import parse_scene
 from sim2reason.parsing.tokens import pieces
+from sim2reason.prose.description import Description, describe
 from sim2reason.prose.voices import hiding
-from sim2reason.prose.writer import Description, describe
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.checks.round_trip import meaning, meant
 from sim2reason.testing.report import Finding

@@ -6,7 +6,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
 from sim2reason.parsing import ParsedScene, parse_scene
 from sim2reason.parsing.equivalence import Signature, signature
-from sim2reason.prose.writer import Description, describe
+from sim2reason.prose.description import Description, describe
 from sim2reason.scene_files import load
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
+from sim2reason.prose.description import describe
 from sim2reason.prose.voices import symbolic
-from sim2reason.prose.writer import describe
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from sim2reason.prose.closings import is_assumption
+from sim2reason.prose.description import Description
 from sim2reason.prose.phrases import paragraphs
-from sim2reason.prose.writer import Description
 
 _END = re.compile(r"(?:(?<=[.?])|(?<=[.?]\)))\s+(?=[A-Z(])")
 QUESTION = 2  # sentences, at most
