@@ -19,6 +19,7 @@ ONE_ROW = {"dataset", "responses"}, {"item", "response"}
 OTHERWISE: dict[str, tuple[set[str], set[str]]] = {
     "grade": ONE_ROW,
     "generate": ({"shard-size", "shard"}, {"shard", "advance"}),  # the size of shards; parts are for shells
+    "export": (set(), {"advance"}),
     "describe": (set(), {"without"}),  # topics, which are no words of a shell
 }
 """What only a command takes, and only its function."""

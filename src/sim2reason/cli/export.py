@@ -4,12 +4,12 @@ from pathlib import Path
 
 import click
 
-from sim2reason.cli import console
+from sim2reason.cli import console, options
 
 EXAMPLE = """\b
 Example:
     sim2reason export problems --to hf --out problems-hf
-    sim2reason export problems --to verl --out problems-verl --split train,test
+    sim2reason export problems --to verl --out problems-verl --splits train,test
     sim2reason list exports
 
 The folder holds all that the library needs besides itself and sim2reason; its README.md says how to use it.
@@ -18,26 +18,27 @@ Exit code 0: written; 2: wrong input, or a folder that is not empty.
 
 
 @click.command("export", epilog=EXAMPLE)
-@click.argument("problems", metavar="OUT", type=click.Path(path_type=Path))
+@options.dataset()
 @click.option("--to", required=True, help="The library or form; see: sim2reason list exports")
 @click.option(
+    "-o",
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
     required=True,
     help="The folder to be written, a new one.",
 )
-@click.option("--split", default="", help="Splits, separated by commas. [default: all]")
-@click.option("--json", "to_json", is_flag=True, help="For a program to read: {folder, rows, left_out}.")
-def command(problems: Path, to: str, out: Path, split: str, to_json: bool) -> None:
-    """Write the dataset in OUT as another library reads it, into a folder of its own."""
+@options.several("--splits", "Splits, separated by commas, or all.")
+@options.to_json("For a program to read: {folder, rows, left_out}.")
+def command(dataset: Path, to: str, out: Path, splits: str | tuple[str, ...], to_json: bool) -> None:
+    """Write the DATASET as another library reads it, into a folder of its own."""
     from sim2reason.datasets.dataset import Dataset
     from sim2reason.exports import EXPORTS
     from sim2reason.exports.parts.export import export
 
-    chosen, lacks = console.words(split) if split else (), EXPORTS[to].lacks
-    counts = Dataset(problems).manifest.counts.get("split", {})
-    with console.progress("problems", sum(counts.get(name, 0) for name in chosen or counts)) as advance:
-        done = export(problems, out, to=to, split=chosen, advance=advance)
+    lacks, counts = EXPORTS[to].lacks, Dataset(dataset).manifest.counts.get("split", {})
+    chosen = counts if splits == options.ALL else splits
+    with console.progress("problems", sum(counts.get(name, 0) for name in chosen)) as advance:
+        done = export(dataset, out, to=to, splits=splits, advance=advance)
     if to_json:
         console.as_json({"folder": str(done.folder), "rows": done.rows, "left_out": done.left_out})
         return

@@ -55,7 +55,7 @@ def test_right_answers_pass_and_distractors_do_not(
 def test_letters_of_choices_are_compared(problems: Path, tmp_path: Path, shift: int) -> None:
     import json
 
-    folder = sim2reason.export(problems, tmp_path / "out", to="multiple-choice", split="train").folder
+    folder = sim2reason.export(problems, tmp_path / "out", to="multiple-choice", splits="train").folder
     rows = [json.loads(line) for line in (folder / "data/train.jsonl").read_text().splitlines()]
     letters = {row["question"]: "ABCDE"[(row["label"] + shift) % len(row["choices"])] for row in rows}
     found = result(folder, "sim2reason_choice", lambda prompt: letters[prompt.partition("\n\nA. ")[0]])

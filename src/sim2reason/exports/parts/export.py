@@ -1,13 +1,14 @@
 """Exporting a dataset: from its shards to the folder that another library reads, all of it or nothing."""
 
 import shutil
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from sim2reason.datasets.atomic_files import locked, put, put_text, sync
 from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.plan import ALL, Names
 from sim2reason.errors import DatasetError
 from sim2reason.exports import EXPORTS, Export, Place, Row
 from sim2reason.exports.parts import row_files
@@ -28,11 +29,11 @@ class Exported:
 
 
 def export(
-    problems: Path | str,
+    dataset: Path | str,
     out: Path | str,
     *,
     to: str,
-    split: Sequence[str] = (),
+    splits: Names = ALL,
     advance: Callable[[int], object] = lambda _: None,
 ) -> Exported:
     """Write a dataset as another library reads it: into the folder `out`, which must be new or empty.
@@ -40,33 +41,36 @@ def export(
     The same dataset gives the same bytes. Shards are read one after the other, and a kill leaves no half of a folder.
 
     Args:
-        problems: a folder that `generate` has finished.
+        dataset: a folder that `generate` has finished.
         out: the folder to be written.
         to: the name of an export, as ``sim2reason list exports`` has it.
-        split: those to be written; all by default.
+        splits: those to be written: one name, several, or ``all``.
         advance: called with the number of items that are done.
 
     Raises:
         UnknownNameError: no such export.
         DatasetError: no finished dataset, no such split, no item that fits, or a folder that holds anything.
     """
-    format_, dataset, folder = EXPORTS[to], Dataset(problems), Path(out)
+    format_, source, folder = EXPORTS[to], Dataset(dataset), Path(out)
     with _replacing(folder) as place:
-        writing = _Writing(format_, dataset, place, advance)
-        rows = {name: writing.split(name) for name in _splits(dataset, (split,) if isinstance(split, str) else split)}
+        writing = _Writing(format_, source, place, advance)
+        rows = {name: writing.split(name) for name in _chosen(source, splits)}
         rows = {name: count for name, count in rows.items() if count}
         if not rows:
             lacking = f": {format_.lacks}" if format_.lacks else ""
-            raise DatasetError(f"{problems}: holds no problem for {to}{lacking}; give another dataset or split")
-        _copy(format_, place, rows, dataset)
+            raise DatasetError(f"{dataset}: holds no problem for {to}{lacking}; give another dataset or split")
+        _copy(format_, place, rows, source)
     return Exported(folder, rows, writing.left_out)
 
 
-def _splits(dataset: Dataset, chosen: Sequence[str]) -> list[str]:
+def _chosen(dataset: Dataset, splits: Names) -> list[str]:
     """The splits to be written, in the dataset's order; DatasetError for one that it lacks."""
+    if splits == ALL:
+        return list(dataset.manifest.config.split)
+    chosen = (splits,) if isinstance(splits, str) else splits
     for name in chosen:
         dataset.items(name)  # says which splits there are
-    return [name for name in dataset.manifest.config.split if not chosen or name in chosen]
+    return [name for name in dataset.manifest.config.split if name in chosen]
 
 
 @dataclass
