@@ -10,7 +10,7 @@ from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.pipe import Pipe
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.rolling import NoSlipping
+from sim2reason.entities.parts.rolling import NoSlipping, Rolling
 from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.filters import FILTERS, Candidate
@@ -19,6 +19,7 @@ from sim2reason.questions import KINDS, Question, StatedResult
 from worked import asked
 
 FILTER = FILTERS["few laws"]
+DOWN = Rolling(way="down the slope", speed=1.0)
 
 
 def candidate(scene: Scene, said: str) -> Candidate:
@@ -80,13 +81,23 @@ def test_what_takes_more_is_a_problem(said: str) -> None:
     assert FILTER.reason(asked_about) == ""
 
 
+def rolling(said: str, start: Rolling | None = None) -> Candidate:
+    lane = RollingEntity(body=Pipe(mass=2.0, radius=0.1), plane=Incline(angle=20.0), grip=NoSlipping(), start=start)
+    return candidate(Scene(entities=(Named(name="lane", entity=lane),)), said)
+
+
 def test_what_rolls_by_its_weight_is_kept_by_both_filters() -> None:
-    """Friction ½ m g sin θ on a pipe, whose two laws hold together; without weight, L = m v R is a definition."""
-    lane = RollingEntity(body=Pipe(mass=2.0, radius=0.1), plane=Incline(angle=20.0), grip=NoSlipping())
-    said = "What is the magnitude of the friction force exerted on the tube by the plane after release?"
-    asked_about = candidate(Scene(entities=(Named(name="lane", entity=lane),)), said)
+    """½ ½ m (v² + g d sin θ), as two laws hold together; without weight, L = m v R is a definition."""
+    asked_about = rolling("What is the rotational kinetic energy of the tube after it has moved 0.40 m?", DOWN)
     assert [*FILTER.findings(asked_about)][-1] == TURNS
     assert FILTER.reason(asked_about) == FILTERS["one line"].reason(asked_about) == ""
+
+
+def test_what_rolls_is_known_by_heart_where_hardly_anything_is_left_to_say() -> None:
+    """Friction ½ m g sin θ on a pipe."""
+    asked_about = rolling("What is the magnitude of the friction force exerted on the tube by the plane after release?")
+    assert [*FILTER.findings(asked_about)][-1] == TURNS
+    assert FILTER.reason(asked_about) == "2 laws, a formula of 3 symbols"
 
 
 def test_it_comes_first_where_the_derivation_is_made() -> None:

@@ -11,10 +11,12 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.recipes import Difficulty
 
 
-def reason(scene: Scene, difficulty: Difficulty, within: tuple[str, ...]) -> str:
+def reason(scene: Scene, difficulty: Difficulty, within: tuple[str, ...], without: tuple[str, ...] = ()) -> str:
     study = Study.of(scene, np.linspace(0.0, 1.0, 11))
-    symbols = (*within, "g")
-    formula = Formula(" ".join(symbols), symbols, ("",) * len(symbols), ((1.0,) * len(symbols),), (1.0,), within)
+    symbols = (*within, *without, "g")
+    formula = Formula(
+        " ".join(symbols), symbols, ("",) * len(symbols), ((1.0,) * len(symbols),), (1.0,), within, without
+    )
     query = Query("state", Target("velocity", study.mechanism.bodies[-1].name), AtTime(0.5))
     question = Question("symbolic", query, "?", 1.0, "m/s", formula=formula)
     return FILTERS["few symbols"].reason(Candidate(study, question, "a b c", difficulty=difficulty))
@@ -28,3 +30,9 @@ def test_one_symbol_less_than_must_count_is_too_few(scene: Scene, difficulty: Di
     names = ("a", "b", "c", "d")
     assert reason(scene, difficulty, names[:wanted]) == ""
     assert reason(scene, difficulty, names[: wanted - 1]) == f"{wanted - 1} symbols of {wanted}"
+
+
+def test_a_formula_that_lacks_more_than_two_in_five_symbols_is_no_problem() -> None:
+    assert reason(ramp(), "easy", ("a", "b", "c"), ("d", "e")) == ""  # 2 of 6
+    assert reason(ramp(), "easy", ("a", "b"), ("d", "e")) == ""  # 2 of 5
+    assert reason(ramp(), "easy", ("a", "b"), ("d", "e", "f")) == "idle symbols: 3 of 6"

@@ -20,6 +20,8 @@ Set by 460 problems that readers judged: it parts those that they called trivial
 """
 STEADY = {**MOST, 2: 9, 3: 8, 4: 10}
 """The same where accelerations are constant: two blocks on one string, and how far they come by a time."""
+BY_HEART = 4  # symbols in a formula that anybody knows who knows moments of inertia
+OF_INTEGRALS = 7  # symbols in u ln(m_0/m_1) − g t, which anybody knows who knows rockets
 LARGEST = 2  # coordinates of what so few laws may answer a question about, if nothing happens on the way
 
 
@@ -31,7 +33,7 @@ class FewLaws(Filter):
     derived, nor of an integral, which a logarithm tells, but by itself.
 
     What rolls or swings by its weight is kept, as by `one line`: a law of motion and a law of turning hold together
-    there, however short what comes out is.
+    there. Only what hardly anybody need derive, as ⅓ m g sin θ of a cylinder, is not.
     """
 
     order = 9
@@ -48,7 +50,7 @@ class FewLaws(Filter):
         laws = number_of_laws(found)
         most = (MOST if accelerates(candidate.study.mechanism) else STEADY).get(laws, -1)
         symbols = _symbols(found) if most > 0 else None
-        if symbols is None or symbols > most or turns_by_weight(candidate):
+        if symbols is None or symbols > most or (symbols > BY_HEART and turns_by_weight(candidate)):
             return ""
         return f"{_counted(laws)}, a formula of {symbols} symbols"
 
@@ -65,13 +67,15 @@ class FewLaws(Filter):
 def _symbols(found: Solution) -> int | None:
     """How many symbols the formulas have that are put into each other, at least; None if they become too long.
 
-    And None of what an integral gives, unless it is all there is, as u ln(m_0/m_1).
+    And None of what an integral gives, unless that is all there is, as u ln(m_0/m_1), or nearly.
     """
     try:
         whole = put_together(found)
     except ClosedFormError:
         return None
-    return None if number_of_laws(found) > 1 and has_logarithm(whole) else size(whole)
+    symbols = size(whole)
+    integral = has_logarithm(whole) and number_of_laws(found) > 1
+    return None if integral and symbols > OF_INTEGRALS else symbols
 
 
 def _counted(laws: int) -> str:

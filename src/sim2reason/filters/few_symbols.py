@@ -1,13 +1,14 @@
-"""Drops a formula that too few of the symbols stand in, as d/2 for the way of one of two bodies."""
+"""Drops a formula that too few of the symbols stand in, as d/2 for the way of one of two bodies, or too many do not."""
 
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.filters.parts.reach import least
+from sim2reason.filters.parts.reach import EVER, least
 
 
 class FewSymbols(Filter):
     """The formula holds fewer numbers of bodies and of the question than must move an answer in numbers.
 
-    The numbers of the world, as g, do not count there either.
+    The numbers of the world, as g, do not count there either. Or it lacks more of the symbols than of an answer in
+    numbers may be idle: where a spring passes its natural length, nothing hangs on its stiffness.
     """
 
     order = 1
@@ -17,8 +18,10 @@ class FewSymbols(Filter):
         formula = candidate.question.formula
         if formula is None:
             return ""
-        wanted = least(candidate)
-        return f"{len(formula.within)} symbols of {wanted}" if len(formula.within) < wanted else ""
+        wanted, told = least(candidate), len(formula.symbols)
+        if len(formula.within) < wanted:
+            return f"{len(formula.within)} symbols of {wanted}"
+        return f"idle symbols: {len(formula.without)} of {told}" if len(formula.without) > EVER * told else ""
 
 
 FILTERS.add("few symbols", FewSymbols())

@@ -6,11 +6,10 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import Given, elasticities, givens, matters, shifted
-from sim2reason.filters.parts.reach import of_question, shortfall
+from sim2reason.filters.parts.reach import EVER, of_question, shortfall
 
 COUNTED = 2  # numbers with which a count must change
 IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # of what is given: how much may have no bearing, unmarked
-EVER = 0.4  # of that and of the question's own: no more, be it marked or cancel, or the text tells another story
 
 
 class Sensitivity(Filter):

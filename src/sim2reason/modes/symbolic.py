@@ -188,13 +188,15 @@ class _Varied:
 
     def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
         """As a question has it."""
+        own = [held.symbol for held in symbols if not held.of_world]
         return Formula(
             found.latex,
             tuple(held.symbol for held in symbols),
             tuple(held.unit for held in symbols),
             tuple(tuple(each.values[held.symbol] for held in symbols) for each in self._near),
             tuple(each.answer * self._factor for each in self._near),
-            tuple(held.symbol for held in symbols if held.symbol in found.symbols and not held.of_world),
+            tuple(symbol for symbol in own if symbol in found.symbols),
+            tuple(symbol for symbol in own if symbol not in found.symbols),
         )
 
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:

@@ -29,7 +29,7 @@ class Formula:
 
     `units` are those in which a text gives the symbols; the `points` have radians for degrees and metres for
     kilometres, as formulas do. The first point is the scene's own, and `values` are the engine's answers at each.
-    `within` are those symbols of bodies and of the question that stand in the formula.
+    `within` are those symbols of bodies and of the question that stand in the formula, `without` those that don't.
     """
 
     latex: str
@@ -38,6 +38,7 @@ class Formula:
     points: tuple[tuple[float, ...], ...]
     values: tuple[float, ...]
     within: tuple[str, ...] = ()
+    without: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

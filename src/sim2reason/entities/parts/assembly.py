@@ -5,7 +5,7 @@ from math import cos, pi, radians, sin, sqrt
 from typing import Annotated, ClassVar, Self
 
 from annotated_types import Ge, Le, Len
-from pydantic import model_validator
+from pydantic import field_validator, model_validator
 
 from sim2reason.authoring import (
     GRAVITY,
@@ -28,7 +28,7 @@ from sim2reason.bodies.arm import Arm
 from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.solids import Axes, composed
 from sim2reason.dsl.template import Saying
-from sim2reason.entities.parts.pieces import AnyPiece
+from sim2reason.entities.parts.pieces import FIRST, OTHER, SAME, AnyPiece
 
 Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
 TurnRate = Annotated[AngularVelocity, Range(0.5, 4.0)]
@@ -67,6 +67,15 @@ class WeldedArm(Entity):
         ),
     )
 
+    @field_validator("pieces")
+    @classmethod
+    def _sided(cls, pieces: tuple[AnyPiece, ...]) -> tuple[AnyPiece, ...]:
+        """On which side those after the first one are is always said."""
+        sides = [
+            piece.side if piece.side == OTHER else SAME if number else FIRST for number, piece in enumerate(pieces)
+        ]
+        return tuple(piece.model_copy(update={"side": side}) for piece, side in zip(pieces, sides, strict=True))
+
     @model_validator(mode="after")
     def _swings(self) -> Self:
         if self.angle == 0.0 and self.rate is None:
@@ -75,9 +84,8 @@ class WeldedArm(Entity):
             raise ValueError(
                 "pieces.0: it is on the other side of the axle; begin with a piece on the side to which the arm points"
             )
-        thick = [(number, p.span) for number, p in enumerate(self.pieces) if not isinstance(p.shape, UniformRod)]
-        for (i, one), (j, other) in combinations(thick, 2):
-            if one[0] < other[1] and other[0] < one[1]:
+        for (i, one), (j, other) in combinations(enumerate(self.pieces), 2):
+            if _overlap(one, other):
                 raise ValueError(f"pieces.{i} and pieces.{j} overlap; put them farther apart on the arm")
         return self
 
@@ -104,3 +112,15 @@ class WeldedArm(Entity):
             piece.shape.put(arm, f"pieces.{number}.body", scale(piece.place, along), axes)
         if self.reach is not None:
             arm.site("tip", at=scale(self.reach, along))
+
+
+def _overlap(one: AnyPiece, other: AnyPiece) -> bool:
+    """Whether two pieces would be in one another.
+
+    A thin rod may cross another, or be beside what is small; one along the arm may end in what is thick.
+    """
+    thin = [piece for piece in (one, other) if isinstance(piece.shape, UniformRod)]
+    small = [piece for piece in (one, other) if piece not in thin and piece.span[0] == piece.span[1]]
+    if len(thin) == 2 or (thin and (small or thin[0].span[0] < thin[0].span[1])):
+        return False
+    return one.span[0] < other.span[1] and other.span[0] < one.span[1]

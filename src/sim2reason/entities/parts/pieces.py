@@ -26,7 +26,10 @@ from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Axes, axes_along, seen
 
 Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d"), Range(0.15, 1.2)]
-Side = Literal["from the axle", "from the axle, on the other side"]
+Side = Literal["from the axle", "from the axle, on the same side", "from the axle, on the other side"]
+FIRST: Side = "from the axle"
+SAME: Side = "from the axle, on the same side"
+OTHER: Side = "from the axle, on the other side"
 Tilt = Annotated[float, Gt(0), Lt(90), Measure("tilt", "deg", r"\beta", decimals=0), Range(15.0, 75.0)]
 Edge = Literal["length", "width", "thickness"]
 Axial = UniformRod | Cylinder | Disc | Hoop | PolygonalPrism
@@ -37,7 +40,8 @@ class WeldedPiece(Part):
     """A body on an arm; `distance` is that of what the text calls its centre."""
 
     distance: Distance
-    side: Annotated[Side, Chance(0.3)] = "from the axle"
+    side: Annotated[Side, Chance(0.3)] = FIRST
+    """That of the first piece on the arm, or the other one."""
 
     @property
     def shape(self) -> Shape:
@@ -52,7 +56,7 @@ class WeldedPiece(Part):
     @property
     def place(self) -> float:
         """Where it is along the arm, m; negative on the other side of the axle."""
-        return self.distance if self.side == "from the axle" else -self.distance
+        return -self.distance if self.side == OTHER else self.distance
 
     @property
     def span(self) -> tuple[float, float]:

@@ -8,6 +8,7 @@ from sim2reason.filters.parts.numbers import Given
 ALONE = {"easy": 2, "medium": 3, "hard": 3}  # numbers that must matter where one body moves
 TOGETHER = {"easy": 3, "medium": 3, "hard": 4}  # and where several do
 PARTS = 2  # of several bodies, what so many have must matter
+EVER = 0.4  # of all that is told, what may be idle: no more, be it marked or cancel, or the text tells another story
 MASS = "kg"
 
 

@@ -30,6 +30,11 @@ class StaysTaut(Regime):
         scan = study.trace.scan
         return bool((scan.tension[self.name][scan.times <= until] > SLACK).all())
 
+    def always_told(self, study: Study) -> bool:
+        """Where the text says what happens if the string goes slack, as if it did."""
+        owner = self.name.partition(".")[0]
+        return any(named.entity.slackens for named in study.scene.entities if named.name == owner)
+
     def clause(self, words: Words) -> str:
         """As in: the string stays taut."""
         return f"{words.called(self.of)[self.name]} stays taut"
