@@ -272,7 +272,7 @@ def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: py
         assert set(rejected) == {NOTHING, "scene"}
 
 
-@pytest.mark.parametrize(("recipe", "difficulty"), [("rolling", "easy"), ("rotation", "medium")])
+@pytest.mark.parametrize(("recipe", "difficulty"), [("rolling", "medium"), ("rotation", "medium")])
 def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: str) -> None:
     """Where the answer is an angle, or an angle stands in the formula as a number."""
     drawn = (make(Request(recipe, difficulty, "symbolic", 2311, index)).item for index in range(40))
