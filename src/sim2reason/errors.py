@@ -7,6 +7,8 @@
     ├── SimulationError     an engine that could not go on from a valid mechanism
     ├── DrawError           a recipe that found no valid draw within its budget
     ├── DatasetError        a dataset folder that is damaged or belongs to another configuration
+    ├── PolicyError         a model that cannot be asked, or that gave no answer
+    ├── EvaluationError     a configuration, benchmark file or run folder of an evaluation that cannot be used
     ├── UnknownNameError    a name that a registry does not hold
     ├── MissingExtraError   an optional package that a command needs
     └── ConformanceError    an entity class that does not keep what the library promises of entities
@@ -56,6 +58,14 @@ class FigureWarning(UserWarning):
 
 class DatasetError(Sim2ReasonError):
     """A dataset folder that is damaged, incomplete or made with another configuration."""
+
+
+class PolicyError(Sim2ReasonError):
+    """A model that cannot be asked, or that gave no answer; the message never holds a key."""
+
+
+class EvaluationError(Sim2ReasonError):
+    """A configuration, a benchmark's file or the folder of a run that cannot be used for an evaluation."""
 
 
 class UnknownNameError(Sim2ReasonError, KeyError):

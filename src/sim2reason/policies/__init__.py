@@ -1,0 +1,140 @@
+"""Policies: models that answer prompts, behind an address or in this process. One file each.
+
+SampleRequest (prompt, seed) ── Policy.complete ↦ Completion ── samples.journal ── scores
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from annotated_types import Ge, Gt, Le, Len
+from pydantic import BaseModel, ConfigDict, FiniteFloat, ValidationError
+
+from sim2reason.errors import PolicyError
+from sim2reason.policies.parts.words import first_fault
+from sim2reason.registry import Registry
+
+__all__ = ["POLICIES", "Completion", "Finish", "Limits", "Policy", "SampleRequest", "Sampling", "policy_from"]
+
+Finish = Literal["stop", "length", "refused", "overflow", "unknown"]
+"""Why a text ends: the model stopped, its tokens were used up, it or a content filter refused, the prompt is longer
+than its context, or nobody says."""
+
+
+class _Settings(BaseModel):
+    """What all settings share: frozen, strict about names."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Sampling(_Settings):
+    """How a model draws its tokens. What is None is not sent, and left to the model."""
+
+    temperature: Annotated[FiniteFloat, Ge(0.0), Le(10.0)] | None = 1.0
+    """Zero takes the most likely token."""
+    top_p: Annotated[FiniteFloat, Gt(0.0), Le(1.0)] | None = None
+    max_tokens: Annotated[int, Ge(1), Le(10_000_000)] = 4096
+    """Of a response, with its thinking."""
+
+
+class Limits(_Settings):
+    """What a policy may use up in a run, all resumptions together. None: without limit."""
+
+    tokens: Annotated[int, Ge(1)] | None = None
+    """Of prompts and responses."""
+    cost: Annotated[FiniteFloat, Gt(0.0)] | None = None
+    """In the currency of the prices."""
+    price_in: Annotated[FiniteFloat, Ge(0.0)] = 0.0
+    """Of a million tokens of prompts."""
+    price_out: Annotated[FiniteFloat, Ge(0.0)] = 0.0
+    """Of a million tokens of responses."""
+
+
+@dataclass(frozen=True, slots=True)
+class SampleRequest:
+    """One response that is wanted: the `sample`-th to the prompt of the problem `id`."""
+
+    id: str
+    sample: int
+    prompt: str
+    seed: int
+    """From 0 to 2³¹ - 1."""
+
+
+class Completion(BaseModel):
+    """What a policy said, as a journal keeps it."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    text: str
+    finish: Finish = "unknown"
+    thinking: str = ""
+    """Where the endpoint gives it apart from the text."""
+    prompt_tokens: int | None = None
+    completion_tokens: int | None = None
+    """With the thinking. None where nobody counted."""
+
+    @property
+    def whole(self) -> str:
+        """The response as a grader reads it: the thinking in its tags, then the text."""
+        if not self.thinking:
+            return self.text
+        return f"<think>{self.thinking}</think>{self.text}" if self.text else f"<think>{self.thinking}"
+
+
+class Policy(_Settings, ABC):
+    """A model with its settings; each subclass is a kind that a configuration names.
+
+    `complete` is called from several threads at once, if `in_flight` is more than one.
+    """
+
+    name: Annotated[str, Len(1, 80)]
+    """By which reports call it."""
+    sampling: Sampling = Sampling()
+    limits: Limits = Limits()
+    step: Annotated[int, Ge(0)] | None = None
+    """After how many steps of training this model was saved, for plots over training."""
+
+    @property
+    def in_flight(self) -> int:
+        """How many calls of `complete` may run at once."""
+        return 1
+
+    @property
+    def batch(self) -> int:
+        """How many requests one call of `complete` takes."""
+        return 1
+
+    @abstractmethod
+    def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
+        """A completion for each request, in their order.
+
+        Raises:
+            NoAnswerError: these requests got no answer; others may.
+            PolicyError: no request will get one.
+        """
+
+    @property
+    def settings(self) -> dict[str, object]:
+        """What decides the answers and is worth writing down; never a key."""
+        return self.model_dump(mode="json")
+
+
+POLICIES: Registry[type[Policy]] = Registry("policies")
+
+
+def policy_from(settings: Mapping[str, object], place: str = "policy") -> Policy:
+    """The policy that settings describe; its `kind` is a registered name.
+
+    Raises:
+        PolicyError: a setting that is unknown, missing or makes no sense.
+        UnknownNameError: no such kind.
+    """
+    kind, rest = settings.get("kind"), {key: value for key, value in settings.items() if key != "kind"}
+    if not isinstance(kind, str):
+        raise PolicyError(f"{place}.kind: give one of {', '.join(POLICIES)}")
+    try:
+        return POLICIES[kind].model_validate(rest)
+    except ValidationError as error:
+        raise PolicyError(f"{place}.{first_fault(error)}") from None

@@ -1,0 +1,138 @@
+"""A model of the transformers library, in this process. Needs: pip install 'sim2reason[train]'."""
+
+# transformers and torch are an extra, and are spoken to in this module alone:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from collections.abc import Sequence
+from functools import cached_property
+from importlib import import_module
+from typing import Annotated, Any, Literal, NamedTuple
+
+from annotated_types import Ge, Le
+
+from sim2reason.errors import MissingExtraError, PolicyError
+from sim2reason.policies import POLICIES, Completion, Finish, Policy, SampleRequest
+
+__all__ = ["LocalModel"]
+
+TINY = 1e-20  # the least uniform number, whose logarithm is finite in single precision
+
+
+def _module(name: str) -> Any:  # noqa: ANN401 - a module of an extra
+    try:
+        return import_module(name)
+    except ModuleNotFoundError:
+        raise MissingExtraError(name, "train") from None
+
+
+class _Loaded(NamedTuple):
+    torch: Any
+    transformers: Any
+    model: Any
+    tokenizer: Any
+
+
+@POLICIES.register("transformers")
+class LocalModel(Policy):
+    """A model of the transformers library, by its name or folder, in this process."""
+
+    model: str
+    revision: str | None = None
+    device: str = "auto"
+    """``cpu``, ``cuda``, ``cuda:1`` and so on; by default a GPU if there is one."""
+    precision: Literal["auto", "float32", "bfloat16", "float16"] = "auto"
+    batch_size: Annotated[int, Ge(1), Le(4096)] = 8
+    system: str = ""
+    """A message before the prompt."""
+    chat: bool = True
+    """Whether prompts are put into the tokenizer's chat template, if it has one."""
+
+    @property
+    def batch(self) -> int:
+        """As many as `batch_size`."""
+        return self.batch_size
+
+    @cached_property
+    def _loaded(self) -> _Loaded:
+        torch, transformers = _module("torch"), _module("transformers")
+        device = self.device if self.device != "auto" else "cuda" if torch.cuda.is_available() else "cpu"
+        try:
+            tokenizer = transformers.AutoTokenizer.from_pretrained(
+                self.model, revision=self.revision, padding_side="left"
+            )
+            model = transformers.AutoModelForCausalLM.from_pretrained(
+                self.model, revision=self.revision, dtype=self.precision
+            )
+        except (OSError, ValueError) as error:
+            why = " ".join(str(error).split())[:200]
+            raise PolicyError(f"policy {self.name!r}: no model could be loaded from {self.model!r}: {why}") from None
+        if tokenizer.pad_token_id is None:
+            tokenizer.pad_token = tokenizer.eos_token
+        return _Loaded(torch, transformers, model.to(device).eval(), tokenizer)
+
+    def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
+        """All at once. Each draws from a generator of its own: an answer hangs on its seed, not on the others."""
+        torch, _, model, tokenizer = self._loaded
+        given = tokenizer([self._spoken(request.prompt) for request in requests], return_tensors="pt", padding=True)
+        given = {name: given[name].to(model.device) for name in ("input_ids", "attention_mask")}
+        start = given["input_ids"].shape[1]
+        with torch.inference_mode():
+            rows = model.generate(
+                **given,
+                do_sample=False,
+                temperature=None,
+                top_p=None,
+                top_k=None,
+                max_new_tokens=self.sampling.max_tokens,
+                logits_processor=self._processors([request.seed for request in requests]),
+                pad_token_id=tokenizer.pad_token_id,
+            )
+        ends = self._ends()
+        lengths = given["attention_mask"].sum(dim=1).tolist()
+        return [self._completion(row[start:].tolist(), length, ends) for row, length in zip(rows, lengths, strict=True)]
+
+    def _spoken(self, prompt: str) -> str:
+        """What the model reads."""
+        tokenizer = self._loaded.tokenizer
+        if not (self.chat and tokenizer.chat_template):
+            return f"{self.system}\n\n{prompt}" if self.system else prompt
+        system = [{"role": "system", "content": self.system}] if self.system else []
+        messages = [*system, {"role": "user", "content": prompt}]
+        return tokenizer.apply_chat_template(messages, tokenize=False, add_generation_prompt=True)
+
+    def _processors(self, seeds: Sequence[int]) -> list[Any]:
+        """Temperature, nucleus and noise: the largest of logits with Gumbel noise is a draw from their softmax.
+
+        Gumbel, Statistical theory of extreme values (1954); so a greedy search samples, each row by its own seed.
+        """
+        temperature = 1.0 if self.sampling.temperature is None else self.sampling.temperature
+        if temperature == 0.0:
+            return []
+        torch, transformers, model, _ = self._loaded
+        found: list[Any] = [transformers.TemperatureLogitsWarper(temperature)] if temperature != 1.0 else []
+        if self.sampling.top_p is not None:
+            found.append(transformers.TopPLogitsWarper(self.sampling.top_p))
+        generators = [torch.Generator(device=model.device).manual_seed(seed) for seed in seeds]
+
+        def noise(_: Any, scores: Any) -> Any:  # noqa: ANN401 - tensors
+            uniform = torch.stack(
+                [torch.rand(scores.shape[1], generator=each, device=scores.device) for each in generators]
+            )
+            return scores.float() - torch.log(-torch.log(uniform.clamp(TINY, 1.0 - 1e-7)))
+
+        return [*found, noise]
+
+    def _ends(self) -> set[int]:
+        """The tokens that end a text."""
+        held = self._loaded.model.generation_config.eos_token_id
+        own = self._loaded.tokenizer.eos_token_id
+        return {*(held if isinstance(held, list) else [held]), own} - {None}
+
+    def _completion(self, tokens: list[int], prompt_tokens: int, ends: set[int]) -> Completion:
+        """A row up to the token that ends it."""
+        end = next((place for place, token in enumerate(tokens) if token in ends), None)
+        finish: Finish = "length" if end is None else "stop"
+        held = tokens if end is None else tokens[:end]
+        text = self._loaded.tokenizer.decode(held, skip_special_tokens=True)
+        count = len(held) + (end is not None)
+        return Completion(text=text, finish=finish, prompt_tokens=int(prompt_tokens), completion_tokens=count)

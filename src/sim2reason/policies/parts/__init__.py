@@ -1,0 +1,1 @@
+"""What policies share: secrets, requests over HTTP, answers of endpoints, waiting and budgets."""

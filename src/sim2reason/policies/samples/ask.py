@@ -1,0 +1,125 @@
+"""Ask a policy for samples, several at once; each is in the journal as soon as it is finished."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass, field
+from hashlib import blake2b
+from itertools import islice
+
+from sim2reason.errors import PolicyError
+from sim2reason.policies import Policy, SampleRequest
+from sim2reason.policies.samples import NoAnswerError
+from sim2reason.policies.samples.budget import Budget
+from sim2reason.policies.samples.journal import SampleJournal, finished
+
+__all__ = ["Asked", "ask", "requests_for", "sample_seed"]
+
+IN_A_ROW = 8  # requests without an answer, after which the endpoint is taken to be down
+
+
+@dataclass
+class Asked:
+    """What became of the requests of one run."""
+
+    finished_before: int = 0
+    finished_now: int = 0
+    open: list[str] = field(default_factory=list[str])
+    """Why a request got no answer, for each one that did not."""
+
+
+def sample_seed(seed: int, name: str, sample: int) -> int:
+    """A seed of its own for each sample of each problem: the same in every run, from 0 to 2³¹ - 1."""
+    digest = blake2b(f"{seed}\0{name}\0{sample}".encode(errors="replace"), digest_size=4, person=b"sample").digest()
+    return int.from_bytes(digest, "big") >> 1
+
+
+def requests_for(prompts: Iterable[tuple[str, str]], samples: int, seed: int) -> Iterator[SampleRequest]:
+    """`samples` requests for each pair of an id and a prompt: first one of each, then the second of each.
+
+    So a run that is broken off has asked about as many problems as it could.
+    """
+    pairs = list(prompts)
+    for sample in range(samples):
+        for name, prompt in pairs:
+            yield SampleRequest(name, sample, prompt, sample_seed(seed, name, sample))
+
+
+def ask(
+    policy: Policy,
+    requests: Iterable[SampleRequest],
+    journal: SampleJournal,
+    advance: Callable[[int], object] = lambda _: None,
+) -> Asked:
+    """Ask for whatever the journal does not hold. `advance` is told how many more are finished.
+
+    Raises:
+        PolicyError: the policy cannot be asked, or its limit is reached; all that was finished stays in the journal.
+        EvaluationError: the journal holds answers to other prompts.
+    """
+    wanted = list(requests)
+    missing = [request for request in wanted if not journal.holds(request)]
+    asked = Asked(finished_before=len(wanted) - len(missing))
+    advance(asked.finished_before)
+    budget = _budget(policy, journal, wanted)
+    source = iter(missing)
+    batches = iter(lambda: list(islice(source, policy.batch)), [])
+    with ThreadPoolExecutor(policy.in_flight) as crew:
+        _run(crew, policy.in_flight, batches, lambda batch: _one(policy, batch, journal, budget), asked, advance)
+    return asked
+
+
+def _budget(policy: Policy, journal: SampleJournal, wanted: Sequence[SampleRequest]) -> Budget:
+    """The budget of the policy, less what the journal's samples have used."""
+    budget, by_key = Budget(policy), {(request.id, request.sample): request for request in wanted}
+    for found in finished(journal.path):
+        request = by_key.get(found.key)
+        budget.charge(budget.used(found.completion, budget.most(request) if request else (0, 0.0)))
+    return budget
+
+
+def _run(
+    crew: ThreadPoolExecutor,
+    width: int,
+    batches: Iterator[list[SampleRequest]],
+    work: Callable[[list[SampleRequest]], int],
+    asked: Asked,
+    advance: Callable[[int], object],
+) -> None:
+    """Keep `width` batches in flight; stop at the first error that others would meet too."""
+    running: set[Future[int]] = set()
+    row = 0
+    while True:
+        running |= {crew.submit(work, batch) for batch in islice(batches, width - len(running))}
+        if not running:
+            return
+        done, running = wait(running, return_when=FIRST_COMPLETED)
+        for future in done:
+            error = future.exception()
+            if isinstance(error, NoAnswerError):
+                asked.open.append(str(error))
+                row += 1
+                if row >= IN_A_ROW:
+                    raise PolicyError(f"{error}; {row} requests in a row went so; try again later")
+            elif error is not None:
+                raise error
+            else:
+                row = 0
+                asked.finished_now += future.result()
+                advance(future.result())
+
+
+def _one(policy: Policy, batch: list[SampleRequest], journal: SampleJournal, budget: Budget) -> int:
+    """Ask for one batch and write it down; how many that were."""
+    most = [budget.most(request) for request in batch]
+    total = sum(tokens for tokens, _ in most), sum(cost for _, cost in most)
+    budget.reserve(total)
+    used = 0, 0.0
+    try:
+        completions = policy.complete(batch)
+        for request, completion, limit in zip(batch, completions, most, strict=True):
+            journal.add(request, completion)
+            tokens, cost = budget.used(completion, limit)
+            used = used[0] + tokens, used[1] + cost
+    finally:
+        budget.settle(total, used)
+    return len(batch)
