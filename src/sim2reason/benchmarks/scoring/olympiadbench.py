@@ -1,0 +1,151 @@
+"""OlympiadBench: numbers within the item's own error, expressions, equations, intervals and tuples, several answers.
+
+He et al., *OlympiadBench* (ACL 2024), and their ``auto_scoring_judge.py``: several answers are compared in any order;
+± stands for two; a number may be off by 1e-8 or by the item's own error, and by a hundredth of that. Where this
+differs on purpose is written down in docs/evaluation.md.
+"""
+
+import re
+from typing import Final, NamedTuple
+
+from sim2reason.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
+from sim2reason.benchmarks.scoring.parts.answers import boxes, parts
+from sim2reason.benchmarks.scoring.parts.expressions import (
+    equal_expressions,
+    equivalent_equations,
+    is_equation,
+    name_of,
+    same_text,
+)
+from sim2reason.benchmarks.scoring.parts.matching import paired
+from sim2reason.benchmarks.scoring.parts.numbers import read, unit_or_none
+
+__all__ = ["OlympiadBench", "expected_parts"]
+
+ERROR: Final = 1e-8
+LEEWAY: Final = 1.01  # of the error, as published
+MOST: Final = 12  # answers to one problem
+_PERCENT: Final = re.compile(r"%|(?<![A-Za-z])per ?cent", re.IGNORECASE)
+_CALLED: Final = re.compile(r"^[^=]*=\s*(?=[(\[])|^.*\\in(?![A-Za-z])\s*")
+_SIZE: Final = re.compile(r"\\(?:left|right)(?![A-Za-z])")
+_CUP: Final = re.compile(r"\\cup(?![A-Za-z])|∪")
+
+
+class _Expected(NamedTuple):
+    """One right answer."""
+
+    text: str
+    error: float
+    unit: str | None
+    percent: bool
+    alone: bool
+    """Whether it is the only one, so that its name tells nothing."""
+
+
+class OlympiadBench(Scoring):
+    """By OlympiadBench's own rule: numbers within an absolute error, everything else by equality."""
+
+    def award(self, response: str, reference: Reference) -> Award:
+        """By the reference's `answer`, `unit` and `error`, each a text as the file has it."""
+        right = expected_parts(reference)
+        found = boxes(response)
+        if not found:
+            return Award.unreadable("there is no box")
+        said = _said(found, len(right))
+        shown = ", ".join(said)
+        if len(said) != len(right):
+            return Award(0.0, parsed=shown, why=f"{len(said)} answers where {len(right)} are asked")
+        good = paired(right, said, _fits)
+        return Award.all_or_nothing(good, shown, "" if good else f"the answer is {reference['answer']}")
+
+
+def expected_parts(reference: Reference) -> list[_Expected]:
+    """The right answers, each with its own error and unit."""
+    answers = _signs(parts(str(reference["answer"])))
+    errors = _spread(reference.get("error"), len(answers))
+    units = _spread(reference.get("unit"), len(answers))
+    return [
+        _Expected(
+            text,
+            max(float(error or ERROR), ERROR),
+            unit_or_none(unit),
+            percent=_PERCENT.search(unit) is not None,
+            alone=len(answers) == 1,
+        )
+        for text, error, unit in zip(answers, errors, units, strict=True)
+    ]
+
+
+def _spread(text: object, count: int) -> list[str]:
+    """A list with commas, one entry for each answer; a single entry is meant for all."""
+    held = [part.strip() for part in text.split(",")] if isinstance(text, str) else [""]
+    return held if len(held) == count else held[:1] * count
+
+
+def _said(found: list[str], count: int) -> list[str]:
+    """What the last box says, or as many boxes as there are answers."""
+    last = _signs(parts(found[-1]))
+    if len(last) != count and len(found) >= count:
+        several = _signs([part for content in found[-count:] for part in parts(content)])
+        return several if len(several) == count else last
+    return last[: MOST + 1]
+
+
+def _signs(answers: list[str]) -> list[str]:
+    """Each answer with ± as two."""
+    return [text for answer in answers for text in _two(answer)]
+
+
+def _two(answer: str) -> tuple[str, ...]:
+    text = answer.replace("±", r"\pm")
+    return (text.replace(r"\pm", "+"), text.replace(r"\pm", "-")) if r"\pm" in text else (answer,)
+
+
+def _fits(right: _Expected, said: str) -> bool:
+    if same_text(right.text, said):
+        return True
+    ours, theirs = name_of(right.text), name_of(said)
+    if ours and theirs and not right.alone and not same_text(ours, theirs):
+        return False
+    one, other = (_CALLED.sub("", _SIZE.sub("", text)).strip() for text in (right.text, said))
+    if _is_list(one):
+        return _is_list(other) and _intervals(one, other, right)
+    if is_equation(right.text):
+        return bool(equivalent_equations(right.text, said))
+    value = read(right.text, right.unit)
+    return _near(right, value, said) if value is not None else bool(equal_expressions(right.text, said))
+
+
+def _near(right: _Expected, value: float, said: str) -> bool:
+    """Within the error; beside a sign for per cent, a hundredth and a hundredfold count too, as published."""
+    found = read(said, right.unit, expected=value)
+    if found is None:
+        return False
+    percent = right.percent or _PERCENT.search(right.text) or _PERCENT.search(said)
+    wanted = (value, value / 100.0, value * 100.0) if percent else (value,)
+    return any(abs(found - each) <= LEEWAY * right.error + 1e-12 * abs(each) for each in wanted)
+
+
+def _is_list(text: str) -> bool:
+    """Whether an answer is an interval, a union of them, or a tuple."""
+    return bool(text) and text[0] in "([" and text[-1] in ")]" and all(len(parts(p[1:-1])) > 1 for p in _pieces(text))
+
+
+def _pieces(text: str) -> list[str]:
+    return [piece.strip() for piece in _CUP.split(text) if piece.strip()]
+
+
+def _intervals(one: str, other: str, right: _Expected) -> bool:
+    """Whether the brackets are the same, and the ends one by one."""
+    ours, theirs = _pieces(one), _pieces(other)
+    return len(ours) == len(theirs) and all(
+        (a[0], a[-1]) == (b[0], b[-1]) and _ends(parts(a[1:-1]), parts(b[1:-1]), right)
+        for a, b in zip(ours, theirs, strict=True)
+    )
+
+
+def _ends(ours: list[str], theirs: list[str], right: _Expected) -> bool:
+    return len(ours) == len(theirs) and all(_fits(right._replace(text=a), b) for a, b in zip(ours, theirs, strict=True))
+
+
+SCORINGS.add("olympiadbench", OlympiadBench())

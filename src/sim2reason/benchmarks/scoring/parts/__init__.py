@@ -1,0 +1,1 @@
+"""What scoring rules share: where answers stand, numbers, expressions, equations, lists."""

@@ -1,0 +1,71 @@
+"""Our own suite: the items of a dataset folder, or problems drawn from a seed that no training has seen."""
+
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+from typing import Annotated, Self
+
+from annotated_types import Ge, Le
+from pydantic import JsonValue, model_validator
+
+from sim2reason.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.items import stream
+from sim2reason.datasets.plan import LARGEST
+
+__all__ = ["Synthetic", "benchmark_item"]
+
+DRAWN = 100
+
+
+def benchmark_item(item: Item, *, lenient: bool = False) -> BenchmarkItem:
+    """An item of ours as a benchmark has it: scored by our grader, and tagged by all that reports group by."""
+    tags = {
+        "recipe": (item.recipe,),
+        "difficulty": (item.difficulty,),
+        "mode": (item.mode,),
+        "kind": (item.kind,),
+        "quantity": (item.asked.quantity,),
+        "entity": tuple(sorted(set(item.entities))),
+    }
+    answer = item.answer.model_dump(mode="json")
+    reference: dict[str, JsonValue] = {"answer": answer, "told": item.answer.told, "lenient": lenient}
+    return BenchmarkItem(id=item.id, prompt=item.prompt, scoring="sim2reason", reference=reference, tags=tags)
+
+
+@BENCHMARKS.register("synthetic")
+class Synthetic(Benchmark):
+    """Problems of ours: a dataset folder, or drawn from a seed."""
+
+    dataset: Path | None = None
+    """A folder that ``sim2reason generate`` has finished; else problems are drawn."""
+    split: str | None = None
+    """Of the dataset; by default all."""
+    seed: Annotated[int, Ge(0), Le(LARGEST)] | None = None
+    """Of the draws; keep it from all training."""
+    items: Annotated[int, Ge(1)] = DRAWN
+    """How many are drawn, of each mode."""
+    recipe: str = "all"
+    difficulty: str = "all"
+    modes: tuple[str, ...] = ("numeric",)
+
+    @model_validator(mode="after")
+    def _one_source(self) -> Self:
+        if (self.dataset is None) == (self.seed is None):
+            raise ValueError("give either dataset, a folder, or seed, to draw problems")
+        if self.split is not None and self.dataset is None:
+            raise ValueError("split is one of a dataset")
+        return self
+
+    def problems(self) -> Iterator[BenchmarkItem]:
+        """In the dataset's order, or in that of the draws."""
+        return (benchmark_item(item, lenient=self.lenient) for item in self._items())
+
+    def _items(self) -> Iterator[Item]:
+        if self.dataset is not None:
+            yield from Dataset(self.dataset).items(self.split)
+            return
+        assert self.seed is not None
+        for mode in self.modes:
+            yield from islice(stream(self.recipe, self.difficulty, mode, seed=self.seed), self.items)
