@@ -1,11 +1,14 @@
 """An OpenAI-compatible endpoint on this machine that does wrong what endpoints are known to do wrong."""
 
 import json
+import sys
 import threading
+import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 from typing import Any
 
 KEY = "sk-test-7Kq0secret/+=9"
@@ -100,3 +103,42 @@ def serving(behaviour: Behaviour) -> Generator[Endpoint, None, None]:
         server.shutdown()
         server.server_close()
         thread.join()
+
+
+def _main(log: str) -> None:
+    """Serve until killed: faults at first, then answers; each whole answer is noted in the file `log`, one line each.
+
+    The address stands in the first line that is printed. What is done hangs on the prompt and on how often it was
+    asked, so that every fault is met, and no request fails for ever.
+    """
+    seen: dict[str, int] = {}
+    lock, faults = threading.Lock(), [*FAULTS.values()]
+    variants: list[Callable[[str], dict[str, Any]]] = [
+        lambda _: answer(r"So \boxed{9.81}"),
+        lambda key: answer(f"your key {key} is fine", "length"),
+        lambda _: answer(None),
+        lambda _: answer(None, refusal="I can't help with that."),
+        lambda _: {**answer("no box"), "usage": None},
+        lambda _: answer(r"\boxed{-1}"),
+    ]
+
+    def behaviour(_: int, fields: dict[str, Any], key: str) -> Said:
+        name = f"{fields['messages'][-1]['content']} {fields['seed']}"
+        with lock:
+            times = seen[name] = seen.get(name, 0) + 1
+        kind = sum(name.encode())
+        if times <= kind % 3:
+            return faults[(kind + times) % len(faults)](key)
+        time.sleep(0.005)
+        with lock, Path(log).open("a", encoding="utf-8") as file:
+            file.write(json.dumps([fields["messages"][-1]["content"], fields["seed"]]) + "\n")
+        return Said(variants[kind % len(variants)](key))
+
+    with serving(behaviour) as endpoint:
+        sys.stdout.write(f"{endpoint.url}\n")
+        sys.stdout.flush()
+        threading.Event().wait()
+
+
+if __name__ == "__main__":
+    _main(sys.argv[1])

@@ -8,11 +8,12 @@ from collections.abc import Iterable, Mapping
 from hashlib import sha256
 from typing import Annotated
 
-from annotated_types import Ge, Le, Len
+from annotated_types import Ge, Le
 from pydantic import BaseModel, ConfigDict, Field, JsonValue, ValidationError
 
 from sim2reason.datasets.atomic_files import canonical
 from sim2reason.errors import EvaluationError
+from sim2reason.policies import Name
 from sim2reason.policies.parts.words import first_fault
 from sim2reason.registry import Registry
 
@@ -47,7 +48,7 @@ class Benchmark(BaseModel, ABC):
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
-    name: Annotated[str, Len(1, 80)]
+    name: Name
     """By which reports call it."""
     samples: Annotated[int, Ge(1), Le(MOST_SAMPLES)] | None = None
     """How many responses each policy gives to each problem; else as many as the configuration says."""

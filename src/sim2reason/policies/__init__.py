@@ -6,16 +6,19 @@ SampleRequest (prompt, seed) ── Policy.complete ↦ Completion ── sample
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
-from annotated_types import Ge, Gt, Le, Len
-from pydantic import BaseModel, ConfigDict, FiniteFloat, ValidationError
+from annotated_types import Ge, Gt, Le
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, ValidationError
 
 from sim2reason.errors import PolicyError
 from sim2reason.policies.parts.words import first_fault
 from sim2reason.registry import Registry
 
-__all__ = ["POLICIES", "Completion", "Finish", "Limits", "Policy", "SampleRequest", "Sampling", "policy_from"]
+__all__ = ["POLICIES", "Completion", "Finish", "Limits", "Name", "Policy", "SampleRequest", "Sampling", "policy_from"]
+
+Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,79}$")]
+"""What may be the name of a file, too: letters, digits, dots, dashes and underscores."""
 
 Finish = Literal["stop", "length", "refused", "overflow", "unknown"]
 """Why a text ends: the model stopped, its tokens were used up, it or a content filter refused, the prompt is longer
@@ -89,12 +92,15 @@ class Policy(_Settings, ABC):
     `complete` is called from several threads at once, if `in_flight` is more than one.
     """
 
-    name: Annotated[str, Len(1, 80)]
+    name: Name
     """By which reports call it."""
     sampling: Sampling = Sampling()
     limits: Limits = Limits()
     step: Annotated[int, Ge(0)] | None = None
     """After how many steps of training this model was saved, for plots over training."""
+
+    operational: ClassVar[frozenset[str]] = frozenset({"limits", "step"})
+    """Settings that change no answer, and so may change while a run is not finished."""
 
     @property
     def in_flight(self) -> int:
@@ -117,8 +123,13 @@ class Policy(_Settings, ABC):
 
     @property
     def settings(self) -> dict[str, object]:
-        """What decides the answers and is worth writing down; never a key."""
+        """What is worth writing down; never a key."""
         return self.model_dump(mode="json")
+
+    @property
+    def decisive(self) -> dict[str, object]:
+        """What decides the answers."""
+        return {name: value for name, value in self.settings.items() if name not in self.operational}
 
 
 POLICIES: Registry[type[Policy]] = Registry("policies")

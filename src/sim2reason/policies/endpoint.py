@@ -8,7 +8,7 @@ import json
 import time
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 from urllib.parse import urlsplit
 
 from annotated_types import Ge, Gt, Le
@@ -48,7 +48,14 @@ class Endpoint(Policy):
     extra: dict[str, JsonValue] = Field(default_factory=dict[str, JsonValue])
     """Further fields of each request, such as ``chat_template_kwargs``; they are written down with the results."""
 
-    _sleep: Callable[[float], object] = PrivateAttr(default=time.sleep)
+    operational: ClassVar[frozenset[str]] = Policy.operational | {
+        "timeout",
+        "attempts",
+        "requests_in_flight",
+        "key_from",
+    }
+
+    _sleep: Callable[[float], object] = PrivateAttr(default_factory=lambda: time.sleep)
 
     @field_validator("url")
     @classmethod

@@ -6,7 +6,7 @@
 from collections.abc import Sequence
 from functools import cached_property
 from importlib import import_module
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 from annotated_types import Ge, Le
 
@@ -46,6 +46,8 @@ class LocalModel(Policy):
     """A message before the prompt."""
     chat: bool = True
     """Whether prompts are put into the tokenizer's chat template, if it has one."""
+
+    operational: ClassVar[frozenset[str]] = Policy.operational | {"batch_size", "device"}
 
     @property
     def batch(self) -> int:

@@ -75,11 +75,18 @@ def rows(path: Path, sha256: str | None = None) -> list[Row]:
 
 
 def _json(content: bytes) -> object:
-    return json.loads(content)
+    return _writable(content, json.loads(content))
 
 
 def _lines(content: bytes) -> object:
-    return [json.loads(line) for line in content.decode().split("\n") if line.strip()]
+    return _writable(content, [json.loads(line) for line in content.decode().split("\n") if line.strip()])
+
+
+def _writable(content: bytes, held: object) -> object:
+    """The same, unless it has half of a surrogate pair, which no file can hold (a ValueError)."""
+    if b"\\ud" in content.lower():
+        json.dumps(held, ensure_ascii=False).encode()
+    return held
 
 
 def _parquet(content: bytes) -> object:

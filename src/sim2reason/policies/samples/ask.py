@@ -1,6 +1,6 @@
 """Ask a policy for samples, several at once; each is in the journal as soon as it is finished."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
 from hashlib import blake2b
@@ -10,7 +10,7 @@ from sim2reason.errors import PolicyError
 from sim2reason.policies import Policy, SampleRequest
 from sim2reason.policies.samples import NoAnswerError
 from sim2reason.policies.samples.budget import Budget
-from sim2reason.policies.samples.journal import SampleJournal, finished
+from sim2reason.policies.samples.journal import SampleJournal
 
 __all__ = ["Asked", "ask", "requests_for", "sample_seed"]
 
@@ -48,9 +48,13 @@ def ask(
     policy: Policy,
     requests: Iterable[SampleRequest],
     journal: SampleJournal,
+    *,
+    budget: Budget | None = None,
     advance: Callable[[int], object] = lambda _: None,
 ) -> Asked:
     """Ask for whatever the journal does not hold. `advance` is told how many more are finished.
+
+    `budget` is that of several journals, already charged for what they hold; by default one for this journal alone.
 
     Raises:
         PolicyError: the policy cannot be asked, or its limit is reached; all that was finished stays in the journal.
@@ -60,21 +64,15 @@ def ask(
     missing = [request for request in wanted if not journal.holds(request)]
     asked = Asked(finished_before=len(wanted) - len(missing))
     advance(asked.finished_before)
-    budget = _budget(policy, journal, wanted)
+    if budget is None:
+        budget = Budget(policy)
+        budget.charge_finished(journal.path, wanted)
+    held = budget
     source = iter(missing)
     batches = iter(lambda: list(islice(source, policy.batch)), [])
     with ThreadPoolExecutor(policy.in_flight) as crew:
-        _run(crew, policy.in_flight, batches, lambda batch: _one(policy, batch, journal, budget), asked, advance)
+        _run(crew, policy.in_flight, batches, lambda batch: _one(policy, batch, journal, held), asked, advance)
     return asked
-
-
-def _budget(policy: Policy, journal: SampleJournal, wanted: Sequence[SampleRequest]) -> Budget:
-    """The budget of the policy, less what the journal's samples have used."""
-    budget, by_key = Budget(policy), {(request.id, request.sample): request for request in wanted}
-    for found in finished(journal.path):
-        request = by_key.get(found.key)
-        budget.charge(budget.used(found.completion, budget.most(request) if request else (0, 0.0)))
-    return budget
 
 
 def _run(

@@ -1,9 +1,12 @@
 """What a policy may use up: each request sets aside the most that it can need before it is sent."""
 
+from collections.abc import Iterable
+from pathlib import Path
 from threading import Condition
 
 from sim2reason.errors import PolicyError
 from sim2reason.policies import Completion, Policy, SampleRequest
+from sim2reason.policies.samples.journal import finished
 
 __all__ = ["Budget"]
 
@@ -38,6 +41,13 @@ class Budget:
     def charge(self, used: tuple[int, float]) -> None:
         """Count what was used before."""
         self._spent = [self._spent[0] + used[0], self._spent[1] + used[1]]
+
+    def charge_finished(self, journal: Path, requests: Iterable[SampleRequest]) -> None:
+        """Count what a journal's samples used; those that are among `requests` are known best."""
+        by_key = {(request.id, request.sample): request for request in requests}
+        for found in finished(journal):
+            request = by_key.get(found.key)
+            self.charge(self.used(found.completion, self.most(request) if request else (0, 0.0)))
 
     def reserve(self, most: tuple[int, float]) -> None:
         """Set `most` aside, waiting for what others set aside; PolicyError if it can't be had."""

@@ -1,0 +1,187 @@
+"""The folder of a run: what was planned, what is asked, and where answers stand."""
+
+import json
+from collections.abc import Iterable, Mapping
+from importlib.metadata import version
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, JsonValue, ValidationError
+
+from sim2reason.benchmarks import Benchmark, BenchmarkItem, data_hash, items_of
+from sim2reason.benchmarks.runs.config import Evaluation
+from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.errors import EvaluationError
+from sim2reason.policies import Policy
+
+__all__ = ["BenchmarkPlan", "PolicyPlan", "RunFolder", "RunRecord"]
+
+RUN, PROBLEMS, SAMPLES, JUDGED, REPORT = "run.json", "problems", "samples", "judged", "report"
+
+
+class _Record(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class PolicyPlan(_Record):
+    """A policy of a run: all its settings, and those that decide its answers."""
+
+    kind: str
+    settings: dict[str, JsonValue]
+    decisive: dict[str, JsonValue]
+
+    @property
+    def step(self) -> int | None:
+        """After how many steps of training it was saved."""
+        found = self.settings.get("step")
+        return found if isinstance(found, int) else None
+
+
+class BenchmarkPlan(_Record):
+    """A benchmark of a run."""
+
+    kind: str
+    settings: dict[str, JsonValue]
+    samples: int
+    """Of each problem and policy."""
+    items: int
+    data: str
+    """The hash of all that is asked and of all answers."""
+
+
+class RunRecord(_Record):
+    """``run.json``: what decides the answers of a run, and with which version it was begun."""
+
+    seed: int
+    policies: dict[str, PolicyPlan]
+    benchmarks: dict[str, BenchmarkPlan]
+    judge: PolicyPlan | None = None
+    versions: dict[str, str]
+
+    def difference(self, other: "RunRecord") -> str:
+        """The first thing in which `other` cannot go on with this; empty if it can.
+
+        It can with more samples, further policies and further benchmarks.
+        """
+        if self.seed != other.seed:
+            return f"seed {self.seed} ≠ {other.seed}"
+        for name, plan in self.policies.items():
+            if name in other.policies and (where := _first(plan.decisive, other.policies[name].decisive)):
+                return f"policy {name}: {where}"
+        for name, benchmark in self.benchmarks.items():
+            if name in other.benchmarks and benchmark.data != other.benchmarks[name].data:
+                return f"benchmark {name}: other problems"
+        if self.judge and other.judge and (where := _first(self.judge.decisive, other.judge.decisive)):
+            return f"judge: {where}"
+        return ""
+
+    def joined(self, other: "RunRecord") -> "RunRecord":
+        """This, and what `other` adds; of what both have, that of `other`, but never fewer samples."""
+        more = {
+            name: plan.model_copy(update={"samples": max(plan.samples, self.benchmarks[name].samples)})
+            if name in self.benchmarks
+            else plan
+            for name, plan in other.benchmarks.items()
+        }
+        return other.model_copy(
+            update={
+                "policies": {**self.policies, **other.policies},
+                "benchmarks": {**self.benchmarks, **more},
+                "judge": other.judge or self.judge,
+            }
+        )
+
+
+def _first(mine: Mapping[str, object], theirs: Mapping[str, object]) -> str:
+    return next((name for name in sorted(mine.keys() | theirs.keys()) if mine.get(name) != theirs.get(name)), "")
+
+
+class RunFolder:
+    """A folder with a run, finished or not."""
+
+    def __init__(self, path: Path) -> None:
+        """EvaluationError if there is no run."""
+        self.path = path
+        file = path / RUN
+        try:
+            self.record = RunRecord.model_validate_json(file.read_bytes())
+        except FileNotFoundError:
+            raise EvaluationError(f"{path}: no {RUN} here; give the folder of a run of sim2reason eval") from None
+        except ValidationError:
+            raise EvaluationError(
+                f"{file}: damaged, or of another version; begin a new run in another folder"
+            ) from None
+
+    @classmethod
+    def begun(cls, evaluation: Evaluation) -> "RunFolder":
+        """The folder of an evaluation, new or gone on with; the caller holds its lock.
+
+        Raises:
+            EvaluationError: the folder holds something else, or a run with which this one can't go on.
+        """
+        out = evaluation.out
+        if not (out / RUN).is_file() and (strangers := sorted(path.name for path in out.iterdir())):
+            raise EvaluationError(f"{out}: holds {strangers[0]} and is no run; choose a new folder")
+        items = {benchmark.name: items_of(benchmark) for benchmark in evaluation.benchmarks}
+        record = _record(evaluation, items)
+        if (out / RUN).is_file():
+            before = cls(out).record
+            if why := before.difference(record):
+                raise EvaluationError(f"{out}: holds a run of another configuration ({why}); choose a new folder")
+            record = before.joined(record)
+        for name, held in items.items():
+            (out / PROBLEMS).mkdir(exist_ok=True)
+            lines = "".join(f"{item.model_dump_json()}\n" for item in held)
+            put_text(out / PROBLEMS / f"{name}.jsonl", lines, out)
+        put_text(out / RUN, canonical(record.model_dump(mode="json")), out)
+        return cls(out)
+
+    def items(self, benchmark: str) -> list[BenchmarkItem]:
+        """The problems of a benchmark, as they are asked; EvaluationError if the run was begun with others."""
+        path = self.path / PROBLEMS / f"{benchmark}.jsonl"
+        try:
+            with path.open("rb") as lines:
+                found = [BenchmarkItem.model_validate_json(line) for line in lines]
+        except (FileNotFoundError, ValidationError):
+            raise EvaluationError(f"{path}: missing or damaged; give the same sim2reason eval again") from None
+        if data_hash(found) != self.record.benchmarks[benchmark].data:
+            raise EvaluationError(f"{path}: changed since the run was begun; give the same sim2reason eval again")
+        return found
+
+    def samples(self, policy: str, benchmark: str) -> Path:
+        """The journal of a policy's answers to a benchmark."""
+        return self.path / SAMPLES / policy / f"{benchmark}.jsonl"
+
+    def judged(self, policy: str, benchmark: str) -> Path:
+        """The journal of what the judge said of them."""
+        return self.path / JUDGED / policy / f"{benchmark}.jsonl"
+
+    @property
+    def report(self) -> Path:
+        """The folder of its report."""
+        return self.path / REPORT
+
+
+def _record(evaluation: Evaluation, items: Mapping[str, Iterable[BenchmarkItem]]) -> RunRecord:
+    return RunRecord(
+        seed=evaluation.seed,
+        policies={policy.name: _plan(policy) for policy in evaluation.policies},
+        benchmarks={each.name: _benchmark(evaluation, each, [*items[each.name]]) for each in evaluation.benchmarks},
+        judge=None if evaluation.judge is None else _plan(evaluation.judge),
+        versions={"sim2reason": version("sim2reason")},
+    )
+
+
+def _plan(policy: Policy) -> PolicyPlan:
+    return PolicyPlan.model_validate(
+        {"kind": type(policy).__name__, "settings": policy.settings, "decisive": policy.decisive}
+    )
+
+
+def _benchmark(evaluation: Evaluation, benchmark: Benchmark, items: list[BenchmarkItem]) -> BenchmarkPlan:
+    return BenchmarkPlan(
+        kind=type(benchmark).__name__,
+        settings=json.loads(benchmark.model_dump_json()),
+        samples=evaluation.samples_of(benchmark),
+        items=len(items),
+        data=data_hash(items),
+    )

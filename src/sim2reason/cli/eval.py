@@ -1,0 +1,134 @@
+"""Evaluate policies on benchmarks: ours and those that others published."""
+
+from pathlib import Path
+from typing import Any, Self
+
+import click
+
+from sim2reason.cli import console
+
+EXAMPLE = """\b
+Example:
+    sim2reason eval config.yaml
+    sim2reason eval compare before after
+    sim2reason eval correlate run-1 run-2 run-3 -o correlation
+
+A configuration names policies, benchmarks, seed, samples and the folder of the run; docs/evaluation.md has one. Every
+finished answer is on disk at once: the same command goes on where a run was broken off, and asks nothing twice.
+
+Exit code 0: done; 1: done, but some samples got no answer; 2: wrong input, or a model that can't be asked.
+"""
+COMPARE_EXAMPLE = """\b
+Example:
+    sim2reason eval compare before after
+    sim2reason eval compare run:base run:trained -o comparison
+"""
+CORRELATE_EXAMPLE = """\b
+Example:
+    sim2reason eval correlate run-1 run-2 run-3 -o correlation
+    sim2reason eval correlate runs --across ours --up jeebench,olympiadbench
+"""
+RUN = "run"
+FOLDER = click.Path(file_okay=False, path_type=Path)
+
+
+class _WithoutItsName(click.Group):
+    """A group that takes what is no command of its own for the configuration of `run`."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command that is named, or `run`."""
+        if args and args[0] not in self.commands:
+            return super().resolve_command(ctx, [RUN, *args])
+        return super().resolve_command(ctx, args)
+
+
+@click.group("eval", cls=_WithoutItsName, epilog=EXAMPLE, subcommand_metavar="CONFIG | COMMAND [ARGS]...")
+def command() -> None:
+    """Have policies answer benchmarks as the file CONFIG says, and report; or compare and correlate such runs."""
+
+
+@command.command(RUN, epilog=EXAMPLE)
+@click.argument("config", type=click.Path(path_type=Path))
+@click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
+@click.option("--json", "to_json", is_flag=True, help="Print the report for a program to read.")
+def run(config: Path, out: Path | None, to_json: bool) -> int:
+    """Run CONFIG; `eval CONFIG` is the same."""
+    from sim2reason.benchmarks.runs.config import evaluation_from
+    from sim2reason.reports.evaluation import Evaluated, evaluate
+
+    evaluation = evaluation_from(config, out)
+    remedy = f"what is finished stays in {evaluation.out}; give the same command again to go on"
+    with console.resumable(remedy), _Bar() as bar:
+        found: Evaluated = evaluate(evaluation, begun=bar.begin, advance=bar.advance)
+    if to_json:
+        console.as_json(found.report.model_dump(mode="json"))
+    else:
+        head = ["benchmark", "policy", "problems", "k", "mean@k (%)", "missing"]
+        rows = [[r.benchmark, r.policy, r.items, r.samples, r.accuracy.shown, r.missing] for r in found.report.results]
+        console.table(head, rows)
+        click.echo(f"The whole report: {found.folder.report}")
+    if found.open:
+        console.explain(f"{len(found.open)} samples got no answer; give the same command again. {found.open[0]}")
+    return 1 if found.open else 0
+
+
+class _Bar:
+    """A progress bar that is shown once it is known how much there is to do."""
+
+    def __init__(self) -> None:
+        self._shown: Any = None
+        self._move: console.Progress | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        if self._shown is not None:
+            self._shown.__exit__(None, None, None)
+
+    def begin(self, total: int) -> None:
+        """Show it."""
+        self._shown = console.progress("answers", total)
+        self._move = self._shown.__enter__()
+
+    def advance(self, steps: int) -> None:
+        """Move it."""
+        if self._move is not None:
+            self._move(steps)
+
+
+@command.command("compare", epilog=COMPARE_EXAMPLE)
+@click.argument("first")
+@click.argument("second")
+@click.option("-o", "--out", type=FOLDER, default=None, help="Write compare.json and compare.md into this folder.")
+@click.option("--json", "to_json", is_flag=True, help="For a program to read.")
+def compare_command(first: str, second: str, out: Path | None, to_json: bool) -> None:
+    """Compare the policies of two runs, FIRST and SECOND, on the same problems; RUN:POLICY where a run has several."""
+    from sim2reason.reports.comparison import HEAD, compare, rows
+
+    found = compare(first, second, out)
+    if to_json:
+        console.as_json([{**one._asdict(), "difference": one.difference._asdict()} for one in found])
+    else:
+        console.table(HEAD, rows(found))
+
+
+@command.command("correlate", epilog=CORRELATE_EXAMPLE)
+@click.argument("runs", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--across", default=None, help="The benchmark that lies across. [default: the synthetic one]")
+@click.option("--up", default="", help="Those that it is correlated with, separated by commas. [default: all others]")
+@click.option("-o", "--out", type=FOLDER, default=None, help="Write correlate.json, correlate.md and plots there.")
+@click.option("--json", "to_json", is_flag=True, help="For a program to read.")
+def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: Path | None, to_json: bool) -> None:
+    """Correlate, across the models of RUNS, accuracy on our problems with that on others: Spearman's ρ."""
+    from sim2reason.reports.correlation import correlate, told
+
+    found = correlate(runs, across, console.words(up) if up else (), out)
+    if to_json:
+        console.as_json(
+            [{"across": f.across, "up": f.up, "models": f.models, "rho": f.rho and f.rho._asdict()} for f in found]
+        )
+    else:
+        console.table(["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), told(f)] for f in found])

@@ -1,0 +1,119 @@
+"""Plots of evaluations: accuracies with their intervals, lengths of responses over training, and correlations."""
+
+# pyright: reportUnknownMemberType=false
+# matplotlib leaves its keyword arguments untyped.
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sim2reason.figures.canvas import SETTINGS, check, matplotlib, save
+
+__all__ = ["Bar", "Point", "bars", "over_steps", "scatter"]
+
+COLORS = "#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555", "#c01f4e", "#0f8b8d"
+DPI = 150
+LONGEST = 24  # characters of a name on an axis
+
+
+class Bar(NamedTuple):
+    """A share with its interval, from 0 to 1."""
+
+    value: float
+    low: float
+    high: float
+
+
+class Point(NamedTuple):
+    """A named point with intervals both ways."""
+
+    name: str
+    x: Bar
+    y: Bar
+
+
+def _short(name: str) -> str:
+    return name if len(name) <= LONGEST else f"{name[: LONGEST - 1]}…"
+
+
+def _errors(held: Sequence[Bar]) -> list[list[float]]:
+    """How far the intervals reach below and above, in per cent."""
+    below = [100 * max(0.0, bar.value - bar.low) for bar in held]
+    return [below, [100 * max(0.0, bar.high - bar.value) for bar in held]]
+
+
+def bars(path: Path, title: str, groups: Sequence[str], held: Mapping[str, Sequence[Bar | None]]) -> None:
+    """For each group a bar of every policy, in per cent, with its interval; None leaves its place empty."""
+    check(path)
+    with matplotlib().rc_context({**SETTINGS, "font.size": 9.0}):
+        from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
+
+        wide = 0.8 / max(len(held), 1)
+        figure = Figure(
+            figsize=(max(5.0, 1.2 + 0.9 * len(groups) * max(1.0, 0.45 * len(held))), 3.8), layout="constrained"
+        )
+        axes = figure.subplots()
+        for number, (name, row) in enumerate(held.items()):
+            places = [place + wide * (number + 0.5) - 0.4 for place, bar in enumerate(row) if bar is not None]
+            there = [bar for bar in row if bar is not None]
+            color = COLORS[number % len(COLORS)]
+            axes.bar(places, [100 * b.value for b in there], wide, color=color, label=_short(name))
+            axes.errorbar(
+                places, [100 * b.value for b in there], _errors(there), fmt="none", ecolor="black", capsize=2.5
+            )
+        axes.set_xticks(
+            range(len(groups)), [_short(name) for name in groups], rotation=30 * (len(groups) > 4), ha="center"
+        )
+        axes.set_ylim(0.0, 100.0)
+        axes.set_ylabel("accuracy (%)")
+        axes.set_title(title)
+        axes.grid(axis="y", color="#dddddd", linewidth=0.5)
+        axes.set_axisbelow(True)
+        axes.legend(frameon=False, fontsize=8)
+        save(figure, path, DPI)
+
+
+def over_steps(
+    path: Path, steps: Sequence[int], accuracy: Mapping[str, Sequence[Bar]], length: Mapping[str, Sequence[float]]
+) -> None:
+    """Accuracy with its interval, and under it the length of responses, over steps of training."""
+    check(path)
+    with matplotlib().rc_context({**SETTINGS, "font.size": 9.0}):
+        from matplotlib.figure import Figure  # noqa: PLC0415 - the same
+
+        figure = Figure(figsize=(6.0, 5.0), layout="constrained")
+        upper, lower = figure.subplots(2, 1, sharex=True)
+        for number, (name, row) in enumerate(accuracy.items()):
+            color = COLORS[number % len(COLORS)]
+            upper.plot(steps, [100 * bar.value for bar in row], "o-", color=color, label=_short(name), markersize=4)
+            upper.fill_between(steps, [100 * b.low for b in row], [100 * b.high for b in row], color=color, alpha=0.15)
+            lower.plot(steps, length[name], "o-", color=color, markersize=4)
+        upper.set_ylabel("accuracy (%)")
+        lower.set_ylabel("length (tokens)")
+        lower.set_xlabel("steps of training")
+        upper.legend(frameon=False, fontsize=8)
+        for axes in (upper, lower):
+            axes.grid(color="#dddddd", linewidth=0.5)
+        save(figure, path, DPI)
+
+
+def scatter(path: Path, points: Sequence[Point], across: str, up: str, title: str) -> None:
+    """A point for each model, with its intervals both ways."""
+    check(path)
+    with matplotlib().rc_context({**SETTINGS, "font.size": 9.0}):
+        from matplotlib.figure import Figure  # noqa: PLC0415 - the same
+
+        figure = Figure(figsize=(5.2, 4.6), layout="constrained")
+        axes = figure.subplots()
+        for number, point in enumerate(points):
+            at, color = (100 * point.x.value, 100 * point.y.value), COLORS[number % len(COLORS)]
+            axes.errorbar(
+                [at[0]], [at[1]], _errors([point.y]), _errors([point.x]), fmt="o", color=color, capsize=2, markersize=5
+            )
+            axes.annotate(_short(point.name), at, (5.0, 4.0), textcoords="offset points", fontsize=7.5)
+        axes.set_xlabel(f"{across}, accuracy (%)")
+        axes.set_ylabel(f"{up}, accuracy (%)")
+        axes.set_title(title, fontsize=9)
+        axes.grid(color="#dddddd", linewidth=0.5)
+        axes.margins(0.15)
+        save(figure, path, DPI)

@@ -1,0 +1,1 @@
+"""Reports: what runs show, in numbers with intervals, in pictures, and answer by answer."""
