@@ -14,8 +14,9 @@ from sim2reason.datasets.item import Item
 from sim2reason.datasets.items import stream
 from sim2reason.datasets.plan import LARGEST
 
-__all__ = ["Synthetic", "benchmark_item"]
+__all__ = ["SYNTHETIC", "Synthetic", "benchmark_item"]
 
+SYNTHETIC = "synthetic"
 DRAWN = 100
 
 
@@ -34,7 +35,7 @@ def benchmark_item(item: Item, *, lenient: bool = False) -> BenchmarkItem:
     return BenchmarkItem(id=item.id, prompt=item.prompt, scoring="sim2reason", reference=reference, tags=tags)
 
 
-@BENCHMARKS.register("synthetic")
+@BENCHMARKS.register(SYNTHETIC)
 class Synthetic(Benchmark):
     """Problems of ours: a dataset folder, or drawn from a seed."""
 

@@ -69,7 +69,7 @@ def bars(path: Path, title: str, groups: Sequence[str], held: Mapping[str, Seque
         axes.set_title(title)
         axes.grid(axis="y", color="#dddddd", linewidth=0.5)
         axes.set_axisbelow(True)
-        axes.legend(frameon=False, fontsize=8)
+        figure.legend(loc="outside lower center", ncols=min(4, len(held)), frameon=False, fontsize=8)
         save(figure, path, DPI)
 
 

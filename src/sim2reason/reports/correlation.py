@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sim2reason.benchmarks.synthetic import Synthetic
+from sim2reason.benchmarks.synthetic import SYNTHETIC
 from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.errors import EvaluationError, MissingExtraError
 from sim2reason.figures.evaluation_plots import Bar, Point, scatter
@@ -52,12 +52,7 @@ def correlate(
 
 
 def _synthetic(models: Sequence[PolicyScores]) -> str:
-    names = {
-        name
-        for scores in models
-        for name, plan in scores.run.record.benchmarks.items()
-        if plan.kind == Synthetic.__name__
-    }
+    names = {name for scores in models for name, plan in scores.run.record.benchmarks.items() if plan.kind == SYNTHETIC}
     if len(names) != 1:
         raise EvaluationError("which benchmark shall lie across? these runs have not just one synthetic one; name it")
     return names.pop()

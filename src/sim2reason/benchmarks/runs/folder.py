@@ -7,11 +7,11 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, JsonValue, ValidationError
 
-from sim2reason.benchmarks import Benchmark, BenchmarkItem, data_hash, items_of
+from sim2reason.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem, data_hash, items_of
 from sim2reason.benchmarks.runs.config import Evaluation
 from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.errors import EvaluationError
-from sim2reason.policies import Policy
+from sim2reason.policies import POLICIES, Policy
 
 __all__ = ["BenchmarkPlan", "PolicyPlan", "RunFolder", "RunRecord"]
 
@@ -171,15 +171,20 @@ def _record(evaluation: Evaluation, items: Mapping[str, Iterable[BenchmarkItem]]
     )
 
 
+def _kind(registry: Mapping[str, type], value: object) -> str:
+    """The name under which the class of `value` is registered; that of the class where a program has its own."""
+    return next((name for name, kind in registry.items() if kind is type(value)), type(value).__name__)
+
+
 def _plan(policy: Policy) -> PolicyPlan:
     return PolicyPlan.model_validate(
-        {"kind": type(policy).__name__, "settings": policy.settings, "decisive": policy.decisive}
+        {"kind": _kind(POLICIES, policy), "settings": policy.settings, "decisive": policy.decisive}
     )
 
 
 def _benchmark(evaluation: Evaluation, benchmark: Benchmark, items: list[BenchmarkItem]) -> BenchmarkPlan:
     return BenchmarkPlan(
-        kind=type(benchmark).__name__,
+        kind=_kind(BENCHMARKS, benchmark),
         settings=json.loads(benchmark.model_dump_json()),
         samples=evaluation.samples_of(benchmark),
         items=len(items),

@@ -1,0 +1,111 @@
+"""The command eval, on configurations right and wrong."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from faulty_endpoint import Said, answer, serving
+from sim2reason.cli import main
+
+
+def run(*args: object) -> Result:
+    return CliRunner().invoke(main, ["eval", *map(str, args)])
+
+
+def config(tmp_path: Path, url: str, **settings: object) -> Path:
+    rows = [{"question": f"How much is {n}?", "answer": n} for n in range(1, 4)]
+    (tmp_path / "numbers.json").write_text(json.dumps(rows))
+    held = {
+        "out": str(tmp_path / "run"),
+        "policies": [{"kind": "endpoint", "name": "p", "url": url, "model": "m", "attempts": 1}],
+        "benchmarks": [{"kind": "jsonl", "name": "numbers", "file": str(tmp_path / "numbers.json")}],
+    }
+    path = tmp_path / "config.yaml"
+    path.write_text(json.dumps({**held, **settings}))
+    return path
+
+
+def test_a_run_prints_a_table_and_goes_on_with_the_same_command(tmp_path: Path) -> None:
+    with serving(lambda *_: Said(answer(r"\boxed{1}"))) as server:
+        path = config(tmp_path, server.url)
+        first = run(path)
+        assert first.exit_code == 0, first.stderr
+        assert "33.3 [" in first.stdout
+        again = run(path, "--json")
+        assert json.loads(again.stdout)["results"][0]["responses"] == 3
+        assert len(server.requests) == 3
+        other = run(path, "-o", tmp_path / "elsewhere")
+        assert other.exit_code == 0
+        assert len(server.requests) == 6
+    compared = run("compare", tmp_path / "run", tmp_path / "elsewhere")
+    assert compared.exit_code == 0, compared.stderr
+    assert "numbers" in compared.stdout
+    assert json.loads(run("compare", tmp_path / "run", tmp_path / "elsewhere", "--json").stdout)[0]["items"] == 3
+
+
+def test_open_samples_end_with_one_and_a_refusal_with_two(tmp_path: Path) -> None:
+    with serving(lambda n, *_: Said(answer("1")) if n else Said(b"<html>")) as server:
+        found = run(config(tmp_path, server.url))
+        assert found.exit_code == 1
+        assert "1 samples got no answer" in found.stderr
+        assert run(config(tmp_path, server.url)).exit_code == 0
+        assert len(server.requests) == 4
+    with serving(lambda *_: Said({"error": "no"}, 401)) as server:
+        found = run(config(tmp_path, server.url, out=str(tmp_path / "other")))
+        assert found.exit_code == 2
+        assert "status 401" in found.stderr
+        assert found.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("out: a", "policies: is missing"),
+        ("out: a\npolicies: 3", "policies"),
+        ("- a", "holds no settings"),
+        ("a: [", "line 1: this is not YAML"),
+        ("out: a\nout: b", "'out' stands twice"),
+        ("out: &x [a]\nseed: *x", "an alias"),
+        ("out: a\nseed: -1\npolicies: []\nbenchmarks: []", "seed"),
+        (
+            "out: a\npolicies: [{kind: endpoint, name: ../up, url: http://a, model: m}]\nbenchmarks: [{}]",
+            "policies[0].name",
+        ),
+        (
+            "out: a\npolicies: [{kind: endpoint, name: p, url: http://a, model: m, api_key: sk-1}]\nbenchmarks: [{}]",
+            "api_key",
+        ),
+        ("out: a\npolicies: [{kind: endpont}]\nbenchmarks: [{}]", "did you mean: endpoint"),
+        (
+            "out: a\npolicies: [{kind: endpoint, name: p, url: http://a, model: m}]\nbenchmarks: [{}]",
+            "benchmarks[0].kind",
+        ),
+        ("\x00", "this is not YAML"),
+        ("x: " + "[" * 5000, "this is not YAML"),
+    ],
+)
+def test_a_wrong_configuration_is_one_line_that_names_the_place(tmp_path: Path, text: str, message: str) -> None:
+    path = tmp_path / "config.yaml"
+    path.write_text(text)
+    found = run(path)
+    assert found.exit_code == 2, found.output
+    assert message in found.stderr
+    assert found.stderr.count("\n") == 1
+    assert "sk-1" not in found.stderr
+    assert not (tmp_path / "a").exists()
+
+
+def test_a_missing_file_and_missing_runs(tmp_path: Path) -> None:
+    for args in ((tmp_path / "none.yaml",), ("compare", tmp_path, tmp_path), ("correlate", tmp_path)):
+        found = run(*args)
+        assert found.exit_code == 2
+        assert found.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", ["compare", "correlate"])
+def test_subcommands_show_an_example(name: str) -> None:
+    found = run(name, "--help")
+    assert found.exit_code == 0
+    assert f"sim2reason eval {name}" in found.stdout.partition("Example:")[2]
