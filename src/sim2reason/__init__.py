@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from sim2reason.parsing import parse_scene
     from sim2reason.prose import describe
     from sim2reason.registries import members as list  # noqa: A004 - named as the command
+    from sim2reason.reports.evaluation import evaluate as eval  # noqa: A004 - named as the command
     from sim2reason.scene_files import dump, load
     from sim2reason.scene_files.schema import schema
     from sim2reason.simulation.certify import Certificate
@@ -48,6 +49,7 @@ _HOMES = {
     "certify": "simulation.scenes",
     "describe": "prose",
     "dump": "scene_files",
+    "eval": "reports.evaluation:evaluate",
     "export": "exports.parts.export",
     "explain": "datasets.explain",
     "figure": "figures.scenes",
@@ -82,6 +84,7 @@ __all__ = [
     "certify",
     "describe",
     "dump",
+    "eval",
     "explain",
     "export",
     "figure",

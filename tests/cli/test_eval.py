@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner, Result
@@ -109,3 +110,28 @@ def test_subcommands_show_an_example(name: str) -> None:
     found = run(name, "--help")
     assert found.exit_code == 0
     assert f"sim2reason eval {name}" in found.stdout.partition("Example:")[2]
+
+
+def test_the_solvable_filter_keeps_what_is_solved_sometimes(tmp_path: Path) -> None:
+    from sim2reason.datasets.generate import generate
+
+    made = generate(tmp_path / "d", items=4, recipe="pulley", maker="fake_makers:steady", workers=1)
+    values = {item.prompt: item.answer.value for item in made}
+    seen: dict[str, int] = {}
+
+    def sometimes(_: int, fields: dict[str, Any], __: str) -> Said:
+        prompt = fields["messages"][-1]["content"]
+        seen[prompt] = seen.get(prompt, 0) + 1
+        return Said(answer(rf"\boxed{{{values[prompt] if seen[prompt] == 1 else -1.0!r}}}"))
+
+    with serving(sometimes) as server:
+        path = tmp_path / "policy.yaml"
+        path.write_text(f"kind: endpoint\nname: p\nurl: {server.url}\nmodel: m\nrequests_in_flight: 1\n")
+        args = "solvable", tmp_path / "d", "--policy", path, "--k", "2", "-o", tmp_path / "out"
+        found = run(*args)
+        assert found.exit_code == 0, found.stderr
+        assert "4 of 4 problems kept" in found.stdout
+        assert json.loads(run(*args, "--json").stdout)["rates"] == {"0": 0, "1": 4, "2": 0}
+        wrong = run(*args, "--between", "half")
+        assert wrong.exit_code == 2
+        assert "write LOW,HIGH" in wrong.stderr

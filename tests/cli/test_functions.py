@@ -20,6 +20,7 @@ OTHERWISE: dict[str, tuple[set[str], set[str]]] = {
     "grade": ONE_ROW,
     "generate": ({"shard-size", "shard"}, {"shard", "advance"}),  # the size of shards; parts are for shells
     "export": (set(), {"advance"}),
+    "eval": (set(), {"config", "out", "begun", "advance"}),  # a group, whose command without a name takes them
     "describe": (set(), {"without"}),  # topics, which are no words of a shell
 }
 """What only a command takes, and only its function."""

@@ -5,13 +5,14 @@ from typing import Any, Self
 
 import click
 
-from sim2reason.cli import console
+from sim2reason.cli import console, options
 
 EXAMPLE = """\b
 Example:
     sim2reason eval config.yaml
     sim2reason eval compare before after
     sim2reason eval correlate run-1 run-2 run-3 -o correlation
+    sim2reason eval solvable problems --policy policy.yaml -o solvable
 
 A configuration names policies, benchmarks, seed, samples and the folder of the run; docs/evaluation.md has one. Every
 finished answer is on disk at once: the same command goes on where a run was broken off, and asks nothing twice.
@@ -27,6 +28,13 @@ CORRELATE_EXAMPLE = """\b
 Example:
     sim2reason eval correlate run-1 run-2 run-3 -o correlation
     sim2reason eval correlate runs --across ours --up jeebench,olympiadbench
+"""
+SOLVABLE_EXAMPLE = """\b
+Example:
+    sim2reason eval solvable problems --policy policy.yaml --k 8 --between 0.1,0.9 -o solvable
+
+policy.yaml has the settings of one policy, as a configuration has them. The folder solvable/problems is a dataset of
+what was kept; the same command goes on where it was broken off, and with more tries or other bounds.
 """
 RUN = "run"
 FOLDER = click.Path(file_okay=False, path_type=Path)
@@ -132,3 +140,36 @@ def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: 
         )
     else:
         console.table(["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), told(f)] for f in found])
+
+
+@command.command("solvable", epilog=SOLVABLE_EXAMPLE)
+@options.dataset()
+@click.option("--policy", type=click.Path(path_type=Path), required=True, help="A YAML file with its settings.")
+@click.option("--k", type=click.IntRange(1, 4096), default=8, show_default=True, help="Tries at each problem.")
+@click.option("--between", default="0.1,0.9", show_default=True, help="The open interval of shares that are kept.")
+@options.seed("Of the tries: each has a seed of its own that follows from it.")
+@click.option("-o", "--out", type=FOLDER, required=True, help="The folder of the result.")
+@click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
+def solvable_command(dataset: Path, policy: Path, k: int, between: str, seed: int, out: Path, to_json: bool) -> None:
+    """Keep the problems of DATASET that a policy solves sometimes, neither never nor always."""
+    from sim2reason.datasets.dataset import Dataset
+    from sim2reason.datasets.solvable import solvable
+
+    total, bounds = len(Dataset(dataset)) * k, _bounds(between)
+    remedy = f"what is finished stays in {out}; give the same command again to go on"
+    with console.resumable(remedy), console.progress("answers", total) as advance:
+        found = solvable(dataset, out, policy, k=k, between=bounds, seed=seed, advance=advance)
+    if to_json:
+        console.as_json(found.model_dump(mode="json"))
+    else:
+        console.table(["right answers", "problems"], [[int(right), count] for right, count in found.rates.items()])
+        click.echo(f"{found.kept} of {found.items} problems kept: {out / 'problems'}")
+
+
+def _bounds(text: str) -> tuple[float, float]:
+    """The two numbers of an option."""
+    try:
+        low, high = map(float, text.split(","))
+    except ValueError:
+        raise click.UsageError(f"--between: {text!r} is no interval; write LOW,HIGH, as in 0.1,0.9.") from None
+    return low, high

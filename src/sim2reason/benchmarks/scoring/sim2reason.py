@@ -15,7 +15,9 @@ class OwnGrader(Scoring):
 
     def award(self, response: str, reference: Reference) -> Award:
         """By the reference's `answer`, that of an item."""
-        score = grade_answer(Answer.model_validate(reference["answer"]), response, lenient=bool(reference.get("lenient")))
+        score = grade_answer(
+            Answer.model_validate(reference["answer"]), response, lenient=bool(reference.get("lenient"))
+        )
         parsed = f"{score.parsed:g}" if isinstance(score.parsed, float) else str(score.parsed or "")
         return Award(score.reward, score.outcome not in WITHOUT, parsed, score.why)
 

@@ -1,0 +1,58 @@
+"""Some items of a finished dataset as a dataset of its own."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from sim2reason.datasets import card, shard_files
+from sim2reason.datasets.atomic_files import checksum, put_text, sweep
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.finish import CARD
+from sim2reason.datasets.histograms import counted
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.manifest import MANIFEST, SHARDS, Counts, Manifest, Shard, all_histograms, merged, shards
+
+__all__ = ["put_subset"]
+
+
+def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter_name: str, why: str) -> Manifest:
+    """Write the items that `keeps` keeps into the folder `out`, shard by shard, and the manifest last.
+
+    Items stay in their shards, so that ids are found as before; those that go are counted under `filter_name`, by
+    recipe, and the card says `why`.
+    """
+    out.mkdir(parents=True, exist_ok=True)
+    sweep(out)
+    (out / MANIFEST).unlink(missing_ok=True)
+    kept: list[Shard] = []
+    gone: dict[str, Counts] = {}
+    for shard in shards(source.path):
+        found, left_out = _subset(source, out, shard, keeps)
+        kept.append(found)
+        gone = merged([gone, *({item.recipe: {filter_name: 1}} for item in left_out)])
+    put_text(out / SHARDS, "".join(f"{shard.model_dump_json()}\n" for shard in kept), out)
+    manifest = source.manifest.model_copy(
+        update={
+            "rows": sum(shard.rows for shard in kept),
+            "counts": merged(shard.counts for shard in kept),
+            "histograms": all_histograms(shard.histograms for shard in kept),
+            "rejected": merged([source.manifest.rejected, gone]),
+            "pictures": "",
+        }
+    )
+    put_text(out / CARD, f"{card.text(manifest, (), ())}\n## Which were kept\n\n{why}\n", out)
+    files = {name: checksum(out / name) for name in (CARD, SHARDS)}
+    manifest = manifest.model_copy(update={"files": files}).sealed()
+    put_text(out / MANIFEST, manifest.text(), out)
+    return manifest
+
+
+def _subset(source: Dataset, out: Path, shard: Shard, keeps: Callable[[Item], bool]) -> tuple[Shard, list[Item]]:
+    """A shard without what goes, and that. Its cells still say what was asked for and made."""
+    held = {file.split: shard_files.read(source.path, file) for file in shard.files}
+    kept = {split: [item for item in items if keeps(item)] for split, items in held.items()}
+    changed = {
+        "files": shard_files.write(out, out, shard.number, source.manifest.shards, kept),
+        "counts": shard_files.counts(kept),
+        "histograms": counted(shard_files.flat(kept)),
+    }
+    return shard.model_copy(update=changed), [item for item in shard_files.flat(held) if not keeps(item)]
