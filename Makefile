@@ -7,7 +7,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-ray test-exports check lint types contracts docs format clean
+.PHONY: help demo test test-ray test-exports test-endpoint check lint types contracts docs format clean
 
 help: ## say what can be made
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -72,6 +72,15 @@ TEST_EXPORTS = SIM2REASON_PROBLEMS=$(abspath .exports/problems) .exports/$*/bin/
 	$(if $(filter $*,$(NEED_NEWER)),$(NEWER),$(PYTHON)) -m venv .exports/$*
 	.exports/$*/bin/python -m pip install --quiet --requirement $<
 	.exports/$*/bin/python -m pip install --quiet --no-deps --editable .
+	@touch $@
+
+test-endpoint: .venv/dev .endpoint/made ## evaluation against a real server, llama.cpp, in an environment of its own
+	SIM2REASON_ENDPOINT_PYTHON=$(abspath .endpoint/bin/python) $(BIN)/pytest tests/endpoint
+
+.endpoint/made: tests/endpoint/requirements.txt
+	rm -rf .endpoint
+	$(PYTHON) -m venv .endpoint
+	.endpoint/bin/python -m pip install --quiet --requirement $<
 	@touch $@
 
 .exports/problems: | .venv/core
