@@ -12,6 +12,8 @@ import pytest
 import sim2reason
 from motions import told_motions
 from plain_scenes import arm, atwood, ramp, row, squeezed, swing, table
+from sim2reason.benchmarks import BENCHMARKS
+from sim2reason.benchmarks.scoring import SCORINGS
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.body import BODIES, Body
@@ -25,6 +27,7 @@ from sim2reason.errors import UnknownNameError
 from sim2reason.exports import EXPORTS
 from sim2reason.figures.curves import panels
 from sim2reason.filters import FILTERS, Candidate
+from sim2reason.policies import POLICIES
 from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Words
@@ -49,6 +52,7 @@ REGISTRIES: Mapping[str, Registry[Any]] = {
     for registry in (
         *(ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, FILTERS, CHECKS),
         *(KINDS, MODES, MOMENTS, FUNCTIONALS, REGIMES, EXPORTS),
+        *(POLICIES, BENCHMARKS, SCORINGS),
     )
 }
 MEMBERS = [(kind, name) for kind, registry in REGISTRIES.items() for name in registry]

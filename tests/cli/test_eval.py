@@ -1,6 +1,11 @@
 """The command eval, on configurations right and wrong."""
 
 import json
+import signal
+import subprocess
+import sys
+import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -135,3 +140,28 @@ def test_the_solvable_filter_keeps_what_is_solved_sometimes(tmp_path: Path) -> N
         wrong = run(*args, "--between", "half")
         assert wrong.exit_code == 2
         assert "write LOW,HIGH" in wrong.stderr
+
+
+def test_an_interrupted_run_ends_at_once_and_goes_on_later(tmp_path: Path) -> None:
+    end = threading.Event()
+
+    def first_only(number: int, *_: object) -> Said:
+        if number:
+            end.wait(60.0)
+        return Said(answer(r"\boxed{1}"))
+
+    with serving(first_only) as server:
+        path = config(tmp_path, server.url)
+        command = [sys.executable, "-m", "sim2reason", "eval", str(path)]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True) as process:
+            journal = tmp_path / "run/samples/p/numbers.jsonl"
+            until = time.monotonic() + 60.0
+            while not (journal.is_file() and journal.stat().st_size) and time.monotonic() < until:
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            assert process.wait(30.0) == 130
+            assert process.stderr is not None
+            assert "give the same command again to go on" in process.stderr.read()
+        end.set()
+        assert run(path).exit_code == 0
+        assert len(journal.read_text("utf-8").splitlines()) == 3

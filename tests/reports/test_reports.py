@@ -160,3 +160,16 @@ def test_models_are_correlated_across_benchmarks(made: Made, tmp_path: Path) -> 
         correlate(runs)
     with pytest.raises(EvaluationError, match="0 models have answered both"):
         correlate(runs, "ours", ["none"])
+
+
+def test_drawn_problems_are_not_drawn_again_by_a_run_that_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settings = {"kind": "synthetic", "name": "ours", "seed": 5, "items": 2, "recipe": "projectile"}
+    config = {"out": str(tmp_path / "run"), "benchmarks": [{**settings, "difficulty": "easy"}]}
+    policies = [{"kind": "constant", "name": "one", "text": r"\boxed{1}"}]
+    first = evaluate({**config, "policies": policies})
+    monkeypatch.setattr("sim2reason.benchmarks.synthetic.stream", None)
+    again = evaluate({**config, "policies": policies, "samples": 2})
+    assert again.report.results[0].items == first.report.results[0].items == 2
+    assert set(again.report.results[0].groups) >= {"recipe", "difficulty", "mode", "kind", "quantity", "entity"}

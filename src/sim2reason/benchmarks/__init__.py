@@ -59,6 +59,11 @@ class Benchmark(BaseModel, ABC):
     lenient: bool = False
     """Without a box, the last number of a response is its answer, where the rule knows that."""
 
+    @property
+    def pure(self) -> bool:
+        """Whether the settings, and the version of the library, decide the problems: no file does."""
+        return False
+
     @abstractmethod
     def problems(self) -> Iterable[BenchmarkItem]:
         """All problems, in order.

@@ -59,6 +59,11 @@ class Synthetic(Benchmark):
             raise ValueError("split is one of a dataset")
         return self
 
+    @property
+    def pure(self) -> bool:
+        """Where problems are drawn."""
+        return self.seed is not None
+
     def problems(self) -> Iterator[BenchmarkItem]:
         """In the dataset's order, or in that of the draws."""
         return (benchmark_item(item, lenient=self.lenient) for item in self._items())

@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, JsonValue, ValidationError
 from sim2reason.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem, data_hash, items_of
 from sim2reason.benchmarks.runs.config import Evaluation
 from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.datasets.plan import SHAPING
 from sim2reason.errors import EvaluationError
 from sim2reason.policies import POLICIES, Policy
 
@@ -121,7 +122,7 @@ class RunFolder:
         out = evaluation.out
         if not (out / RUN).is_file() and (strangers := sorted(path.name for path in out.iterdir())):
             raise EvaluationError(f"{out}: holds {strangers[0]} and is no run; choose a new folder")
-        items = {benchmark.name: items_of(benchmark) for benchmark in evaluation.benchmarks}
+        items = {each.name: _drawn_before(out, each) or items_of(each) for each in evaluation.benchmarks}
         record = _record(evaluation, items)
         if (out / RUN).is_file():
             before = cls(out).record
@@ -161,13 +162,31 @@ class RunFolder:
         return self.path / REPORT
 
 
+def _drawn_before(out: Path, benchmark: Benchmark) -> list[BenchmarkItem]:
+    """The problems of a run that is gone on with, where the same settings would draw the same again; else none."""
+    if not benchmark.pure or not (out / RUN).is_file():
+        return []
+    before = RunFolder(out)
+    plan = before.record.benchmarks.get(benchmark.name)
+    same = plan is not None and plan.settings == _settings(benchmark) and before.record.versions == _versions()
+    return before.items(benchmark.name) if same else []
+
+
+def _settings(benchmark: Benchmark) -> dict[str, JsonValue]:
+    return json.loads(benchmark.model_dump_json())
+
+
+def _versions() -> dict[str, str]:
+    return {name: version(name) for name in SHAPING}
+
+
 def _record(evaluation: Evaluation, items: Mapping[str, Iterable[BenchmarkItem]]) -> RunRecord:
     return RunRecord(
         seed=evaluation.seed,
         policies={policy.name: _plan(policy) for policy in evaluation.policies},
         benchmarks={each.name: _benchmark(evaluation, each, [*items[each.name]]) for each in evaluation.benchmarks},
         judge=None if evaluation.judge is None else _plan(evaluation.judge),
-        versions={"sim2reason": version("sim2reason")},
+        versions=_versions(),
     )
 
 
@@ -185,7 +204,7 @@ def _plan(policy: Policy) -> PolicyPlan:
 def _benchmark(evaluation: Evaluation, benchmark: Benchmark, items: list[BenchmarkItem]) -> BenchmarkPlan:
     return BenchmarkPlan(
         kind=_kind(BENCHMARKS, benchmark),
-        settings=json.loads(benchmark.model_dump_json()),
+        settings=_settings(benchmark),
         samples=evaluation.samples_of(benchmark),
         items=len(items),
         data=data_hash(items),

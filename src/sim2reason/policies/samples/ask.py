@@ -1,10 +1,11 @@
 """Ask a policy for samples, several at once; each is in the journal as soon as it is finished."""
 
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass, field
 from hashlib import blake2b
 from itertools import islice
+from threading import Thread
 
 from sim2reason.errors import PolicyError
 from sim2reason.policies import Policy, SampleRequest
@@ -70,24 +71,25 @@ def ask(
     held = budget
     source = iter(missing)
     batches = iter(lambda: list(islice(source, policy.batch)), [])
-    with ThreadPoolExecutor(policy.in_flight) as crew:
-        _run(crew, policy.in_flight, batches, lambda batch: _one(policy, batch, journal, held), asked, advance)
+    _run(policy.in_flight, batches, lambda batch: _one(policy, batch, journal, held), asked, advance)
     return asked
 
 
 def _run(
-    crew: ThreadPoolExecutor,
     width: int,
     batches: Iterator[list[SampleRequest]],
     work: Callable[[list[SampleRequest]], int],
     asked: Asked,
     advance: Callable[[int], object],
 ) -> None:
-    """Keep `width` batches in flight; stop at the first error that others would meet too."""
+    """Keep `width` batches in flight; stop at the first error that others would meet too.
+
+    What is in flight then is waited for, since it is paid for; not so when a person interrupts.
+    """
     running: set[Future[int]] = set()
     row = 0
     while True:
-        running |= {crew.submit(work, batch) for batch in islice(batches, width - len(running))}
+        running |= {_begun(work, batch) for batch in islice(batches, width - len(running))}
         if not running:
             return
         done, running = wait(running, return_when=FIRST_COMPLETED)
@@ -97,13 +99,29 @@ def _run(
                 asked.open.append(str(error))
                 row += 1
                 if row >= IN_A_ROW:
+                    wait(running)
                     raise PolicyError(f"{error}; {row} requests in a row went so; try again later")
             elif error is not None:
+                wait(running)
                 raise error
             else:
                 row = 0
                 asked.finished_now += future.result()
                 advance(future.result())
+
+
+def _begun(work: Callable[[list[SampleRequest]], int], batch: list[SampleRequest]) -> Future[int]:
+    """Work on a batch in a thread of its own, which no interrupted program waits for."""
+    future: Future[int] = Future()
+
+    def fulfil() -> None:
+        try:
+            future.set_result(work(batch))
+        except BaseException as error:  # noqa: BLE001 - it is raised where the result is wanted
+            future.set_exception(error)
+
+    Thread(target=fulfil, daemon=True).start()
+    return future
 
 
 def _one(policy: Policy, batch: list[SampleRequest], journal: SampleJournal, budget: Budget) -> int:

@@ -117,8 +117,9 @@ class SampleJournal:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
-        """Close the file, and so release it."""
-        self._file.close()
+        """Close the file, and so release it, between two lines."""
+        with self._lock:
+            self._file.close()
 
     def __len__(self) -> int:
         """How many samples are finished."""
