@@ -2,8 +2,11 @@
 
 import time
 from importlib.util import find_spec
+from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from sim2reason.benchmarks.scoring import SCORINGS
 from sim2reason.benchmarks.scoring.parts.answers import boxes, parts
@@ -11,6 +14,8 @@ from sim2reason.benchmarks.scoring.parts.killable import Killable
 from sim2reason.benchmarks.scoring.parts.matching import paired
 from sim2reason.benchmarks.scoring.physics import JUDGED
 from sim2reason.errors import MissingExtraError
+from sim2reason.grading.extract import boxed
+from sim2reason.grading.score import Refused
 from slow_calls import slow
 
 OLYMPIAD = {
@@ -133,6 +138,47 @@ def test_mathematics_is_compared_by_value(answer: str, said: str, points: float)
 def test_boxes_and_parts() -> None:
     assert boxes(r"a \boxed{1} <think>\boxed{2}</think> \boxed{3} \boxed{\boxed{4}} \boxed{ }") == ["3", r"\boxed{4}"]
     assert parts(r"$a$, (b, c);\ f(x,y) \text{ and } 1,234.") == ["a", "(b, c)", "f(x,y)", "1234"]
+
+
+@given(st.lists(st.sampled_from([r"\boxed{", "{", "}", r"\{", r"\}", "a", "<think>", "</think>", " "]), max_size=20))
+def test_the_last_box_is_the_one_that_our_grader_reads(pieces: list[str]) -> None:
+    text = "".join(pieces)
+    try:
+        expected = boxed(text)
+    except Refused:
+        return
+    assert boxes(text)[-1] == expected
+
+
+@pytest.mark.parametrize("name", ["jeebench", "olympiadbench", "hipho", "physics"])
+@given(
+    pieces=st.lists(
+        st.sampled_from(
+            [
+                *"ABab019.,;:=+-*/^_()[]{}$%&~|<> \n",
+                r"\boxed{",
+                r"\frac",
+                r"\sqrt{",
+                r"\pm",
+                r"\left[",
+                r"\text{",
+                r"\cup",
+            ]
+            + ["answer is", "and", "x_1", r"\pi", "9^9", "None", "^{", "∈", "−", "\ud800", "option"]
+        ),
+        max_size=60,
+    )
+)
+def test_nothing_that_is_said_makes_a_rule_raise(name: str, pieces: list[str]) -> None:
+    text = "".join(pieces)
+    references: list[dict[str, Any]] = [
+        {"type": "MCQ(multiple)", "answer": "AC", "answers": ["x = 2 y", "3"], "parts": OLYMPIAD["parts"]},
+        {"type": "Numeric", "answer": "[0, x)", "answers": ["x"], "parts": OLYMPIAD["parts"][:1]},
+    ]
+    references[1] |= {"answer": "0.5"} if name == "jeebench" else {}
+    for reference in references:
+        for response in (text, rf"\boxed{{{text}}}"):
+            assert 0.0 <= SCORINGS[name].award(response, reference).points <= 1.0
 
 
 def test_pairs_are_found_where_greed_would_fail() -> None:

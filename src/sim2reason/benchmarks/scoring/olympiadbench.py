@@ -85,10 +85,9 @@ def _spread(text: object, count: int) -> list[str]:
 def _said(found: list[str], count: int) -> list[str]:
     """What the last box says, or as many boxes as there are answers."""
     last = _signs(parts(found[-1]))
-    if len(last) != count and len(found) >= count:
-        several = _signs([part for content in found[-count:] for part in parts(content)])
-        return several if len(several) == count else last
-    return last[: MOST + 1]
+    apart = _signs(parts(found[-1], thousands=False))
+    several = _signs([part for content in found[-count:] for part in parts(content)])
+    return next((said for said in (last, apart, several) if len(said) == count), last[: MOST + 1])
 
 
 def _signs(answers: list[str]) -> list[str]:

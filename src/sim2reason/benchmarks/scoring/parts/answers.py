@@ -12,6 +12,7 @@ MOST: Final = 64  # boxes that are looked at, the last ones
 _BRACE: Final = re.compile(r"\\boxed[ \t\n]{0,8}\{|\\[\\{}]|[{}]")
 _AND: Final = re.compile(r"\\text\s*\{\s*and\s*\}|(?<![A-Za-z\\])and(?![A-Za-z])|\\quad|\\qquad")
 _BLANK: Final = re.compile(r"(?<!\\)\\[,;: ]|\$")
+_THOUSANDS: Final = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d{3}(?!\d))")
 OPENS, CLOSES = "([{", ")]}"
 
 
@@ -26,17 +27,19 @@ def after_thinking(response: str) -> str:
 def boxes(response: str) -> list[str]:
     """The contents of all outermost boxes after the thinking, in order; none is longer than 1000 characters."""
     text = after_thinking(response)
-    found: list[str] = []
-    depth: list[int] = []
+    spans: list[tuple[int, int]] = []
+    braces: list[int] = []  # where the content of a box begins, or -1 for any other brace
     for match in _BRACE.finditer(text, max(text.find(r"\boxed"), 0)):
-        brace = match[0]
-        if brace == "}":
-            begin = depth.pop() if depth else -1
-            if begin >= 0 and not any(outer >= 0 for outer in depth):
-                found.append(text[begin : match.start()])
-        elif brace == "{" or brace.startswith(r"\boxed"):
-            depth.append(match.end() if brace != "{" else -1)
-    return [content for content in found[-MOST:] if content.strip() and len(content) <= MAX_ANSWER]
+        if match[0] == "}":
+            begin = braces.pop() if braces else -1
+            if begin >= 0:
+                while spans and spans[-1][0] > begin:  # boxes within this one
+                    spans.pop()
+                spans.append((begin, match.start()))
+        elif match[0] == "{" or match[0].startswith(r"\boxed"):
+            braces.append(match.end() if match[0] != "{" else -1)
+    found = (text[slice(*span)] for span in spans[-MOST:])
+    return [content for content in found if content.strip() and len(content) <= MAX_ANSWER]
 
 
 def in_box(content: str) -> str:
@@ -44,10 +47,13 @@ def in_box(content: str) -> str:
     return rf"\boxed{{{content}}}"
 
 
-def parts(content: str) -> list[str]:
-    """What stands between commas, semicolons or *and* outside all brackets, without dollars."""
+def parts(content: str, *, thousands: bool = True) -> list[str]:
+    """What stands between commas, semicolons or *and* outside all brackets, without dollars.
+
+    With `thousands` a comma before three digits belongs to a number.
+    """
     text = _AND.sub(",", _BLANK.sub(" ", content))
-    text = re.sub(r"(?<=\d),(?=\d{3}(?!\d))", "", text)  # thousands
+    text = _THOUSANDS.sub("", text) if thousands else text
     found, depth, start = list[str](), 0, 0
     for place, sign in enumerate(text):
         depth += (sign in OPENS) - (sign in CLOSES)
