@@ -156,15 +156,9 @@ def test_the_last_box_is_the_one_that_our_grader_reads(pieces: list[str]) -> Non
         st.sampled_from(
             [
                 *"ABab019.,;:=+-*/^_()[]{}$%&~|<> \n",
-                r"\boxed{",
-                r"\frac",
-                r"\sqrt{",
-                r"\pm",
-                r"\left[",
-                r"\text{",
-                r"\cup",
+                *(r"\boxed{", r"\frac", r"\sqrt{", r"\pm", r"\left[", r"\text{", r"\cup", r"\pi"),
+                *("answer is", "and", "x_1", "9^9", "None", "^{", "∈", "−", "\ud800", "option"),
             ]
-            + ["answer is", "and", "x_1", r"\pi", "9^9", "None", "^{", "∈", "−", "\ud800", "option"]
         ),
         max_size=60,
     )

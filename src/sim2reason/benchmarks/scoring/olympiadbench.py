@@ -24,6 +24,8 @@ __all__ = ["OlympiadBench", "expected_parts"]
 
 ERROR: Final = 1e-8
 LEEWAY: Final = 1.01  # of the error, as published
+SMALL: Final = 0.01  # of a number: the most that it may be off where its item says no error
+ROUNDING: Final = 1e-12  # relative, of floats
 MOST: Final = 12  # answers to one problem
 _PERCENT: Final = re.compile(r"%|(?<![A-Za-z])per ?cent", re.IGNORECASE)
 _CALLED: Final = re.compile(r"^[^=]*=\s*(?=[(\[])|^.*\\in(?![A-Za-z])\s*")
@@ -35,9 +37,11 @@ class _Expected(NamedTuple):
     """One right answer."""
 
     text: str
-    error: float
+    error: float | None
+    """Absolute; None where the item says none."""
     unit: str | None
     percent: bool
+    """Whether it is in per cent."""
     alone: bool
     """Whether it is the only one, so that its name tells nothing."""
 
@@ -67,9 +71,9 @@ def expected_parts(reference: Reference) -> list[_Expected]:
     return [
         _Expected(
             text,
-            max(float(error or ERROR), ERROR),
+            float(error) if error else None,
             unit_or_none(unit),
-            percent=_PERCENT.search(unit) is not None,
+            percent=_PERCENT.search(f"{text} {unit}") is not None,
             alone=len(answers) == 1,
         )
         for text, error, unit in zip(answers, errors, units, strict=True)
@@ -116,13 +120,15 @@ def _fits(right: _Expected, said: str) -> bool:
 
 
 def _near(right: _Expected, value: float, said: str) -> bool:
-    """Within the error; beside a sign for per cent, a hundredth and a hundredfold count too, as published."""
+    """Within the error. What is right in per cent is so as a share, too, within a hundredth of the error."""
     found = read(said, right.unit, expected=value)
     if found is None:
         return False
-    percent = right.percent or _PERCENT.search(right.text) or _PERCENT.search(said)
-    wanted = (value, value / 100.0, value * 100.0) if percent else (value,)
-    return any(abs(found - each) <= LEEWAY * right.error + 1e-12 * abs(each) for each in wanted)
+    if "%" in right.text:
+        value *= 100.0  # it was read as a share, and its error is in per cent
+    error = min(ERROR, SMALL * abs(value)) if right.error is None and value else right.error or 0.0
+    scales = (1.0, 100.0) if right.percent else (1.0,)
+    return any(abs(found * scale - value) <= LEEWAY * error + ROUNDING * abs(value) for scale in scales)
 
 
 def _is_list(text: str) -> bool:
