@@ -56,8 +56,14 @@ def test_open_samples_end_with_one_and_a_refusal_with_two(tmp_path: Path) -> Non
         found = run(config(tmp_path, server.url))
         assert found.exit_code == 1
         assert "1 samples got no answer" in found.stderr
+        before = (tmp_path / "run/report/report.json").read_bytes()
+        other = run(config(tmp_path, server.url, seed=1))
+        assert other.exit_code == 2
+        assert "another configuration" in other.stderr
+        assert (tmp_path / "run/report/report.json").read_bytes() == before
+    with serving(lambda *_: Said(answer("1"))) as server:  # it came back elsewhere
         assert run(config(tmp_path, server.url)).exit_code == 0
-        assert len(server.requests) == 4
+        assert len(server.requests) == 1
     with serving(lambda *_: Said({"error": "no"}, 401)) as server:
         found = run(config(tmp_path, server.url, out=str(tmp_path / "other")))
         assert found.exit_code == 2

@@ -49,6 +49,7 @@ class Endpoint(Policy):
     """Further fields of each request, such as ``chat_template_kwargs``; they are written down with the results."""
 
     operational: ClassVar[frozenset[str]] = Policy.operational | {
+        "url",  # a server comes back elsewhere; what it serves is named by `model`
         "timeout",
         "attempts",
         "requests_in_flight",

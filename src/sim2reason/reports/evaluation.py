@@ -7,7 +7,7 @@ from pathlib import Path
 from sim2reason.benchmarks.runs.config import Evaluation, evaluation_from
 from sim2reason.benchmarks.runs.folder import RunFolder
 from sim2reason.benchmarks.runs.run import run
-from sim2reason.errors import Sim2ReasonError
+from sim2reason.errors import PolicyError, Sim2ReasonError
 from sim2reason.reports.report import write_report
 from sim2reason.reports.results import RunReport
 
@@ -42,7 +42,7 @@ def evaluate(
     evaluation = evaluation_from(config, out)
     try:
         folder, left = run(evaluation, begun=begun, advance=advance)
-    except Sim2ReasonError as error:
+    except PolicyError as error:
         if _reported(evaluation.out):
             error.add_note(f"what was finished is kept in {evaluation.out}; the same command goes on")
         raise
