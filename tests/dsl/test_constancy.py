@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -9,10 +10,10 @@ import pytest
 from curved_mechanisms import FAMILIES
 from random_mechanisms import pulleys, rough, table, wedges
 from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.constancy import changing, steady
 from sim2reason.dsl.fields import Profile, Push, Resistance
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import ZERO, Drawn, Inextensible, Mechanism, Prop, X, Y, Z
+from sim2reason.dsl.mechanism import ZERO, Drawn, Elastic, Inextensible, Mechanism, Prop, X, Y, Z
 from sim2reason.errors import Sim2ReasonError
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
@@ -144,3 +145,53 @@ def test_points_of_random_mechanisms_move_as_their_derivatives_say(family: str) 
                 assert run.rate == pytest.approx((new - old) / (2.0 * h), abs=1e-5)
                 assert run.bias == pytest.approx((new - 2.0 * here + old) / h**2, abs=1e-3)
                 assert sum(v[k] * part for k, part in run.along.items()) == pytest.approx(run.rate, abs=1e-10)
+
+
+def _ring() -> Builder:
+    """Two bodies that turn about one axis, and a spring on it, whose ends therefore never part."""
+    builder = Builder()
+    one, other = (builder.room().body(name, 1.0, center=(way, 0.0, 0.0)) for name, way in (("a", 1.0), ("b", -1.0)))
+    builder.room().wind("s", one.hinge(Z), other.hinge(Z), 1.0, math.pi, Elastic(1.0, 3.0))
+    return builder
+
+
+def _shared() -> Builder:
+    """A rod that leads from one place of a body to another, and a string on from there."""
+    builder = _block()
+    builder.room().body("cart", 1.0).slide(X).site("rear", (0.2, 0.0, 1.0)).site("front", (0.5, 0.0, 1.0))
+    builder.room().rod("r", "rear", "front")
+    builder.room().string("s", "front", "aside")
+    return builder
+
+
+KEEPERS: dict[str, Callable[[int], Mechanism]] = {
+    **MAKERS,
+    "ring": lambda _: _ring().finish(),
+    "shared": lambda _: _shared().finish(),
+}
+
+
+@pytest.mark.parametrize("family", KEEPERS)
+def test_directions_that_are_kept_change_no_length(family: str) -> None:
+    """Lengths of pieces, their rates, second derivatives and gradients: with directions from the start, and without."""
+    rng = np.random.default_rng(4)
+    for seed in range(TRIED):
+        mechanism = KEEPERS[family](seed)
+        try:
+            kept, spare = steady(mechanism), _shortest(mechanism)
+        except (Sim2ReasonError, ZeroDivisionError):
+            continue
+        n = len(mechanism.coordinates)
+        q, v = (0.1 * min(spare, 1.0) * rng.uniform(-1.0, 1.0, n)).tolist(), rng.normal(size=n).tolist()
+        with_them, without = Frames(mechanism, q, v, math, steady=kept), Frames(mechanism, q, v, math)
+        for ends in {ends for line in mechanism.lines for ends in pairwise(line.through)}:
+            try:
+                known = without.distance(*ends)
+            except ZeroDivisionError:
+                continue
+            found = with_them.distance(*ends)
+            assert found.way == pytest.approx(known.way, abs=1e-9)
+            assert (found.value, found.rate, found.bias) == pytest.approx(
+                (known.value, known.rate, known.bias), rel=1e-9, abs=1e-9
+            )
+            assert found.along == pytest.approx(known.along, rel=1e-9, abs=1e-9)

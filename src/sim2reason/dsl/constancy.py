@@ -83,14 +83,15 @@ def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Tri
 
 
 def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
-    """The straight pieces of all lines that never turn, by their ends, with their directions."""
+    """The straight pieces of all lines whose length can change but not their direction, by their ends, with that."""
     frames, found = start(mechanism), dict[tuple[str, str], Triple]()
     for ends in dict.fromkeys(ends for line in mechanism.lines for ends in pairwise(line.through)):
         try:
-            way = straight(mechanism, frames, *ends)
+            parts, way = bool(frames.distance(*ends).moved), straight(mechanism, frames, *ends)
         except ZeroDivisionError:  # two sites coincide, which engines refuse for themselves
             continue
-        if way is not None and not any(_slides_after_a_hinge(frames[mechanism.site[site].body]) for site in ends):
+        slides = any(_slides_after_a_hinge(frames[mechanism.site[site].body]) for site in ends)
+        if parts and way is not None and not slides:  # ends that never part have no direction, only a length
             found[ends] = way
     return found
 
