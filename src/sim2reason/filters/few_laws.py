@@ -21,7 +21,6 @@ Set by 460 problems that readers judged: it parts those that they called trivial
 STEADY = {**MOST, 2: 9, 3: 8, 4: 10}
 """The same where accelerations are constant: two blocks on one string, and how far they come by a time."""
 BY_HEART = 4  # symbols in a formula that anybody knows who knows moments of inertia
-OF_INTEGRALS = 7  # symbols in u ln(m_0/m_1) − g t, which anybody knows who knows rockets
 LARGEST = 2  # coordinates of what so few laws may answer a question about, if nothing happens on the way
 
 
@@ -67,15 +66,13 @@ class FewLaws(Filter):
 def _symbols(found: Solution) -> int | None:
     """How many symbols the formulas have that are put into each other, at least; None if they become too long.
 
-    And None of what an integral gives, unless that is all there is, as u ln(m_0/m_1), or nearly.
+    And None of what an integral gives, unless it is all there is, as u ln(m_0/m_1).
     """
     try:
         whole = put_together(found)
     except ClosedFormError:
         return None
-    symbols = size(whole)
-    integral = has_logarithm(whole) and number_of_laws(found) > 1
-    return None if integral and symbols > OF_INTEGRALS else symbols
+    return None if number_of_laws(found) > 1 and has_logarithm(whole) else size(whole)
 
 
 def _counted(laws: int) -> str:
