@@ -15,7 +15,7 @@ import numpy as np
 
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
-from sim2reason.errors import Sim2ReasonError
+from sim2reason.errors import Sim2ReasonError, TextError
 from sim2reason.questions import KINDS, Study, Words
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments.parts.reached import Reached
@@ -94,7 +94,10 @@ def bisected(result: Function, low: float, high: float, given: float) -> float:
 
 def verdict(prompt: str, answer: float, rng: np.random.Generator) -> str:
     """What is wrong with an item; empty if its answer alone gives the result."""
-    read = parse_prompt(prompt, rng)
+    try:
+        read = parse_prompt(prompt, rng)
+    except TextError as error:
+        return f"it is not read: {error}"
     given, moment = read.asked.given, read.query.moment
     if isinstance(moment, Reached):
         result, values = of_time(read, moment)

@@ -22,7 +22,7 @@ from sim2reason.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
 ENDS = 2  # of a connection
-SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5
+SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 """Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
 
 

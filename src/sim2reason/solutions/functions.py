@@ -35,11 +35,11 @@ class Power(Expression):
 
     def latex(self) -> str:
         """With the exponent raised; that of a sine stands before its angle."""
-        if isinstance(self.base, Call):
+        if isinstance(self.base, Call) and self.base.function != "exp":
             return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
         base = (
             rf"\left({self.base.latex()}\right)"
-            if isinstance(self.base, Power | Number)
+            if isinstance(self.base, Power | Number | Call)
             else parenthesized(self.base, 2)
         )
         return f"{base}^{{{self.exponent}}}"

@@ -1,6 +1,8 @@
+import pytest
+
 from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.expressions import Number, Symbol
-from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.functions import Call, Power, Root
 
 
 def test_no_square_of_a_number_is_left_of_that_of_a_product_with_a_root() -> None:
@@ -19,3 +21,14 @@ def test_what_stands_above_and_below_goes() -> None:
     )
     assert tidied(mass * (stiffness / (mass * other))).latex() == (stiffness / other).latex()
     assert tidied(mass * (stiffness / other)).latex() == (mass * (stiffness / other)).latex()
+
+
+def test_a_power_of_an_exponential_is_one_of_a_multiple() -> None:
+    """(exp(−b t/m))² = exp(−2 b t/m), which nobody writes exp²(−b t/m)."""
+    drag, time, mass = map(Symbol, ("b", "t", "m"))
+    squared = Power(Call("exp", -(drag * time) / mass), 2)
+    assert "exp^" not in squared.latex()
+    found = tidied(squared)
+    assert found.latex() == Call("exp", (-2.0 * drag * time) / mass).latex()
+    at = {"b": 0.3, "t": 2.0, "m": 1.5}
+    assert found.value(at) == pytest.approx(squared.value(at))

@@ -12,8 +12,8 @@ def tidied(held: Expression) -> Expression:
         return held
     found = held.built_of([tidied(part) for part in held.parts])
     match found:
-        case Power(base, exponent) if exponent % 2 == 0:
-            return _squared(base, exponent)
+        case Power(base, exponent):
+            return _raised(base, exponent)
         case Absolute(inside) | Call(_, inside) if inside.negative:
             return _outward(found, _opposite(inside))
         case Quotient(above, below):
@@ -22,6 +22,20 @@ def tidied(held: Expression) -> Expression:
             return _cancelled([_signed(factor) for factor in factors])
         case _:
             return found
+
+
+def _raised(base: Expression, exponent: int) -> Expression:
+    """A power as one would write it."""
+    if isinstance(base, Call) and base.function == "exp":
+        return Call("exp", _times(Number(float(exponent)), base.argument))
+    return Power(base, exponent) if exponent % 2 else _squared(base, exponent)
+
+
+def _times(number: Number, held: Expression) -> Expression:
+    """A multiple, within the numerator of a fraction."""
+    if isinstance(held, Quotient):
+        return ratio(multiplied(number, held.above), held.below)
+    return multiplied(number, held)
 
 
 def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
