@@ -18,7 +18,7 @@ from sim2reason.datasets.generate import Order, configured, generate
 from sim2reason.datasets.histograms import SHOWN, counted, histogram
 from sim2reason.datasets.manifest import Manifest, load
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.verify import examine
+from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError
 
 Make = Callable[..., Manifest]
@@ -90,7 +90,7 @@ def test_pictures_are_the_datasets_own_and_the_same_every_time(make: Make, tmp_p
     spoiled[-20] ^= 4
     (tmp_path / "data" / HISTOGRAMS[0]).write_bytes(spoiled)
     (tmp_path / "data" / HISTOGRAMS[1]).unlink()
-    assert examine(tmp_path / "data").faults == (f"{HISTOGRAMS[0]}: damaged", f"{HISTOGRAMS[1]}: missing")
+    assert verify(tmp_path / "data").faults == (f"{HISTOGRAMS[0]}: damaged", f"{HISTOGRAMS[1]}: missing")
     make(workers=1)
     assert contents(tmp_path / "data") == whole
 
@@ -108,7 +108,7 @@ def test_pictures_of_before_go_where_none_are_drawn_and_nothing_else_does(
     manifest = make(items=items)
     assert not manifest.pictures
     assert sorted(path.name for path in (tmp_path / "data/figures").iterdir()) == ["kinds.png", "mine.png"]
-    assert not examine(tmp_path / "data").faults
+    assert not verify(tmp_path / "data").faults
 
 
 def test_the_command_of_a_card_means_the_same_configuration(tmp_path: Path) -> None:
@@ -161,4 +161,4 @@ def test_a_real_dataset_has_worked_examples_with_figures(tmp_path: Path) -> None
     text = (tmp_path / "real/README.md").read_text("utf-8")
     assert {f"figures/example-{number}.png" for number in range(1, 7)} <= data.manifest.files.keys()
     assert text.count("\\approx \\boxed{") >= 3
-    assert not examine(tmp_path / "real").faults
+    assert not verify(tmp_path / "real").faults
