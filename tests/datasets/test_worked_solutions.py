@@ -42,6 +42,7 @@ def test_problems_are_those_without_solutions_and_each_solution_is_graded_right(
     assert any(item.solution is not None and item.solution.derived for item in solved)
 
 
+@pytest.mark.usefixtures("pictures")  # as `data` is made with them, for all tests of this module
 def test_two_workers_and_a_second_run_end_in_the_same_bytes(
     data: Path, tmp_path: Path, contents: Callable[[Path], dict[str, bytes]]
 ) -> None:
