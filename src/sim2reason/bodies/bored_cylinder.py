@@ -26,11 +26,11 @@ class BoredCylinder(Shape):
     nouns = ("cylinder", "roller")
     lone = (
         "a bored {noun} of mass {mass} and radius {radius} whose round hole of radius {hole} runs along its whole length at {offset} from its axis",
-        "a solid {noun} of radius {radius} with a hole of radius {hole} bored along its whole length at {offset} from its axis (mass after boring: {mass})",
+        "a uniform solid {noun} of radius {radius} with a hole of radius {hole} bored along its whole length at {offset} from its axis (mass after boring: {mass})",
     )
     named = (
         "a bored {noun} {letter} of mass {mass} and radius {radius} whose round hole of radius {hole} runs along its whole length at {offset} from its axis",
-        "a solid {noun} {letter} of radius {radius} with a hole of radius {hole} bored along its whole length at {offset} from its axis (mass after boring: {mass})",
+        "a uniform solid {noun} {letter} of radius {radius} with a hole of radius {hole} bored along its whole length at {offset} from its axis (mass after boring: {mass})",
     )
 
     @model_validator(mode="after")

@@ -61,12 +61,12 @@ class Bowl(Shape):
     nouns = ("bowl",)
     words = {"front": Word("mass", {}, "opening")}
     lone = (
-        "a {noun} of mass {mass} and height {height} cut from a hollow sphere of outer radius {radius} and wall thickness {thickness}",
-        "a {noun} ({height} high, mass {mass}) that is part of a hollow sphere of outer radius {radius} and wall thickness {thickness}",
+        "a {noun} of mass {mass} and height {height} cut from a uniform hollow sphere of outer radius {radius} and wall thickness {thickness}",
+        "a {noun} ({height} high, mass {mass}) that is part of a uniform hollow sphere of outer radius {radius} and wall thickness {thickness}",
     )
     named = (
-        "a {noun} {letter} of mass {mass} and height {height} cut from a hollow sphere of outer radius {radius} and wall thickness {thickness}",
-        "a {noun} {letter} ({height} high, mass {mass}) that is part of a hollow sphere of outer radius {radius} and wall thickness {thickness}",
+        "a {noun} {letter} of mass {mass} and height {height} cut from a uniform hollow sphere of outer radius {radius} and wall thickness {thickness}",
+        "a {noun} {letter} ({height} high, mass {mass}) that is part of a uniform hollow sphere of outer radius {radius} and wall thickness {thickness}",
     )
 
     @model_validator(mode="after")

@@ -16,11 +16,11 @@ class Cylinder(Shape):
     nouns = ("cylinder",)
     lone = (
         "a uniform solid {noun} of radius {radius}, height {height} and mass {mass}",
-        "a solid {noun} of mass {mass} with a radius of {radius} and a height of {height}",
+        "a solid uniform {noun} of mass {mass} with a radius of {radius} and a height of {height}",
     )
     named = (
         "a uniform solid {noun} {letter} of radius {radius}, height {height} and mass {mass}",
-        "a solid {noun} {letter} (radius {radius}, height {height}, mass {mass})",
+        "a solid uniform {noun} {letter} (radius {radius}, height {height}, mass {mass})",
     )
 
     @property
@@ -43,11 +43,11 @@ class Roller(Shape):
     nouns = ("cylinder", "roller")
     lone = (
         "a uniform solid {noun} of radius {radius} and mass {mass}",
-        "a solid {noun} of mass {mass} and radius {radius}",
+        "a solid uniform {noun} of mass {mass} and radius {radius}",
     )
     named = (
         "a uniform solid {noun} {letter} of radius {radius} and mass {mass}",
-        "a solid {noun} {letter} (radius {radius}, mass {mass})",
+        "a solid uniform {noun} {letter} (radius {radius}, mass {mass})",
     )
 
     @property

@@ -15,11 +15,11 @@ class Sphere(Shape):
     nouns = ("sphere",)
     lone = (
         "a uniform solid {noun} of radius {radius} and mass {mass}",
-        "a solid {noun} of mass {mass} and radius {radius}",
+        "a solid uniform {noun} of mass {mass} and radius {radius}",
     )
     named = (
         "a uniform solid {noun} {letter} of radius {radius} and mass {mass}",
-        "a solid {noun} {letter} (radius {radius}, mass {mass})",
+        "a solid uniform {noun} {letter} (radius {radius}, mass {mass})",
     )
 
     @property
