@@ -19,7 +19,7 @@ from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets
 from sim2reason.simulation.scenes import simulate
 
-MAGNITUDES = ("speed", "magnitude", "distance", "kinetic", "tension", "normal")
+MAGNITUDES = ("speed", "magnitude", "amount by which", "distance", "kinetic", "tension", "normal")
 
 
 def offered(scene: Scene) -> dict[str, Target]:
@@ -49,7 +49,7 @@ def test_a_block_on_a_ramp() -> None:
     normal = next(phrase for phrase in offered(scene) if phrase.startswith("the magnitude of the normal force"))
     assert normal.endswith(("by the plane", "by the incline", "by the slope", "by the inclined plane")), normal
     assert answer(scene, normal, 0.5) == pytest.approx(press)
-    drop = f"the magnitude of the change in {block}'s gravitational potential energy"
+    drop = f"the amount by which {block}'s gravitational potential energy has changed from its initial value"
     assert answer(scene, drop, 0.5) == pytest.approx(2.0 * G * 0.5 * a * 0.25 * sin(radians(30)))
 
 
