@@ -7,20 +7,20 @@ from typing import Self
 import numpy as np
 
 from sim2reason.dsl.mechanism import Prop
-from sim2reason.quantities.kinematics import Acceleration
+from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.choices import at
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
-STILL = 1e-9  # m/s²
+STILL = 1e-9  # m/s², m/s
 
 
 @REGIMES.register("waits")
 @dataclass(frozen=True, slots=True)
 class Waits(Regime):
-    """A rocket on the ground burns some of its fuel before its thrust can lift it."""
+    """A rocket on the ground burns some of its fuel, and not all, before its thrust can lift it."""
 
     of = Bodies()
 
@@ -33,10 +33,15 @@ class Waits(Regime):
         return [cls(burn.body) for burn in study.mechanism.burns if burn.body in named]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is not accelerated as the engine starts."""
+        """Whether it is not accelerated as the engine starts, but moves when that stops."""
         del until
-        return float(np.linalg.norm(Acceleration.evaluate(at(study.trace, 0.0), self.name))) <= STILL
+        trace = study.trace
+        burnt = min(*(burn.until for burn in trace.mechanism.burns if burn.body == self.name), trace.stable_until)
+        pushed = Acceleration.evaluate(at(trace, 0.0), self.name)
+        moves = Velocity.evaluate(at(trace, burnt), self.name)
+        return float(np.linalg.norm(pushed)) <= STILL < float(np.linalg.norm(moves))
 
     def clause(self, words: Words) -> str:
-        """As in: the rocket does not lift off at once."""
-        return f"{words.called(self.of)[self.name]} does not lift off at once"
+        """As in: the rocket lifts off only some time after its engine starts, before its fuel is used up."""
+        called = words.called(self.of)[self.name]
+        return f"{called} lifts off only some time after its engine starts, before its fuel is used up"
