@@ -13,17 +13,19 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import pair
-from sim2reason.questions import Moment
+from sim2reason.questions import KINDS, Moment, Study
 from sim2reason.questions.crossing import begins_beyond, crossings, first_crossing
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.parts.spring_turn import SpringTurn
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.spoken import said, say, spoken, two_digits
+from sim2reason.questions.targets import targets
 from sim2reason.simulation.scenes import simulate
 
 BLOCK = "ramp.blocks.0"
@@ -191,3 +193,16 @@ def test_what_friction_holds_from_the_start_never_comes_to_rest() -> None:
     trace = simulate(scene)
     assert Stopped("row.carts.0").time(trace) is None
     assert Stopped("row.carts.1").time(trace) is not None
+
+
+def test_a_spring_is_not_asked_about_where_it_is_stretched_or_compressed_the_most() -> None:
+    """What has its extreme there is asked for by that name; of the carts, much is."""
+    scene = row((1.0, 2.0), (100.0, 60.0), "left", strain=0.1, speed=0.5)
+    seen, words = Study(scene, simulate(scene)), words_of(describe(scene))
+    drawn = (KINDS["event"].draw(seen, words, targets(words), np.random.default_rng(seed)) for seed in range(60))
+    found = [query for query in drawn if query is not None and isinstance(query.moment, SpringTurn)]
+    assert found
+    for query in found:
+        assert query.target is not None
+        assert isinstance(query.moment, SpringTurn)
+        assert query.target.subject != query.moment.name
