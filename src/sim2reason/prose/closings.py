@@ -147,12 +147,12 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
     ),
     (True, True): (
         "pulleys turn without friction, no string slips on them",
-        "strings do not slip on the pulleys, which turn freely",
-        "axles are frictionless, strings do not slip on pulleys",
+        "no string slips on the pulleys, which turn freely",
+        "axles are frictionless, no string slips on a pulley",
     ),
 }
 ROOM = {  # by whether there are several pulleys, and whether there are edges
-    (False, False): ("no body reaches it", "every string is long enough", "strings are long enough"),
+    (False, False): ("no body reaches it", "nothing reaches it", "there is room to move"),
     (True, False): ("no body reaches a pulley", "every string is long enough", "nothing reaches a pulley"),
     (False, True): (
         "no body reaches it or an edge",
