@@ -151,6 +151,7 @@ def wordings(saying: Saying) -> tuple[str, ...]:
 
 
 _PATH = re.compile(r"[a-z_0-9.*]+")
+_BETWEEN = re.compile(r"/(?![^{}]*\})")  # forms, not those of a slot inside a form
 
 
 @cache
@@ -191,7 +192,7 @@ def _slot(inside: str) -> Slot:
     if rest.startswith(">"):
         return Slot("member", rest[1:], path)
     if rest[0] in ":?" and "/" in rest:
-        one, *several = rest[1:].split("/")
+        one, *several = _BETWEEN.split(rest[1:])
         if len(several) > 1 + (rest[0] == ":"):
             raise ValueError(f"too many forms: {{{inside}}}")
         return Slot("agree" if rest[0] == ":" else "some", path=path, one=one, two=several[0], many=several[-1])

@@ -104,7 +104,7 @@ class TwoDCollisionPlane(Entity):
         assuming(
             "{of_all}.",
             "{of_any}.",
-            "{pairs?whenever two {pucks:s} meet/when any other two meet}, {of_two}.",
+            "{pairs?whenever {pucks:/the two/two} {pucks:s} meet/when any other two meet}, {of_two}.",
         ),
     )
 
