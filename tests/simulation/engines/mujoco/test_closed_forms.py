@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import machines
+import motions
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.mujoco import simulate
 from sim2reason.simulation.trace import Trace
@@ -214,3 +215,12 @@ def test_a_collision_pulls_at_a_string() -> None:
         [shared - 0.5 * (before[0] - before[1]) / 3, shared + (before[0] - before[1]) / 3]
     )
     assert after[2] == pytest.approx(before[2], rel=1e-6)
+
+
+@pytest.mark.parametrize("eccentricity", [0.9, 0.98, 0.998])
+def test_a_comet_comes_back_after_a_period(eccentricity: float) -> None:
+    """Past its star at as little as a thousandth of where it began, and back, by Kepler's first and third laws."""
+    trace = run(motions.orbit(-eccentricity).mechanism, np.linspace(0.0, 1.0, 41))
+    fast = trace.state.v[0, 1]
+    assert trace.state.q[-1] == pytest.approx(np.zeros(2), abs=1e-7)
+    assert trace.state.v[-1] == pytest.approx([0.0, fast], abs=1e-6)

@@ -9,6 +9,8 @@ from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
+NEAREST = 1e-4  # of a distance at the start: nearer than that, rounding would be most of what a step errs by
+
 
 class Attractions:
     """Pairs of bodies, as arrays."""
@@ -30,12 +32,32 @@ class Attractions:
         self._bodies = sorted({*self._first.tolist(), *self._last.tolist()})
         self._jacobians = np.zeros((int(model.nbody), 3, int(model.nv)))
         self._apart: Array | None = None  # how the Jacobians of each pair differ, where nothing turns
+        self._began = self._at_the_start() if pairs else np.zeros(0)
+
+    def closeness(self, data: Any) -> float:  # noqa: ANN401 - MuJoCo's
+        """How near a pair is, at most 1, relative to the start: what a place may err by shrinks with it.
+
+        For where two pass each other closely, a small part of their orbits is a large part of their distance, on which
+        hangs where they are sent.
+        """
+        squares = self._squares(data)[1]
+        return max(NEAREST, min(1.0, float(np.sqrt((squares / self._began).min()))))
+
+    def _at_the_start(self) -> Array:
+        """The squares of the distances of each pair before anything moves, m²."""
+        data = mujoco.MjData(self._model)
+        mujoco.mj_fwdPosition(self._model, data)
+        return self._squares(data)[1]
+
+    def _squares(self, data: Any) -> tuple[Array, Array]:  # noqa: ANN401 - MuJoCo's
+        """How the centres of mass of each pair lie apart, (pairs, 3) m, and the squares of their distances, m²."""
+        places = data.xipos
+        apart: Array = places.take(self._last, axis=0) - places.take(self._first, axis=0)
+        return apart, np.vecdot(apart, apart)
 
     def load(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
         """The load on the joints, (joints,): constant·m·m′/rᵖ between centres of mass; masses are those of now."""
-        places = data.xipos
-        apart = places.take(self._last, axis=0) - places.take(self._first, axis=0)
-        squares = np.vecdot(apart, apart)
+        apart, squares = self._squares(data)
         if not squares.all():
             pair = self._pairs[int(squares.argmin())]
             raise SimulationError(f"{pair.a} and {pair.b} are at one place")

@@ -67,11 +67,11 @@ class HardMotion(HardSettling):
         self.record.add(begun)
         armed = [due.value > ARMED for due in before]
         leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
-        length = self.longest * (FIRST if leaves else 1.0)
+        length, tolerance = self.longest * (FIRST if leaves else 1.0), TOLERANCE * acting.closeness(begun)
         while self.duration - self.now > SHORTEST * self.duration:
             length = min(length, self.longest, self.duration - self.now)
             last = self.record.last
-            tried = extrapolated(acting.rate, last.time, last.values, last.rates, length, TOLERANCE)
+            tried = extrapolated(acting.rate, last.time, last.values, last.rates, length, tolerance)
             self._count(length)
             if not tried.error <= 1.0:
                 length *= min(0.7, tried.factor) if np.isfinite(tried.error) else 0.1
@@ -85,7 +85,7 @@ class HardMotion(HardSettling):
             self._keep(here)
             before = after
             armed = [was or due.value > ARMED for was, due in zip(armed, after, strict=True)]
-            length *= tried.factor
+            length, tolerance = length * tried.factor, TOLERANCE * acting.closeness(here)
         self.now = self.duration
         return False
 

@@ -48,9 +48,9 @@ class EventSearch:
             return None
         if self._arm(0.5 * x):
             x = self._foreseen() or x
-        here, margins = start, before
+        here, margins, tolerance = start, before, TOLERANCE * self._acting.closeness(start)
         for _ in range(SOUGHT):
-            tried = extrapolated(self._acting.rate, start.time, start.values, start.rates, x * self._span, TOLERANCE)
+            tried = extrapolated(self._acting.rate, start.time, start.values, start.rates, x * self._span, tolerance)
             here, margins = self._acting.knot(start.time + x * self._span, tried.values)
             change = self._change(x, margins)
             if abs(change) * self._span <= CLOSE * duration or not 0.0 < x + change <= 1.2:

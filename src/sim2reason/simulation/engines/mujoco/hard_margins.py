@@ -69,6 +69,17 @@ class ActingModel:
         forces = self.forces()
         return Knot(time, values, np.concatenate([values[n:], forces.x])), self._margins(forces)
 
+    def closeness(self, knot: Knot) -> float:
+        """By how much less than its tolerance a step from a knot may err, since two are close that attract each other.
+
+        Where none attract each other, that is 1.
+        """
+        if not self.model.mechanism.attractions:
+            return 1.0
+        n = self.model.size
+        self.model.stand(knot.time, knot.values[:n], knot.values[n:], self.situation)
+        return self.model.closeness()
+
     def margins(self) -> list[Due]:
         """All margins of the state at which the model stands."""
         return [*self._places(), *self._switches()] if self._unbound else self._margins(self.forces())

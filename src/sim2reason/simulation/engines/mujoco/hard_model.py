@@ -192,6 +192,10 @@ class HardModel:
                 total += thrust @ self.center(burn.body).jacobian
         return total
 
+    def closeness(self) -> float:
+        """How near two are that attract each other, at most 1, relative to the start."""
+        return self._attracted.closeness(self._data)
+
     # ---- lengths and rows
 
     def _lines(self) -> tuple[Lengths, Array]:
