@@ -125,3 +125,15 @@ def test_unknown_names_are_refused_with_what_there_is() -> None:
         sample("pulley", "harder")
     assert set(DIFFICULTIES) == {"easy", "medium", "hard"}
     assert set(GROWN) < set(RECIPES)
+
+
+@pytest.mark.parametrize("difficulty", ["medium", "hard"])
+def test_pieces_that_would_be_in_one_another_are_not_drawn(difficulty: Difficulty) -> None:
+    """What has room on an arm is one rule, of the arm: none of what the recipe puts there is refused for it."""
+    refused = list[str]()
+    for seed in range(30):
+        try:
+            RECIPES["rotation"](difficulty, np.random.default_rng(seed))
+        except SceneError as error:
+            refused.append(str(error))
+    assert not [reason for reason in refused if "overlap" in reason]

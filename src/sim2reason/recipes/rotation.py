@@ -5,13 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.solids import Solid
-from sim2reason.entities.parts.assembly import WeldedArm
+from sim2reason.entities.parts.assembly import WeldedArm, overlap
 from sim2reason.entities.parts.pieces import (
     AxialPiece,
     BallPiece,
@@ -75,16 +74,9 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
         piece = draw(kind, rng, NEAR if kind is not BallPiece else FAR, {} if found else {"side": "from the axle"})
         if kind is not BallPiece and _own([piece]) < OWN * _inertia([piece]):
             continue
-        if not any(_overlap(piece, other) for other in found):
+        if not any(overlap(piece, other) for other in found):
             found.append(piece)
     return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
-
-
-def _overlap(one: WeldedPiece, other: WeldedPiece) -> bool:
-    """Whether two pieces that are not thin take the same room."""
-    (low, high), (start, end) = one.span, other.span
-    thin = isinstance(one.shape, UniformRod) or isinstance(other.shape, UniformRod)
-    return not thin and low < end and start < high
 
 
 def _bears(arm: WeldedArm) -> bool:

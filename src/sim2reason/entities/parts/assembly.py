@@ -28,7 +28,7 @@ from sim2reason.bodies.arm import Arm
 from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.solids import Axes, composed
 from sim2reason.dsl.template import Saying
-from sim2reason.entities.parts.pieces import FIRST, OTHER, SAME, AnyPiece
+from sim2reason.entities.parts.pieces import FIRST, OTHER, SAME, AnyPiece, WeldedPiece
 
 Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
 TurnRate = Annotated[AngularVelocity, Range(0.5, 4.0)]
@@ -85,7 +85,7 @@ class WeldedArm(Entity):
                 "pieces.0: it is on the other side of the axle; begin with a piece on the side to which the arm points"
             )
         for (i, one), (j, other) in combinations(enumerate(self.pieces), 2):
-            if _overlap(one, other):
+            if overlap(one, other):
                 raise ValueError(f"pieces.{i} and pieces.{j} overlap; put them farther apart on the arm")
         return self
 
@@ -114,7 +114,7 @@ class WeldedArm(Entity):
             arm.site("tip", at=scale(self.reach, along))
 
 
-def _overlap(one: AnyPiece, other: AnyPiece) -> bool:
+def overlap(one: WeldedPiece, other: WeldedPiece) -> bool:
     """Whether two pieces would be in one another.
 
     A thin rod may cross another, or be beside what is small; one along the arm may end in what is thick.
