@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Elastic, Line
+from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import Quantity, quantity
 from sim2reason.quantities.subjects.springs import Springs
@@ -88,6 +88,11 @@ class SpringForce(Quantity):
     weight = 2.0
     floor, heavy = 0.1, True
     panel, order = "spring force", 3
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Not beside a dashpot, of which a reader would have to guess whether it counts."""
+        law = mechanism.line[name].law
+        return isinstance(law, Elastic) and not law.damping
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

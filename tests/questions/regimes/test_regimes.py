@@ -16,6 +16,7 @@ from sim2reason.prose.description import describe
 from sim2reason.questions import Study
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes
+from sim2reason.questions.regimes.burnt_out import BurntOut
 from sim2reason.questions.regimes.collisions import CollideInTurn
 
 
@@ -99,6 +100,22 @@ def rocket(rate: float) -> Scene:
 
 def test_what_is_too_heavy_waits() -> None:
     """At 9.0 kg/s until 918 kg are left, at 9.1 s; at 2.0 kg/s even the 300 kg without fuel are too heavy."""
-    (waits,) = said(rocket(9.0), 20.0)  # whatever this text calls it
+    waits = next(clause for clause in said(rocket(9.0), 20.0) if "lifts off" in clause)  # whatever this text calls it
     assert waits.endswith("lifts off only some time after its engine starts, before its fuel is used up")
     assert not any("lifts off" in clause for rate in (2.0, 11.0) for clause in said(rocket(rate), 20.0))
+
+
+@pytest.mark.parametrize(("until", "clause"), [(0.0, ""), (40.0, "still has fuel then"), (80.0, "used up its fuel by")])
+def test_whether_fuel_is_left_is_always_told(until: float, clause: str) -> None:
+    """700 kg of fuel last for 70 s at 10 kg/s."""
+    scene = rocket(10.0)
+    motion, words = study(scene, 90.0), words_of(describe(scene))
+    found = [held for held in regimes(motion, words, until) if isinstance(held, BurntOut)]
+    assert [held.clause(words) for held in found if clause not in held.clause(words)] == []
+    assert len(found) == bool(clause)
+    assert all(held.always_told(motion) for held in found)
+
+
+def test_at_burn_out_itself_nothing_need_be_said_of_fuel() -> None:
+    scene = rocket(10.0)
+    assert not any("fuel" in clause for clause in said(scene, 70.0))

@@ -52,9 +52,13 @@ class LastCollision(Moment):
         return times[-1] if times and not trace.cut and _is_over(trace) else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: after the last collision."""
+        """As in: just after the last collision."""
         del words
-        return ("after the last collision", "once the last collision is over", "when all collisions are over")
+        return (
+            "just after the last collision",
+            "immediately after the last collision",
+            "as soon as all collisions are over",
+        )
 
 
 def _is_over(trace: Trace) -> bool:

@@ -36,8 +36,9 @@ class Stopped(Occurrence):
         return {name: said for name, said in called if not rides(mechanism, name)}
 
     def does(self, words: Words) -> Verb:
-        """It comes to rest again, where all is at rest at the start."""
-        return self.again if words.released else self.verb
+        """It comes to rest again, where it is at rest at the start."""
+        moving = any(coordinate.speed for coordinate in words.mechanism.body[self.name].coordinates)
+        return self.verb if moving else self.again
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
