@@ -265,7 +265,7 @@ def test_an_unknown_that_fits_beyond_its_range_only_is_found() -> None:
         "straight up or down the slope. To begin with, the line from its centre to the hole makes 121° with the "
         "upward vertical, on the downhill side. It rolls without slipping. The motion begins from rest. Use g = "
         "9.8 m/s². For which value of $R$ is the magnitude of the friction force exerted on the sphere by the "
-        "plane just after release equal to 4.89 N? Write the final answer, in m and to three significant figures, "
+        "plane just after release equal to 4.89 N? Write the answer in m, to three significant figures, "
         r"in \boxed{}."
     )
     assert read.answer == pytest.approx(0.180246, rel=1e-5)
@@ -342,7 +342,7 @@ BALANCED = (
     "third light string runs up the slope, passes over a light fixed pulley Q and runs straight down to the "
     "axle of P. Everything starts from rest with all strings taut. The speed of block A 1.0 s after release "
     "is 2.86 m/s. What is the mass $m_D$? There is no friction at pulleys, and every string is long enough. "
-    "Take g = 9.8 m/s². Write the final answer, in kg and to three significant figures, in \\boxed{}."
+    "Take g = 9.8 m/s². Write the answer in kg, to three significant figures, in \\boxed{}."
 )
 
 

@@ -16,7 +16,7 @@ from sim2reason.questions.shapes import SHAPES
 FORMATS = (
     "Give your answer in {unit}, to three significant figures, inside \\boxed{{}}.",
     "State the answer in {unit} to three significant figures, inside \\boxed{{}}.",
-    "Write the final answer, in {unit} and to three significant figures, in \\boxed{{}}.",
+    "Write the answer in {unit}, to three significant figures, in \\boxed{{}}.",
 )
 WHOLE = (
     "Give your answer as a whole number, inside \\boxed{}.",
