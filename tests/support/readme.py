@@ -23,6 +23,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 SET_UP = ("pip", "git", "make", "cd", "python3 -m venv", "source")
+ABORTED = (
+    134  # by its shell: threads of a library may abort an interpreter that ends on a busy machine; it is run again
+)
 EXAMPLES = """
 import doctest, sys
 examples = doctest.DocTestParser().get_doctest(sys.argv[1], {}, "page", None, 0)
@@ -117,10 +120,14 @@ def main(path: str, *, write: bool = False) -> int:
 
 def _run(text: str, folder: str, environ: dict[str, str]) -> Iterator[tuple[Shown, int, str]]:
     for found in shown(text):
-        done = subprocess.run(
-            found.command, shell=True, cwd=folder, env=environ, check=False, capture_output=True, text=True
-        )
+        done = _called(found.command, folder, environ)
+        if done.returncode == ABORTED:
+            done = _called(found.command, folder, environ)
         yield found, done.returncode, done.stdout + (done.stderr if done.returncode else "")
+
+
+def _called(command: str, folder: str, environ: dict[str, str]) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(command, shell=True, cwd=folder, env=environ, check=False, capture_output=True, text=True)
 
 
 if __name__ == "__main__":
