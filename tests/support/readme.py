@@ -24,7 +24,7 @@ from pathlib import Path
 
 SET_UP = ("pip", "git", "make", "cd", "python3 -m venv", "source")
 ABORTED = (
-    134  # by its shell: threads of a library may abort an interpreter that ends on a busy machine; it is run again
+    134  # by its shell: threads of a library may abort an interpreter that ends on a busy machine; run it again
 )
 EXAMPLES = """
 import doctest, sys
