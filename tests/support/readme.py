@@ -23,9 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 SET_UP = ("pip", "git", "make", "cd", "python3 -m venv", "source")
-ABORTED = (
-    134  # by its shell: threads of a library may abort an interpreter that ends on a busy machine; run it again
-)
+ABORTED = 134  # by its shell: threads of a library may abort an interpreter that ends on a busy machine; run it again
 EXAMPLES = """
 import doctest, sys
 examples = doctest.DocTestParser().get_doctest(sys.argv[1], {}, "page", None, 0)
