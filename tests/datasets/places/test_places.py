@@ -29,7 +29,7 @@ def test_there_is_here_and_ray() -> None:
 def test_an_unknown_place_and_an_address_that_is_none(tmp_path: Path) -> None:
     error = refusal(tmp_path / "out", "moon://1")
     assert isinstance(error, UnknownNameError)
-    assert str(error).endswith("did you mean: here, ray")
+    assert str(error).endswith("there are: here, ray")
     assert "needs no address" in str(refusal(tmp_path / "out", "here://host:1"))
 
 
