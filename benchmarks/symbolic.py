@@ -65,6 +65,7 @@ OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Div: operator.truediv,
     ast.Pow: operator.pow,
 }
+BARE = r"(?<![A-Za-z\\])"  # before a symbol that is a letter
 FRACTION = re.compile(r"\\[td]?frac\{")
 
 
@@ -87,9 +88,11 @@ def program(latex: str, names: Mapping[str, str]) -> str:
     while (at := latex.find(r"\sqrt{")) >= 0:
         end = inside(latex, at + 6)
         latex = f"{latex[:at]}\\ROOT\\left({latex[at + 6 : end - 1]}\\right){latex[end:]}"
-    for symbol in sorted(names, key=len, reverse=True):
-        before = "" if symbol.startswith("\\") else r"(?<![A-Za-z\\])"
-        latex = re.sub(rf"{before}{re.escape(symbol)}(?![A-Za-z])", f" {names[symbol]} ", latex)
+    longest = sorted(names, key=len, reverse=True)
+    each = (rf"{'' if s.startswith(chr(92)) else BARE}{re.escape(s)}(?![A-Za-z])" for s in longest)
+    latex = re.sub(
+        "|".join(each), lambda found: f" {names[found.group()]} ", latex
+    )  # at once: a name may hold a symbol
     latex = latex.replace(r"\left|", r"\abs\left(").replace(r"\right|", r"\right)")
     latex = latex.replace(r"\left", " ").replace(r"\right", " ").replace(r"\,", " ").replace(r"\cdot", "*")
     latex = latex.replace(r"\ROOT", "sqrt").replace("\\", " ")
@@ -207,7 +210,8 @@ def rewritings(formula: FormulaRecord) -> Iterator[str]:
     latex = formula.latex
     yield latex.replace(r"\frac", r"\dfrac").replace(r"\left(", "(").replace(r"\right)", ")")
     yield f"x = {latex}"
-    symbols = {name: sympy.Symbol(name, positive=True) for name in formula.symbols}
+    values = {name: [point[name] for point in formula.points] for name in formula.symbols}
+    symbols = {name: sympy.Symbol(name, real=True, positive=min(values[name]) > 0.0 or None) for name in values}
     names = {name: f"s{number}_" for number, name in enumerate(formula.symbols)}
     tree = ast.parse(program(latex, names), mode="eval").body
     held = computed(tree, {"pi": sympy.pi, **{names[s]: symbols[s] for s in symbols}}, TERMS, sympy.nsimplify)

@@ -19,6 +19,7 @@ from sim2reason.errors import TextError
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.filters.parts.effects import effects
 from sim2reason.filters.parts.numbers import elasticities, givens, matters
+from sim2reason.prose.description import describe
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.constancy import ENDINGS
 from sim2reason.questions.dependence import Dependence
@@ -30,8 +31,11 @@ HIDDEN = np.random.default_rng(1)
 AT_ONCE = 1e-6  # of a time: what happens so close to a moment is what comes then
 
 
-def candidate_of(item: Item) -> Candidate:
-    """The question of an item, from its text alone, with the numbers for symbols that travel with it."""
+def candidate_of(item: Item) -> tuple[Candidate, frozenset[str]]:
+    """The question of an item, from its text alone, with the numbers for symbols that travel with it.
+
+    And the addresses of all numbers that the text tells: one on small oscillations leaves out the start.
+    """
     formula, answer = item.answer.formula, item.answer.value
     parsed = parse_prompt(item.prompt, HIDDEN, formula.given() if formula is not None else {})
     query, given, unknown = parsed.query, parsed.asked.given, next(iter(parsed.reading.unknown), "")
@@ -41,7 +45,8 @@ def candidate_of(item: Item) -> Candidate:
         study = MODES[item.mode].study(question, study)
         elasticity = (Dependence(query, study, unknown).rate(answer) or 0.0) * answer / given.value
         question = Question(item.mode, query, "", answer, item.answer.unit, "", unknown, given, elasticity)
-    return Candidate(study, question, item.prompt, difficulty=known(item.difficulty), tolerance=item.answer.tolerance)
+    level, told = known(item.difficulty), describe(study.scene, without=parsed.reading.without).told
+    return Candidate(study, question, item.prompt, difficulty=level, tolerance=item.answer.tolerance), frozenset(told)
 
 
 def is_idle(found: Candidate) -> bool:
@@ -74,12 +79,12 @@ class Count:
     def add(self, item: Item) -> None:
         """One more."""
         try:
-            found = candidate_of(item)
+            found, told = candidate_of(item)
         except TextError as error:
             print(f"  {item.id} is not read: {error}\n{item.prompt}")
             return
         self.items += 1
-        self._numbers(item, found)
+        self._numbers(item, found, told)
         faults = [*self._slips(item, found), *self._trivial(found)]
         for fault in faults:
             print(f"  {item.id}: {fault}")
@@ -104,8 +109,9 @@ class Count:
         self.lines, self.idle_moments = self.lines + bool(line), self.idle_moments + idle
         return [*([line] if line else []), *(["the moment decorates"] if idle else [])]
 
-    def _numbers(self, item: Item, found: Candidate) -> None:
+    def _numbers(self, item: Item, found: Candidate, told: frozenset[str]) -> None:
         stated = [given for given in givens(found.study.scene, found.question.unknown) if given.owner != "world"]
+        stated = [given for given in stated if told.issuperset(given.paths)]
         own = f"{found.question.query.subject}.mass"
         idle = [e.given for e in elasticities(found) if e.given in stated and not matters(found, e)]
         parts = [effect.subject for effect in effects(found, part=True) if effect.close]

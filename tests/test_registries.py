@@ -46,6 +46,8 @@ from sim2reason.simulation.channels import channels
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import ENGINES
 from sim2reason.testing import CHECKS
+from sim2reason.training.corpora import CORPORA
+from sim2reason.training.models import MODELS
 
 REGISTRIES: Mapping[str, Registry[Any]] = {
     registry.kind: registry
@@ -53,6 +55,7 @@ REGISTRIES: Mapping[str, Registry[Any]] = {
         *(ENTITIES, CONNECTIONS, RECIPES, QUANTITIES, ENGINES, FILTERS, CHECKS),
         *(KINDS, MODES, MOMENTS, FUNCTIONALS, REGIMES, EXPORTS),
         *(POLICIES, BENCHMARKS, SCORINGS),
+        *(CORPORA, MODELS),
     )
 }
 MEMBERS = [(kind, name) for kind, registry in REGISTRIES.items() for name in registry]

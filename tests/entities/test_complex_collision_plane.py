@@ -150,6 +150,15 @@ def test_dead_hits_are_told() -> None:
         check_told(track([(1.0, 0.0, 3.0), (2.0, 1.5, 0.0)], 0.0, right=9.0), seed)
 
 
+@pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
+def test_what_is_said_of_collisions_is_true_of_walls(restitution: float) -> None:
+    """No sentence on the restitution of all speaks of two bodies: one and a wall collide, too."""
+    scene = track([(1.0, 0.0, 3.0), (2.0, 1.5, 0.0)], restitution, right=9.0)
+    told = {describe(scene, seed).sentences[-1] for seed in range(30)}
+    assert len(told) == 3
+    assert not any(words in sentence for sentence in told for words in ("odies", "those", "they", "the two"))
+
+
 def test_no_sentence_can_be_left_out() -> None:
     for seed, scene in enumerate(drawn(ComplexCollisionPlane, 8, seed=1)):
         check_whole(scene, seed)

@@ -19,6 +19,8 @@ from sim2reason.entities.parts.fields.oscillating_electric import OscillatingEle
 from sim2reason.entities.parts.fields.quadratic_drag import QuadraticDrag
 from sim2reason.entities.parts.fields.uniform_electric import UniformElectric
 from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
+from sim2reason.prose.description import describe
+from sim2reason.questions.prompt import words_of
 
 BEAD = ChargedBead(mass=2.0, charge=3.0, sign="positive")
 RATIO = 1.5  # C/kg, of its charge to its mass
@@ -223,3 +225,20 @@ def test_a_bead_starts_at_the_origin_at_t_0() -> None:
     """Whatever it does, no text of these speaks of a release of all, nor of g."""
     scene = alone(EmEntity(magnetic=OUT, particle=BEAD, start=AHEAD))
     assert not scene.starts_from_rest
+
+
+@pytest.mark.parametrize(
+    ("sign", "number", "symbol"),
+    [
+        ("positive", "a positive charge of 3.0 mC", "a positive charge of $q$"),
+        ("negative", "a negative charge of magnitude 3.0 mC", "a negative charge of magnitude $q$"),
+    ],
+)
+def test_the_number_is_the_size_of_a_charge_and_words_tell_its_sign(sign: str, number: str, symbol: str) -> None:
+    bead = ChargedBead.model_validate({"mass": 2.0, "charge": 3.0, "sign": sign})
+    scene = alone(EmEntity(magnetic=OUT, particle=bead, start=AHEAD))
+    for seed in range(4):
+        assert number in describe(scene, seed).text
+        assert symbol in describe(scene, seed, "symbolic").text
+    asked = next(u for u in words_of(describe(scene)).unknowns if u.path == "it.particle.charge")
+    assert all("magnitude of the charge" in phrase for phrase in asked.phrases[:-1])

@@ -1,5 +1,6 @@
 """Rigid bodies about an axle, against closed forms and against sums over the points of all pieces."""
 
+import re
 from math import cos, degrees, pi, radians, sin, sqrt
 
 import numpy as np
@@ -38,6 +39,7 @@ from sim2reason.entities.parts.pieces import (
 from sim2reason.entities.rigid_pendulum import RigidPendulum
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.errors import SceneError
+from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
 from sim2reason.simulation.engines.exact import simulate
 
@@ -284,3 +286,13 @@ def test_the_start_is_where_the_text_says() -> None:
     assert velocity == pytest.approx([-cos(radians(60)), 0.0, -sin(radians(60))])
     assert degrees(np.arctan2(place[0], -place[2])) == pytest.approx(60.0)
     assert alone(hung()).horizon == pytest.approx(1.5 * 2.0 * pi * sqrt(2.0 * 1.2 / (3.0 * G)))
+
+
+@pytest.mark.parametrize("faces", ["the axle", "away from the axle"])
+def test_how_a_hemisphere_is_turned_is_told(faces: str) -> None:
+    piece = CappedPiece.model_validate({"body": Hemisphere(**SIZED), "distance": 0.6, "faces": faces})
+    scene = alone(RotationEntity(pieces=(piece,), angle=60.0))
+    for seed in range(8):
+        text = describe(scene, seed).text
+        assert "axis of symmetry along" in text
+        assert re.search(rf"flat face (faces|facing) {faces}", text)

@@ -10,14 +10,17 @@ from motions import rod_pendulum, spring_block
 from plain_scenes import G, arm, atwood, half_atwood, massive, ramp, table, three
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.cart import Cart
+from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.spring import Coil
-from sim2reason.bodies.track import RoughTrack
+from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.entities.parts.neighbours import OwnRestitution
 from sim2reason.entities.parts.rolling import NoSlipping, Rolling
 from sim2reason.entities.parts.springs import Strained
 from sim2reason.entities.rolling_entity import RollingEntity
@@ -169,6 +172,19 @@ def test_before_a_collision_nothing_is_asked_of_what_may_collide() -> None:
     assert not reason("collision", candidate(table(), Collided(BOTH, after=True), velocity))
     assert reason("collision", candidate(table(), Collided(BOTH, after=False), velocity))
     assert not reason("collision", candidate(ramp(), AtTime(0.5), Target("velocity", "ramp.blocks.0")))
+
+
+def test_what_pairs_share_must_have_come_to_bear() -> None:
+    """Carts of 1 kg: A hits B, at rest, at 1 s, which goes on at (1 + e)/2 and hits C, 1 m farther, 2/(1 + e) later."""
+    carts = tuple(Glider(mass=1.0, x=float(n), v=float(n == 0)) for n in range(3))
+    own = OwnRestitution(first=0, second=1, restitution=0.6)
+    track = ComplexCollisionPlane(track=Track(), gliders=carts, restitution=1.0, pairs=(own,))
+    scene = Scene(entities=(Named(name="track", entity=track),))
+    speed = Target("velocity", "track.gliders.0")
+    assert "restitution" in reason("collision", candidate(scene, AtTime(2.0), speed))
+    assert not reason("collision", candidate(scene, AtTime(2.4), Target("velocity", "track.gliders.2"), 1.0))
+    one = Scene(entities=(Named(name="track", entity=track.model_copy(update={"pairs": ()})),))
+    assert not reason("collision", candidate(one, AtTime(2.0), speed))
 
 
 def test_a_part_without_bearing_is_allowed_once_but_not_on_easy() -> None:

@@ -259,7 +259,7 @@ def test_a_formula_in_too_few_symbols_is_no_answer() -> None:
 def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: pytest.MonkeyPatch) -> None:
     """Two heavy planets, a rocket above a planet, springs at angles; the rest of their cells is another matter."""
 
-    def only_offered(scene: Scene, *_: object) -> None:
+    def only_offered(scene: Scene, *_: object, **__: object) -> None:
         assert SYMBOLIC.offers(scene.mechanism)
         raise SceneError("a scene", "looked at", "")
 

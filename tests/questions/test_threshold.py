@@ -247,3 +247,24 @@ def test_how_strong_gravity_is_is_no_matter() -> None:
     assert smooth is not None
     assert KINDS["threshold"].indifferent(query, seen, weightless)
     assert not KINDS["threshold"].indifferent(query, seen, smooth)
+
+
+@pytest.mark.parametrize(("greatest", "beyond"), [(True, "below which"), (False, "above which")])
+def test_at_the_limit_itself_the_sentence_is_true(greatest: bool, beyond: str) -> None:
+    """There nothing happens: the values with which it does have no least or greatest, those without have one."""
+    scene = ramp(angle=25.0, friction=0.3)
+    outcome, path = OUTCOMES["slides"]("ramp.blocks.0"), "ramp.plane.friction"
+    trial = Trial(study(scene), outcome, path)
+    assert trial(tan(radians(25.0)) * (1.0 - 1e-6))
+    assert not trial(tan(radians(25.0)) * (1.0 + 1e-12))
+    words = words_of(describe(scene, 2))
+    asked = {
+        happens: KINDS["threshold"].shapes(
+            ThresholdQuery("threshold", None, None, outcome, path, "", greatest, happens), words, None
+        )
+        for happens in (False, True)
+    }
+    assert all(beyond in shape and "slip" in shape for shape in asked[True])
+    extremes = ("greatest", "largest") if greatest else ("least", "smallest")
+    assert all(any(word in shape for word in extremes) and "for which" in shape for shape in asked[False])
+    assert not any(word in shape for shape in asked[True] for word in (*extremes, "for which"))

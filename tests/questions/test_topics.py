@@ -1,17 +1,23 @@
 """Sentences that matter to some questions only are told to those, and prompts without them lead to their answers."""
 
+import re
 from collections import Counter
 
 import numpy as np
 import pytest
 
-from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.ball import Ball, FixedBall
 from sim2reason.bodies.hanger import Cord
+from sim2reason.bodies.sphere import Sphere
 from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.pieces import BallPiece, RoundPiece
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.projectile import Projectile
+from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.errors import TextError
+from sim2reason.parsing import parse_scene
 from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import MODES, Query, Question, Study, Target
@@ -124,3 +130,40 @@ def test_prompts_without_them_lead_to_their_answers(scene: Scene, mode: str) -> 
         if mode == "numeric" and not found.question.query.hides:
             assert LOST not in found.prompt
         assert parse_prompt(found.prompt).answer == pytest.approx(found.question.answer, rel=1e-2), found.prompt
+
+
+def turned(rate: float | None) -> Scene:
+    """A sphere and a small ball on an arm, 70° to the right at first, and maybe already turning."""
+    pieces = (
+        RoundPiece(body=Sphere(mass=2.0, radius=0.35), distance=0.4),
+        BallPiece(body=FixedBall(mass=1.0), distance=0.3, side="from the axle, on the other side"),
+    )
+    return Scene(entities=(Named(name="it", entity=RotationEntity(pieces=pieces, angle=70.0, rate=rate)),))
+
+
+@pytest.mark.parametrize("rate", [None, 2.0])
+@pytest.mark.parametrize("mode", ["numeric", "symbolic"])
+def test_small_oscillations_are_asked_about_without_a_start(mode: str, rate: float | None) -> None:
+    """Neither the angle at first nor how fast it is sent off is told, or a symbol of the formula."""
+    search = QuestionSearch(turned(rate), 3)
+    asked = (search.ask(MODES[mode], np.random.default_rng(seed), Counter(), "period") for seed in range(6))
+    found = next(each for each in asked if each is not None and getattr(each.question.query, "small", False))
+    assert not re.search(r"70°|theta|omega|rad/s,|downward vertical|2\.0 rad", found.prompt), found.prompt
+    if mode == "numeric":
+        assert parse_prompt(found.prompt).answer == pytest.approx(found.question.answer, rel=1e-9)
+    else:
+        assert found.question.formula is not None
+        assert set(found.question.formula.symbols) == {"m_A", "R_A", "m_B", "d_1", "d_2", "g"}
+
+
+def test_no_other_text_may_leave_out_its_start() -> None:
+    """Of a motion its beginning must be told, and of a scene without a question, too."""
+    search = QuestionSearch(turned(None), 3)
+    found = search.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "extremum")
+    assert found is not None
+    said = next(sentence for sentence in found.description.sentences if "70°" in sentence)
+    assert said in found.prompt
+    with pytest.raises(TextError):
+        parse_prompt(found.prompt.replace(said, "", 1))
+    with pytest.raises(TextError):
+        parse_scene(found.description.text.replace(said, "", 1))

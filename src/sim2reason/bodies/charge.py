@@ -11,7 +11,9 @@ from sim2reason.dsl.measures import LEAST, Measure, Range, Speed
 from sim2reason.dsl.template import Word
 
 BeadMass = Annotated[float, LEAST, Le(1e6), Measure("mass", "g", "m"), Range(1.0, 5.0)]
-Charge = Annotated[float, LEAST, Le(1e6), Measure("charge", "mC", "q"), Range(1.0, 5.0)]
+Charge = Annotated[
+    float, LEAST, Le(1e6), Measure("charge", "mC", "q", called="magnitude of the charge"), Range(1.0, 5.0)
+]
 Heading = Annotated[float, Ge(0), Lt(360), Measure("angle", "deg", r"\theta", decimals=0), Range(0.0, 359.0)]
 
 
@@ -24,13 +26,19 @@ class ChargedBead(Body):
     sign: Literal["positive", "negative"]
 
     nouns = ("bead", "ball")
+    words = {
+        "charged": Word(
+            "sign",
+            {"positive": "a positive charge of {charge}", "negative": "a negative charge of magnitude {charge}"},
+        ),
+    }
     lone = (
-        "a small {noun} of mass {mass} with a {sign} charge of {charge}",
-        "a small {noun} ({mass}) that carries a {sign} charge of {charge}",
+        "a small {noun} of mass {mass} with {charged}",
+        "a small {noun} ({mass}) that carries {charged}",
     )
     named = (
-        "small {noun} {letter} of mass {mass} with a {sign} charge of {charge}",
-        "small {noun} {letter} ({mass}), which carries a {sign} charge of {charge},",
+        "small {noun} {letter} of mass {mass} with {charged}",
+        "small {noun} {letter} ({mass}), which carries {charged},",
     )
 
     @property

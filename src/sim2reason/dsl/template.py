@@ -24,8 +24,8 @@ COUNT_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eig
 Kind = Literal["text", "path", "agree", "some", "count", "plural", "member"]
 Role = Literal["fact", "start", "assumption"]
 """What a sentence does in a text: how the motion begins and what holds throughout may stand elsewhere in a prompt."""
-Topic = Literal["axes", "slack"]
-"""What a sentence is on that tells no number and matters to some questions only: others leave it out."""
+Topic = Literal["axes", "slack", "start"]
+"""What a sentence is on that matters to some questions only: others leave it out. One on a start may tell numbers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,9 +108,14 @@ def among(field: str, *wordings: str) -> Wordings:
     return Wordings(wordings, several=field)
 
 
-def starting(*wordings: str) -> Wordings:
+def starting(*wordings: str, topic: Topic | None = None) -> Wordings:
     """A sentence on how the motion begins: the last line of its entity, which reads well after *suppose that*."""
-    return Wordings(wordings, "start")
+    return Wordings(wordings, "start", topic=topic)
+
+
+def placing(*wordings: str) -> Wordings:
+    """A sentence on where something is at first, which no question about small oscillations needs."""
+    return Wordings(wordings, topic="start")
 
 
 def defining_axes(*wordings: str) -> Wordings:

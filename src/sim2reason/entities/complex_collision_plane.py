@@ -61,18 +61,18 @@ class ComplexCollisionPlane(Entity):
             "restitution",
             {
                 1.0: "every {pairs?/other }collision is elastic",
-                0.0: "those that meet{pairs?/ in any other collision} stay together",
+                0.0: "whatever meets{pairs?/ in any other collision} stays together",
             },
             "the coefficient of restitution of every {pairs?/other }collision is {restitution}",
         ),
         "they": Word(
             "restitution",
-            {1.0: "rebound elastically", 0.0: "stick together"},
-            "rebound with the coefficient of restitution {restitution}",
+            {1.0: "rebounds elastically", 0.0: "sticks together"},
+            "rebounds with the coefficient of restitution {restitution}",
         ),
         "there": Word(
             "restitution",
-            {1.0: "no kinetic energy is lost", 0.0: "those that meet stick together"},
+            {1.0: "no kinetic energy is lost", 0.0: "whatever meets sticks together"},
             "the coefficient of restitution is {restitution}",
         ),
     }
@@ -100,7 +100,7 @@ class ComplexCollisionPlane(Entity):
         PAIRS,
         assuming(
             "{hits}.",
-            "{pairs?bodies/other bodies} that collide {they}.",
+            "whatever {pairs?/else }collides {they}.",
             "in every {pairs?/other }collision {there}.",
         ),
     )

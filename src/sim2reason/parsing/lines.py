@@ -107,9 +107,20 @@ def _saying(
     if one is not None:
         yield place, one
     if topic := topic_of(saying):
-        yield place, state._replace(without=state.without | {topic})
+        yield place, _at_least(wordings(saying)[0], address, state)._replace(without=state.without | {topic})
     for then in _unsaid(wordings(saying)[0], address, state):
         yield place, then
+
+
+def _at_least(template: str, address: str, state: ParseState) -> ParseState:
+    """With the least that is drawn of the numbers that a line which is left out would tell."""
+    kind = state.kind(address, Part)
+    for path in (slot.path for slot in slots(template) if slot.kind == "path"):
+        name = kind.words[path].parameter if path in kind.words else path
+        held = field_types(kind).get(name)
+        if held is not None and held.drawn is not None and not held.optional:
+            state = state.with_value(f"{address}.{name}", held.drawn.low) or state
+    return state
 
 
 def _each(

@@ -16,9 +16,9 @@ from sim2reason.errors import TextError
 from sim2reason.parsing.matcher import NONE_GIVEN
 from sim2reason.parsing.parse_state import ParseState
 from sim2reason.parsing.tokens import pieces, shown
-from sim2reason.prose.closings import closings
+from sim2reason.prose.closings import Closing, closings
 from sim2reason.prose.description import Description
-from sim2reason.prose.naming import Names, letters
+from sim2reason.prose.naming import letters
 from sim2reason.prose.voices import Voice, hiding, numeric, symbolic
 from sim2reason.prose.writer import Writer
 
@@ -31,16 +31,17 @@ class ScriptedWriter(Writer):
     def __init__(
         self,
         scene: Scene,
-        names: Names,
-        script: tuple[int, ...],
+        state: ParseState,
         given: Mapping[str, str] = NONE_GIVEN,
         order: tuple[str, ...] = (),
-        unknown: Collection[str] = (),
         without: Collection[Topic] = (),
     ) -> None:
-        """`script` holds the choices for what is said; lines that stay unsaid take none. Symbols in `given` stand."""
-        super().__init__(scene, names, np.random.default_rng(0), _voice(given, unknown), order, without)
-        self._script = iter(script)
+        """The script of a reading holds the choices for what is said; lines that stay unsaid take none.
+
+        Symbols in `given` stand. What the text does not say of a start that it leaves out is passed over.
+        """
+        super().__init__(scene, state.names, np.random.default_rng(0), _voice(given, state.unknowns), order, without)
+        self._script, self._state = iter(state.script), state
 
     def choose(self, options: tuple[str, ...]) -> str:
         """The wording that the script demands."""
@@ -48,6 +49,11 @@ class ScriptedWriter(Writer):
 
     def pass_over(self, options: tuple[str, ...]) -> None:
         """What is left out has no place in the script."""
+
+    def leaves_out(self, closing: Closing) -> bool:
+        """That on a start which the text leaves out, too."""
+        mute = closing.name not in self._state.closings and _of_untold_start(closing, self._state)
+        return mute or super().leaves_out(closing)
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
         if isinstance(saying, PartLines):
@@ -72,7 +78,12 @@ def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
 def unsaid(scene: Scene, state: ParseState) -> list[str]:
     """What matters in the scene, whatever is asked, and of which a reading says nothing."""
     lacking = [closing for closing in closings(scene) if closing.name not in state.closings]
-    return [closing.name for closing in lacking if not closing.topic]
+    return [closing.name for closing in lacking if not closing.topic and not _of_untold_start(closing, state)]
+
+
+def _of_untold_start(closing: Closing, state: ParseState) -> bool:
+    """Whether it is on a start that the text leaves out."""
+    return closing.role == "start" and "start" in state.without
 
 
 def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
@@ -87,10 +98,10 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping
     without = state.without | left_out
     order: tuple[str, ...] = ()
     if given:
-        first = ScriptedWriter(scene, state.names, state.script, without=without)
+        first = ScriptedWriter(scene, state, without=without)
         first.sentences()
         order = tuple(first.told)
-    echo = ScriptedWriter(scene, state.names, state.script, given, order, state.unknowns, without)
+    echo = ScriptedWriter(scene, state, given, order, without)
     told = Description(scene, tuple(echo.sentences()), state.names, {})
     if spare := given.keys() - {echo.symbols.get(path) for path in echo.told}:
         raise TextError("text", f"it gives ${min(spare)}$, of which it does not speak", "leave it out")

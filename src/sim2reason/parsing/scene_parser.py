@@ -9,6 +9,7 @@ from sim2reason.dsl.connection import CONNECTIONS, Connection, Leg, Link, Parsed
 from sim2reason.dsl.entity import ENTITIES, Entity, outer_ports
 from sim2reason.dsl.ports import Pass
 from sim2reason.dsl.scene import MAX_ENTITIES, Scene, World
+from sim2reason.dsl.template import Topic
 from sim2reason.errors import SceneError, TextError, UnsupportedError
 from sim2reason.parsing.assembly import assembled
 from sim2reason.parsing.equivalence import Signature, signature
@@ -37,6 +38,7 @@ class ParsedScene:
     scene: Scene
     mentions: dict[str, str]
     unknown: dict[str, str] = field(default_factory=dict[str, str])
+    without: frozenset[Topic] = frozenset()  # topics on which the text says nothing; its scene has some start then
 
     @property
     def names(self) -> dict[str, str]:
@@ -45,10 +47,15 @@ class ParsedScene:
 
 
 def parse_scene(
-    text: str, rng: np.random.Generator | None = None, given: Mapping[str, str] = NONE_GIVEN
+    text: str,
+    rng: np.random.Generator | None = None,
+    given: Mapping[str, str] = NONE_GIVEN,
+    *,
+    startless: bool = False,
 ) -> ParsedScene:
     """The one scene that a text tells; numbers that are never said are drawn with `rng`.
 
+    A `startless` text may leave out where things are at first and how they are sent off, as some questions do.
     `given` has the number, with its unit, of each symbol (LaTeX without dollars) that the text says in its stead.
     Readings that move alike and call things alike are one; the first is returned.
 
@@ -60,7 +67,8 @@ def parse_scene(
     matcher = Matcher(said, given)
     found: dict[Signature, ParsedScene] = {}
     refused: list[tuple[int, TextError]] = []
-    for count, state in enumerate(_Grammar(matcher).scenes(0, ParseState({"world": World}))):
+    states = _Grammar(matcher).scenes(0, ParseState({"world": World}))
+    for count, state in enumerate(state for state in states if startless or "start" not in state.without):
         if count == MAX_READINGS:
             raise TextError("text", "it can be read in too many ways", "give the text of one scene")
         for share in SHARES if state.unknowns else SHARES[:1]:
@@ -82,7 +90,7 @@ def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
     """A proven reading, and what it has in common with those that mean the same."""
     names = {address: state.mention(address, full=True) for address in state.letters}
     unknown = {path: symbol.strip("$") for path, symbol in state.unknowns.items()}
-    return signature(scene, names), ParsedScene(scene, names, unknown)
+    return signature(scene, names), ParsedScene(scene, names, unknown, state.without)
 
 
 def _only(found: list[ParsedScene], refused: list[tuple[int, TextError]], matcher: Matcher) -> ParsedScene:

@@ -25,7 +25,7 @@ from sim2reason.dsl.template import (
     topic_of,
     wordings,
 )
-from sim2reason.prose.closings import closings
+from sim2reason.prose.closings import Closing, closings
 from sim2reason.prose.naming import Names
 from sim2reason.prose.phrases import BODIES, alike, canonical, resolved
 from sim2reason.prose.tables import table
@@ -150,13 +150,17 @@ class Writer(Terms):
         """What holds for all; a g that is a symbol is named, not said to equal itself."""
         told: list[str] = []
         for found in closings(self.scene):
-            if found.topic in self._without:
+            if self.leaves_out(found):
                 self.pass_over(found.wordings)
                 continue
             sentence = self.render(self.choose(found.wordings), "")
             said = self.render(found.of_symbol, "") if "g = $g$" in sentence else sentence
             told.append(self._as(found.role, self.finish(said)))
         return told
+
+    def leaves_out(self, closing: Closing) -> bool:
+        """Whether a closing that the scene needs stays unsaid."""
+        return closing.topic in self._without
 
     def _as(self, role: Role, sentence: str) -> str:
         """A sentence whose role is kept."""

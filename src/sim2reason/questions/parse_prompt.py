@@ -113,13 +113,15 @@ def _understood(
     draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
 ) -> ParsedPrompt:
     """What a draft means; TextError for one that means nothing."""
-    reading = parse_scene(draft.story, rng, draft.given)
+    reading = parse_scene(draft.story, rng, draft.given, startless=True)
     study = Study(reading.scene, _followed(reading))
     words = _in_symbols(_words(reading), draft, given) if given else _words(reading)
     asked = (mode.parsed(draft.question, study, words) for mode in MODES.values())
     found = next((each for each in asked if each is not None), None)
     if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
+    if "start" in reading.without and KINDS[found.query.kind].of_motion(found.query):
+        raise TextError("prompt", "it does not say how the motion begins", "say where everything is at first")
     return ParsedPrompt(reading, study, found, unit, shape)
 
 

@@ -10,6 +10,7 @@ from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.query import Query
 from sim2reason.questions.words import Words
+from sim2reason.simulation.rest.equilibrium import equilibrium
 
 COUNTS = {2: "two", 3: "three"}
 SPEEDS = {2: ("slower", "faster"), 3: ("slowest", "fastest")}
@@ -45,7 +46,14 @@ def sentences(query: PeriodQuery, words: Words) -> tuple[str, ...]:
     """All that ask for it, the most usual first."""
     if not query.small:
         return _of_motion(query, words)
-    return _of_modes(query) if query.modes > 1 else _of_small(query, words)
+    place = f"the position of {rest_called(words.mechanism)}"
+    return _of_modes(query, place) if query.modes > 1 else _of_small(query, words, place)
+
+
+def rest_called(mechanism: Mechanism) -> str:
+    """How a text calls the equilibrium: the stable one where loads are such that there may be others, too."""
+    rest = equilibrium(mechanism)
+    return "equilibrium" if rest is None or rest.linear else "stable equilibrium"
 
 
 def _of_motion(query: PeriodQuery, words: Words) -> tuple[str, ...]:
@@ -99,13 +107,14 @@ def _plainly(noun: str) -> tuple[str, ...]:
     return (f"what is {noun}?", f"find {noun}.", f"determine {noun}.", f"calculate {noun}.")
 
 
-def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
-    said, place, measure = [movers(words)[name] for name in query.of], "the position of equilibrium", query.measure
+def _of_small(query: PeriodQuery, words: Words, place: str) -> tuple[str, ...]:
+    said, measure = [movers(words)[name] for name in query.of], query.measure
+    own = place.replace("the", "its", 1)
     if len(said) == 1:
         of = f"of {said[0]} about {place}"
         told = (
-            f"disturbed slightly from its position of equilibrium, with what {measure} does {said[0]} oscillate?",
-            f"with what {measure} does {said[0]} oscillate if slightly disturbed from its position of equilibrium?",
+            f"disturbed slightly from {own}, with what {measure} does {said[0]} oscillate?",
+            f"with what {measure} does {said[0]} oscillate if slightly disturbed from {own}?",
         )
     elif said:
         of = f"of {pair(*said)} relative to each other"
@@ -119,14 +128,13 @@ def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
             f"if all is at rest in {place} and is slightly disturbed, what is the {measure} of the oscillations?",
             f"with what {measure} does everything oscillate if it is slightly disturbed from {place}?",
         )
-    stable = (f"what is the {measure} of small oscillations {of.replace('position of', 'position of stable')}?",)
     takes = (f"how long does one of the small oscillations {of} take?",) if measure == "period" else ()
-    return (*_plainly(f"the {measure} of small oscillations {of}"), *(stable if place in of else ()), *told, *takes)
+    return (*_plainly(f"the {measure} of small oscillations {of}"), *told, *takes)
 
 
-def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
+def _of_modes(query: PeriodQuery, place: str) -> tuple[str, ...]:
     """Of several modes; the slowest has the longest period."""
-    count, place, last = query.modes, "the position of equilibrium", query.rank > 0
+    count, last = query.modes, query.rank > 0
     plural = {"period": "normal periods"}.get(query.measure, f"natural {query.measure[:-1]}ies")
     which = (LENGTHS if query.measure == "period" else SIZES)[count][last]
     mode = f"the {SPEEDS[count][last]} of the {COUNTS[count]} normal modes of oscillation about {place}"

@@ -6,6 +6,7 @@ from math import inf
 from sim2reason.dsl.template import Topic
 from sim2reason.questions import KINDS, Question, Study
 from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.regimes.all_taut import AllStayTaut
 from sim2reason.questions.regimes.taut import StaysTaut
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.unknown import range_of
@@ -38,7 +39,7 @@ def _slackens(question: Question, study: Study) -> bool:
         return True
     time = KINDS[query.kind].time(query, study)
     ends = any(event.kind == "slack" and event.time == time for event in study.trace.events)
-    if time == 0.0 or ends or any(isinstance(held, StaysTaut) for held in question.assumed):
+    if time == 0.0 or ends or any(isinstance(held, StaysTaut | AllStayTaut) for held in question.assumed):
         return _has_slackened(question, study)
     if question.formula is not None:
         return True
@@ -59,5 +60,15 @@ def _has_slackened(question: Question, study: Study) -> bool:
     return any(event.kind == "slack" for event in happened(study.trace.events, inf if time is None else time))
 
 
-MATTERS: dict[Topic, Callable[[Question, Study], bool]] = {"axes": _uses_axes, "slack": _slackens}
+def _depends_on_start(question: Question, study: Study) -> bool:
+    """Whether it is about a motion that begins in one way, not about what any motion shows."""
+    del study
+    return KINDS[question.query.kind].of_motion(question.query)
+
+
+MATTERS: dict[Topic, Callable[[Question, Study], bool]] = {
+    "axes": _uses_axes,
+    "slack": _slackens,
+    "start": _depends_on_start,
+}
 """By topic, whether a question has to do with it, given the motion that it is about."""

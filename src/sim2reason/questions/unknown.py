@@ -14,7 +14,9 @@ from sim2reason.dsl.state import Array
 BEYOND = 10.0  # times what it is drawn from, either way
 POINTS = 64
 LEAST = 1e-2  # of the high end of a range that begins at zero
-OWN = frozenset({"mass", "charge", "radius"})  # what is said of a body that has a name: *the mass of A*
+OWN = frozenset(
+    {"mass", "magnitude of the charge", "radius"}
+)  # what is said of a body that has a name: *the mass of A*
 LENGTHS = frozenset({"m", "au"})
 USUAL = 2.0  # times what it is drawn from, either way
 TRIES = 3  # numbers that are looked at for one question

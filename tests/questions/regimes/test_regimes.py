@@ -3,14 +3,18 @@
 import numpy as np
 import pytest
 
-from plain_scenes import atwood, ramp, squeezed
+from plain_scenes import atwood, massive, ramp, squeezed
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.hoop import Hoop
+from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.rocket import LevelGround, Rocket
 from sim2reason.bodies.spring import Spring
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.rolling import Rough, Sliding, Spinning
 from sim2reason.entities.rocket_entity import RocketEntity
+from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.entities.spring_mass_incline import SpringMassIncline
 from sim2reason.prose.description import describe
 from sim2reason.questions import Study
@@ -18,6 +22,7 @@ from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes
 from sim2reason.questions.regimes.burnt_out import BurntOut
 from sim2reason.questions.regimes.collisions import CollideInTurn
+from sim2reason.recipes import RECIPES
 
 
 def study(scene: Scene, until: float = 1.0) -> Study:
@@ -42,6 +47,40 @@ def test_a_block_slides_down_what_is_steep_enough() -> None:
     assert "the block slides down the plane" in said(ramp(friction=0.3), 0.5)
     assert "the block slides up the plane" in said(ramp(friction=0.3, speed=2.0), 0.1)
     assert said(ramp(friction=0.7), 0.5) == {"the block does not slide on the plane"}
+
+
+def hoop(start: Sliding | Spinning) -> Scene:
+    """On a slope of 20° whose friction does not hold it at once."""
+    plane, body = Incline(angle=20.0), Hoop(mass=2.0, radius=0.1)
+    entity = RollingEntity(plane=plane, body=body, grip=Rough(friction=0.15), start=start)
+    return Scene(entities=(Named(name="roller", entity=entity),))
+
+
+@pytest.mark.parametrize(
+    ("start", "way"),
+    [
+        (Sliding(way="down the slope", speed=2.0), "down"),
+        (Sliding(way="up the slope", speed=2.0), "up"),
+        (Spinning(way="up the slope", spin=30.0), "down"),
+    ],
+)
+def test_what_rolls_slips_one_way_where_it_touches_its_plane(start: Sliding | Spinning, way: str) -> None:
+    """What spins as if it rolled up has its lowest point move down the slope."""
+    found = said(hoop(start), 0.05)
+    assert any(clause.endswith(f"slips {way} the plane at the point of contact") for clause in found)
+    assert sum("slips" in clause for clause in found) == 1
+
+
+def test_several_strings_stay_taut_together() -> None:
+    """One string alone is named, even where a disc parts it; of several it is said of all, if all of them pull."""
+    assert not any("all strings" in clause for scene in (atwood(), massive(2.0)) for clause in said(scene, 0.5))
+    draws = (RECIPES["pulley"].draw("medium", np.random.default_rng(seed)) for seed in range(60))
+    several = [scene for scene in draws if len({line.name.partition("/")[0] for line in scene.mechanism.strings}) > 1]
+    assert several
+    for scene in several:
+        tensions = Study.of(scene, np.linspace(0.0, 0.2, 5)).trace.scan.tension
+        pull = all((tensions[line.name] > 1e-9).all() for line in scene.mechanism.strings)
+        assert ("all strings stay taut" in said(scene, 0.2)) is pull
 
 
 def test_what_swings_back_moves_one_way_first() -> None:

@@ -21,6 +21,7 @@ from sim2reason.authoring import (
     Y,
     either,
     lines_of,
+    placing,
     scale,
     starting,
 )
@@ -59,11 +60,12 @@ class WeldedArm(Entity):
             "the far end of {arm} is {reach} from the axle.",
             "{arm} reaches to {reach} from the axle.",
         ),
-        either("at first {start}.", "{start} at first.", "when the motion begins, {start}."),
+        placing("at first {start}.", "{start} at first.", "when the motion begins, {start}."),
         starting(
             "{arm} starts turning at {rate}, {sent}.",
             "at t = 0 {arm} turns at {rate}, {sent}.",
             "{arm} is set turning with an angular velocity of {rate}, {sent}.",
+            topic="start",
         ),
     )
 

@@ -178,9 +178,9 @@ class CappedPiece(WeldedPiece):
 
     says = (
         either(
-            "{body} is fixed to the arm; its {body.front} faces {faces} and has its centre on the arm, {distance} {side}.",
-            "rigidly attached to the arm is {body}, whose {body.front} faces {faces} and has its centre on the arm, {distance} {side}.",
-            "the arm carries {body}, welded to it with its {body.front} centred {distance} {side} and facing {faces}.",
+            "{body} is fixed to the arm with its axis of symmetry along it; its {body.front} faces {faces} and is centred {distance} {side}.",
+            "rigidly attached to the arm is {body} with its axis of symmetry along the arm; its {body.front} faces {faces} and is centred {distance} {side}.",
+            "the arm carries {body}, welded to it with its axis of symmetry along the arm, its {body.front} facing {faces} and centred {distance} {side}.",
         ),
     )
 

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 from annotated_types import Ge, Le
 from pydantic import model_validator
 
-from sim2reason.authoring import AngularVelocity, Friction, Measure, Part, Range, Speed, Vector, Word, either
+from sim2reason.authoring import AngularVelocity, Friction, Measure, Part, Range, Speed, Vector, Word, either, placing
 
 Bearing = Annotated[float, Ge(0), Le(180), Measure("bearing", "deg", r"\varphi", decimals=0), Range(0.0, 180.0)]
 Spin = Annotated[AngularVelocity, Range(5.0, 40.0)]
@@ -142,7 +142,7 @@ class Hole(Part):
             "the line from its centre to the hole makes {bearing} with the upward vertical, on the {towards} side",
         ),
     }
-    says = (either("at first {place}.", "to begin with, {place}.", "when the motion begins, {place}."),)
+    says = (placing("at first {place}.", "to begin with, {place}.", "when the motion begins, {place}."),)
 
     @model_validator(mode="after")
     def _is_said(self) -> Self:

@@ -5,15 +5,16 @@ from typing import Annotated
 
 from annotated_types import Ge, Le
 
-from sim2reason.authoring import GRAVITY, Measure, Range, either, starting
+from sim2reason.authoring import GRAVITY, Measure, Range, placing, starting
 
 Deflection = Annotated[float, Ge(0), Le(180), Measure("deflection", "deg", r"\theta", decimals=0), Range(10.0, 150.0)]
 TILTED = "an angle of {angle} with the downward vertical"
-AT_FIRST = either("at first {start}.", "at the start {start}.", "to begin with, {start}.")
+AT_FIRST = placing("at first {start}.", "at the start {start}.", "to begin with, {start}.")
 SENT_OFF = starting(
     "{bob} is set moving {sent} at speed {speed}.",
     "{bob} is given a speed of {speed} {sent}.",
     "{bob} is launched {sent} with a speed of {speed}.",
+    topic="start",
 )
 PERIODS = 1.5  # of a small swing on Earth that the motion is followed for
 

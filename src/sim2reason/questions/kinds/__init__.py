@@ -58,6 +58,11 @@ class Kind(ABC):
         """Whether it has words for its answers as conditions."""
         return type(self).called is not Kind.called
 
+    def of_motion(self, query: Query) -> bool:
+        """Whether an answer may depend on how the motion begins; by default it does."""
+        del query
+        return True
+
     @abstractmethod
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something to ask about this motion, or None if it offers nothing of this kind."""

@@ -8,6 +8,7 @@ from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import at, pick
 from sim2reason.questions.kinds import SAME, Kind, kind
+from sim2reason.questions.period_words import rest_called
 from sim2reason.questions.phrasing import asking
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
@@ -19,7 +20,7 @@ from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
 from sim2reason.simulation.rest.likeness import alike_at_rest
 from sim2reason.simulation.rest.witness import unrest
 
-WHEN = ("in the position of equilibrium", "at equilibrium", "in equilibrium")
+WHEN = ("in the position of {}", "at {}", "in {}")
 STILL = 1e-6  # m or rad
 
 
@@ -81,10 +82,10 @@ class EquilibriumKind(Kind):
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: in the position of equilibrium, what is the length of the spring?"""
-        del words
         assert query.target is not None
         assert noun is not None
-        shapes = (shape for when in WHEN for shape in asking(query.target, noun, when))
+        called = rest_called(words.mechanism)
+        shapes = (shape for when in WHEN for shape in asking(query.target, noun, when.format(called)))
         return tuple(dict.fromkeys(shapes))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:

@@ -43,6 +43,11 @@ class PeriodKind(Kind):
     name = "period"
     share = 0.35  # as often as a velocity, where it exists
 
+    def of_motion(self, query: Query) -> bool:
+        """Not that of small oscillations: their equilibrium is the only one."""
+        assert isinstance(query, PeriodQuery)
+        return not query.small
+
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """The motion itself, or small oscillations; where both have one period, there is nothing small about it."""
         del targets

@@ -19,12 +19,16 @@ from sim2reason.simulation.certify import WITNESS, Certificate
 from sim2reason.simulation.channels import Channel
 
 CLOSE = NEARLY * TOLERANCE  # relative: how far from it one of a changed mechanism is looked for
+ASKING = {"what is": "?", "find": ".", "determine": ".", "calculate": "."}
 SIDE = 5e-3  # relative: how far to either side of it the second engine is asked
 
 
 @dataclass(frozen=True, slots=True)
 class ThresholdQuery(Query):
-    """The least or the greatest value of a number for which something happens, or does not."""
+    """The least or the greatest value of a number for which something does not happen, or that beyond which it does.
+
+    At the limit itself nothing happens.
+    """
 
     outcome: PossibleOutcome | None = None
     parameter: str = ""
@@ -51,7 +55,7 @@ class ThresholdQuery(Query):
 
 @kind
 class ThresholdKind(Kind):
-    """What is the least or the greatest value for which something happens, or does not?"""
+    """What is the least or the greatest value for which something does not happen, or that beyond which it does?"""
 
     name = "threshold"
     of_symbols = False
@@ -120,18 +124,19 @@ class ThresholdKind(Kind):
         return "" if agreed else "the engines disagree on what happens next to the threshold"
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: what is the least mass of B for which A begins to slip?"""
+        """As in: what is the mass of B above which A begins to slip; what is the greatest for which A stays at rest?"""
         del noun
         assert isinstance(query, ThresholdQuery)
         assert query.outcome is not None
         phrases = next((found.phrases for found in words.unknowns if found.path == query.parameter), ())
         clauses = query.outcome.does(words) if query.happens else query.outcome.does_not(words)
-        extremes = ("greatest", "largest") if query.greatest else ("least", "smallest")
-        return tuple(
-            shape
-            for extreme, phrase, clause in product(extremes, phrases, clauses)
-            for shape in _asking(_extreme(extreme, phrase), clause)
-        )
+        if query.happens:
+            side = "below which" if query.greatest else "above which"
+            limits = tuple(f"{_value(phrase)} {side}" for phrase in phrases)
+        else:
+            extremes = ("greatest", "largest") if query.greatest else ("least", "smallest")
+            limits = tuple(f"{_extreme(*found)} for which" for found in product(extremes, phrases))
+        return tuple(shape for limit, clause in product(limits, clauses) for shape in _asking(f"{limit} {clause}"))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every outcome of whatever is named, with every number that the text may leave unknown."""
@@ -149,10 +154,10 @@ def _extreme(extreme: str, phrase: str) -> str:
     return f"the {extreme} value of {phrase}"
 
 
-def _asking(number: str, clause: str) -> tuple[str, ...]:
-    return (
-        f"what is {number} for which {clause}?",
-        f"find {number} for which {clause}.",
-        f"determine {number} for which {clause}.",
-        f"calculate {number} for which {clause}.",
-    )
+def _value(phrase: str) -> str:
+    """*The mass of block A*, *the value of m*."""
+    return phrase if phrase.startswith("the ") else f"the value of {phrase}"
+
+
+def _asking(limit: str) -> tuple[str, ...]:
+    return tuple(f"{verb} {limit}{end}" for verb, end in ASKING.items())

@@ -46,22 +46,26 @@ class SlidesThroughout(Regime):
         return found[0] is self.slides and (found[1] == self.way or not _ways(study.mechanism, self.name))
 
     def clause(self, words: Words) -> str:
-        """As in: block A slides to the right on the plank."""
+        """As in: block A slides to the right on the plank; what may roll does so where it touches its face."""
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
-        if len(words.mechanism.contacts[self.name].slip) > 1:
-            return f"{called} slips on {surface}" if self.slides else f"{called} rolls without slipping"
+        rolls = len(words.mechanism.contacts[self.name].slip) > 1
         if not self.slides:
-            return f"{called} does not slide on {surface}"
-        return f"{called} slides {_ways(words.mechanism, self.name).get(self.way, 'on')} {surface}"
+            return f"{called} rolls without slipping" if rolls else f"{called} does not slide on {surface}"
+        way = _ways(words.mechanism, self.name).get(self.way, "")
+        where = f"{way or 'on'} {surface}{' at the point of contact' * bool(rolls and way)}"
+        return f"{called} {'slips' if rolls else 'slides'} {where}"
 
 
 def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
     """How a body may slide on its face, before the face's name, by the sign of its slip; empty if no words say it."""
-    slip = mechanism.contacts[name].slip
-    if len(slip) != 1:
+    slides = [
+        (held, factor)
+        for coordinate, factor in mechanism.contacts[name].slip
+        if (held := mechanism.coordinates[mechanism.number[coordinate]]).kind == "slide"
+    ]
+    if len(slides) != 1:
         return {}
-    coordinate, factor = slip[0]
-    held = mechanism.coordinates[mechanism.number[coordinate]]
+    held, factor = slides[0]
     steepness = factor * held.axis[2]
     if abs(steepness) > LEVEL:
         return {1: "up", -1: "down"} if steepness > 0.0 else {1: "down", -1: "up"}

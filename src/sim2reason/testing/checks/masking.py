@@ -78,8 +78,12 @@ def _understood(text: str) -> object:
 
 
 def spare(description: Description) -> set[str]:
-    """The sentences of a text that matter to some questions only: a text without them means the same."""
-    return set(description.sentences).difference(description.leaving_out(get_args(Topic)).sentences)
+    """The sentences of a text that matter to some questions only: a text without them means the same.
+
+    Not so those on how it begins: without any question, a text tells that.
+    """
+    topics = [topic for topic in get_args(Topic) if topic != "start"]
+    return set(description.sentences).difference(description.leaving_out(topics).sentences)
 
 
 def without_one(parts: list[str]) -> Iterator[tuple[str, str]]:
