@@ -169,3 +169,16 @@ def test_our_suite_is_a_dataset_or_drawn(tmp_path: Path) -> None:
 
 def test_every_kind_says_what_it_is() -> None:
     assert all((kind.__doc__ or "").strip() for kind in BENCHMARKS.values())
+
+
+def test_a_column_may_be_a_path_into_what_is_nested(tmp_path: Path) -> None:
+    file = tmp_path / "nested.jsonl"
+    row = {"prompt": [{"role": "user", "content": "2 + 2?"}], "reward_model": {"ground_truth": "4"}}
+    file.write_text(json.dumps(row) + "\n")
+    columns = {"question_column": "prompt.0.content", "answer_column": "reward_model.ground_truth"}
+    settings = {"kind": "jsonl", "name": "nested", "file": file, "id_column": "extra_info.index", **columns}
+    (found,) = items_of(benchmark_from(settings))
+    assert found.prompt.startswith("2 + 2?")
+    assert found.reference["value"] == 4.0
+    with pytest.raises(EvaluationError, match=r"prompt\.1\.content"):
+        items_of(benchmark_from({**settings, "question_column": "prompt.1.content"}))

@@ -46,6 +46,12 @@ def test_generate_gives_the_manifest_to_a_program(tmp_path: Path) -> None:
     assert json.loads(result.stdout) == json.loads((tmp_path / "data/manifest.json").read_text())
 
 
+def test_shares_that_leave_something_over_are_refused_in_one_line(tmp_path: Path) -> None:
+    result = generate(tmp_path / "data", "--split", "train=0.5,test=0.2")
+    wanted = "split: a split is NAME=SHARE in small letters and digits, and all shares together are 1"
+    assert (result.exit_code, result.stderr) == (2, f"sim2reason: {wanted}\n")
+
+
 def test_quarantine_is_told_with_what_makes_it_again(tmp_path: Path) -> None:
     result = generate(tmp_path / "data", maker="raising")
     assert result.exit_code == 0

@@ -20,7 +20,9 @@ OTHERWISE: dict[str, tuple[set[str], set[str]]] = {
     "grade": ONE_ROW,
     "generate": ({"shard-size", "shard"}, {"shard", "advance"}),  # the size of shards; parts are for shells
     "export": (set(), {"advance"}),
+    "sample-solutions": (set(), {"advance"}),
     "eval": (set(), {"config", "out", "begun", "advance"}),  # a group, whose command without a name takes them
+    "train": (set(), {"method", "config", "out", "begun", "advance"}),  # the same; a method is a command of its own
     "describe": (set(), {"without"}),  # topics, which are no words of a shell
 }
 """What only a command takes, and only its function."""
@@ -54,15 +56,16 @@ def parameters(function: Callable[..., object]) -> Iterator[str]:
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_public_function_has_its_name_and_its_options(name: str) -> None:
-    assert name in sim2reason.__all__, f"a function sim2reason.{name}, beside cli/{name}.py"
-    function = getattr(sim2reason, name)
+    called = name.replace("-", "_")
+    assert called in sim2reason.__all__, f"a function sim2reason.{called}, beside cli/{called}.py"
+    function = getattr(sim2reason, called)
     only_command, only_function = OTHERWISE.get(name, (set(), set()))
     assert set(taken(command(name))) - only_command == set(parameters(function)) - only_function
 
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_defaults_are_the_same(name: str) -> None:
-    signature = inspect.signature(getattr(sim2reason, name)).parameters
+    signature = inspect.signature(getattr(sim2reason, name.replace("-", "_"))).parameters
     for param in command(name).params:
         held = signature.get(max(param.opts, key=len).removeprefix("--"))
         if held is None or held.default in (held.empty, None, ()) or param.required or isinstance(param, Printing):

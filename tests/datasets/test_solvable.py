@@ -103,7 +103,7 @@ def test_another_policy_seed_or_dataset_is_refused(dataset: Dataset, policy: Som
         solvable(dataset.path, out, policy, k=1, seed=1)
     with pytest.raises(EvaluationError, match="another policy"):
         solvable(dataset.path, out, policy.model_copy(update={"name": "other"}), k=1)
-    with pytest.raises(EvaluationError, match="is no pass of this filter"):
+    with pytest.raises(EvaluationError, match="is no pass of a policy"):
         solvable(dataset.path, dataset.path, policy, k=1)
     for between in ((0.9, 0.1), (-1.0, 0.5), (float("nan"), 1.0)):
         with pytest.raises(EvaluationError, match="give bounds"):

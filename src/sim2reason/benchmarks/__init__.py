@@ -9,12 +9,12 @@ from hashlib import sha256
 from typing import Annotated
 
 from annotated_types import Ge, Le
-from pydantic import BaseModel, ConfigDict, Field, JsonValue, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, JsonValue
 
 from sim2reason.datasets.atomic_files import canonical
 from sim2reason.errors import EvaluationError
 from sim2reason.policies import Name
-from sim2reason.policies.parts.words import first_fault
+from sim2reason.policies.parts.settings import of_kind
 from sim2reason.registry import Registry
 
 __all__ = ["BENCHMARKS", "Benchmark", "BenchmarkItem", "benchmark_from", "data_hash", "items_of"]
@@ -83,13 +83,7 @@ def benchmark_from(settings: Mapping[str, object], place: str = "benchmark") -> 
         EvaluationError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    kind, rest = settings.get("kind"), {key: value for key, value in settings.items() if key != "kind"}
-    if not isinstance(kind, str):
-        raise EvaluationError(f"{place}.kind: give one of {', '.join(BENCHMARKS)}")
-    try:
-        return BENCHMARKS[kind].model_validate(rest)
-    except ValidationError as error:
-        raise EvaluationError(f"{place}.{first_fault(error)}") from None
+    return of_kind(BENCHMARKS, settings, place, EvaluationError)
 
 
 def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:

@@ -3,10 +3,10 @@
 import json
 import sys
 from collections.abc import Generator, Iterable, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from math import isfinite
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 import click
 
@@ -119,6 +119,60 @@ def resumable(remedy: str) -> Generator[None, None, None]:
     except KeyboardInterrupt as error:
         error.add_note(remedy)
         raise
+
+
+class Bar:
+    """A progress bar that is shown once it is known how much there is to do."""
+
+    def __init__(self, what: str) -> None:
+        """Of what there will be so much."""
+        self._what = what
+        self._shown: AbstractContextManager[Progress] | None = None
+        self._move: Progress = _ignore
+
+    def __enter__(self) -> Self:
+        """Itself; nothing is shown yet."""
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        """Take it away."""
+        if self._shown is not None:
+            self._shown.__exit__(None, None, None)
+
+    def begin(self, total: int) -> None:
+        """Show it."""
+        self._shown = progress(self._what, total)
+        self._move = self._shown.__enter__()
+
+    def advance(self, steps: int) -> None:
+        """Move it."""
+        self._move(steps)
+
+
+class Phases:
+    """A progress bar for each phase of some work, one after the other."""
+
+    def __init__(self) -> None:
+        """None is shown before the first phase begins."""
+        self._bar = Bar("")
+
+    def __enter__(self) -> Self:
+        """Itself."""
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        """Take the last one away."""
+        self._bar.__exit__(*error)
+
+    def begin(self, phase: str, total: int) -> None:
+        """Show the bar of the next phase in place of the last."""
+        self._bar.__exit__()
+        self._bar = Bar(phase)
+        self._bar.begin(total)
+
+    def advance(self, steps: int) -> None:
+        """Move it."""
+        self._bar.advance(steps)
 
 
 def _ignore(steps: int = 1) -> None:

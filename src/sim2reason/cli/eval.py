@@ -1,7 +1,6 @@
 """Evaluate policies on benchmarks: ours and those that others published."""
 
 from pathlib import Path
-from typing import Any, Self
 
 import click
 
@@ -68,7 +67,7 @@ def run(config: Path, out: Path | None, to_json: bool) -> int:
 
     evaluation = evaluation_from(config, out)
     remedy = f"what is finished stays in {evaluation.out}; give the same command again to go on"
-    with console.resumable(remedy), _Bar() as bar:
+    with console.resumable(remedy), console.Bar("answers") as bar:
         found: Evaluated = evaluate(evaluation, begun=bar.begin, advance=bar.advance)
     if to_json:
         console.as_json(found.report.model_dump(mode="json"))
@@ -80,31 +79,6 @@ def run(config: Path, out: Path | None, to_json: bool) -> int:
     if found.open:
         console.explain(f"{len(found.open)} samples got no answer; give the same command again. {found.open[0]}")
     return 1 if found.open else 0
-
-
-class _Bar:
-    """A progress bar that is shown once it is known how much there is to do."""
-
-    def __init__(self) -> None:
-        self._shown: Any = None
-        self._move: console.Progress | None = None
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        if self._shown is not None:
-            self._shown.__exit__(None, None, None)
-
-    def begin(self, total: int) -> None:
-        """Show it."""
-        self._shown = console.progress("answers", total)
-        self._move = self._shown.__enter__()
-
-    def advance(self, steps: int) -> None:
-        """Move it."""
-        if self._move is not None:
-            self._move(steps)
 
 
 @command.command("compare", epilog=COMPARE_EXAMPLE)

@@ -185,6 +185,7 @@ def command(config: Config) -> str:
         f"--weights {_pairs(config.weights)}" * bool(config.weights),
         f"--units {config.units}" * (config.units != SI),
         "--solutions" * config.solutions,
+        "--unfiltered" * config.unfiltered,
         f"--split {_pairs(config.split)}" * (list(config.split) != [TRAIN]),
         f"--distance {config.distance!r}" * (config.distance != DISTANCE),
         *(f"--decontaminate {quote(file.name)}" for file in config.decontaminate),

@@ -17,7 +17,7 @@ from sim2reason.errors import DatasetError
 from sim2reason.questions.spoken_units import system_named
 
 ITEMS = 1000
-AS_GIVEN = "seed", "shard", "maker", "solutions", "weights", "split", "distance", "license"
+AS_GIVEN = "seed", "shard", "maker", "solutions", "unfiltered", "weights", "split", "distance", "license"
 
 
 class Order(TypedDict, total=False):
@@ -34,6 +34,8 @@ class Order(TypedDict, total=False):
     """The system in which texts speak: ``SI``, ``cgs`` or ``mixed``."""
     solutions: bool
     """Whether items come with worked solutions."""
+    unfiltered: bool
+    """A control: any question that has an answer is kept, whatever the filters say of it."""
     split: Mapping[str, float]
     """The shares of the splits: ``{"train": 0.9, "test": 0.1}``."""
     distance: float
@@ -88,4 +90,5 @@ def configured(**order: Unpack[Order]) -> Config:
         return Config.model_validate(fields)
     except ValidationError as error:
         fault = error.errors()[0]
-        raise DatasetError(f"{'.'.join(map(str, fault['loc']))}: {fault['msg']}") from None
+        problem = fault["msg"].removeprefix("Value error, ")
+        raise DatasetError(f"{'.'.join(map(str, fault['loc']))}: {problem}") from None

@@ -81,7 +81,8 @@ class ItemSearch:
                 if not self._mode.offers(scene.mechanism):
                     self.rejected[NOTHING] += 1
                     continue
-                search = QuestionSearch(scene, int(rng.random() * 2**31), self._difficulty)
+                wording, unfiltered = int(rng.random() * 2**31), self._request.unfiltered
+                search = QuestionSearch(scene, wording, self._difficulty, unfiltered=unfiltered)
             except (SceneError, SimulationError, UnsupportedError) as error:
                 self.rejected[_counted(error)] += 1
                 continue

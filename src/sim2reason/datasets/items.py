@@ -52,7 +52,7 @@ def sample(
     return _found(requested(recipe, difficulty, mode, seed, index, weights, SI)).study.scene
 
 
-def stream(
+def stream(  # noqa: PLR0913 - the same
     recipe: Names = ALL,
     difficulty: Names = ALL,
     mode: Names = "numeric",
@@ -61,10 +61,12 @@ def stream(
     start: int = 0,
     weights: Mapping[str, float] | None = None,
     units: str = SI,
+    solutions: bool = False,
 ) -> Iterator[Item]:
     """Problems without end, dealt in turn to the recipes, difficulties and modes; `start` goes straight to a position.
 
-    The few requests that no draw fills are passed over, as in a dataset. `weights` and `units` are those of `item`.
+    The few requests that no draw fills are passed over, as in a dataset. `weights`, `units` and `solutions` are those
+    of `item`.
 
     Raises:
         UnknownNameError: no such recipe, difficulty, mode or units.
@@ -80,6 +82,7 @@ def stream(
         seed=whole("seed", seed),
         weights=dict(weights or {}),
         units=system_named(units).name,
+        solutions=solutions,
     )
     check(config.weights, config.modes, config.recipes)
     while True:

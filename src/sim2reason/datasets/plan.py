@@ -51,10 +51,13 @@ Names = str | Sequence[str]
 Weights = tuple[tuple[str, float], ...]
 """Pairs of a name and a weight."""
 Share = Annotated[float, Gt(0.0), Le(1.0)]
+UNFILTERED = "unfiltered"
+"""What stands in the id of an item that no filter has seen."""
 _SPLIT = re.compile(r"[a-z][a-z0-9_]{0,30}")
 _ID = re.compile(
     r"(?P<recipe>[^-].{0,80}?)-(?P<difficulty>[a-z]{1,20})-(?P<mode>[a-z]{1,20})-(?P<seed>\d{1,19})-(?P<index>\d{1,19})"
-    r"(?:-(?P<units>[a-z]{1,20}(?<![0-9a-f]{8})))?(?:-(?P<weights>[0-9a-f]{8}))?"
+    rf"(?:-(?P<units>(?!{UNFILTERED})[a-z]{{1,20}}(?<![0-9a-f]{{8}})))?(?P<unfiltered>-{UNFILTERED})?"
+    r"(?:-(?P<weights>[0-9a-f]{8}))?"
 )
 
 
@@ -88,6 +91,8 @@ class Request:
     units: str = SI
     solutions: bool = False
     """Whether the item comes with its worked solution; it is the same problem either way."""
+    unfiltered: bool = False
+    """Whether any question that has an answer will do, whatever the filters say of it."""
 
     def __post_init__(self) -> None:
         """DrawError for coordinates that no item has; whole numbers of other packages become Python's."""
@@ -98,8 +103,9 @@ class Request:
     def id(self) -> str:
         """A name that no other request has."""
         name = f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
-        units = f"-{self.units}" if self.units != SI else ""
-        return f"{name}{units}-{_digest(self.weights)}" if self.weights else f"{name}{units}"
+        tail = f"-{self.units}" if self.units != SI else ""
+        tail += f"-{UNFILTERED}" if self.unfiltered else ""
+        return f"{name}{tail}-{_digest(self.weights)}" if self.weights else f"{name}{tail}"
 
     @classmethod
     def named(cls, name: str, weights: Weights = ()) -> Self:
@@ -108,7 +114,16 @@ class Request:
         if match is None:
             raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")
         seed, index, units = int(match["seed"]), int(match["index"]), match["units"] or SI
-        request = cls(match["recipe"], match["difficulty"], match["mode"], seed, index, weights, units)
+        request = cls(
+            match["recipe"],
+            match["difficulty"],
+            match["mode"],
+            seed,
+            index,
+            weights,
+            units,
+            unfiltered=bool(match["unfiltered"]),
+        )
         if request.id != name:
             raise DrawError(f"{name!r}: its weights do not stand in its id; see: sim2reason explain DATASET --id ID")
         return request
@@ -146,6 +161,8 @@ class Config(Record):
     units: str = SI
     solutions: bool = False
     """Whether items come with worked solutions."""
+    unfiltered: bool = False
+    """A control: any question that has an answer is kept, whatever the filters say of it."""
     split: dict[str, Share] = Field(default_factory=lambda: {TRAIN: 1.0})
     """The shares of the splits, by name; together 1."""
 
@@ -173,7 +190,7 @@ class Config(Record):
         turn, place = divmod(position, len(self._cells))
         cell = self._cells[place]
         index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
-        return Request(*cell, self.seed, index, self._weights, self.units, self.solutions)
+        return Request(*cell, self.seed, index, self._weights, self.units, self.solutions, self.unfiltered)
 
     def named(self, name: str) -> Request:
         """The request of an id; DrawError for what is no id of this configuration's weights."""

@@ -9,7 +9,7 @@ from itertools import chain
 import numpy as np
 
 from sim2reason.dsl.scene import Scene
-from sim2reason.filters import FILTERS, Candidate, sift
+from sim2reason.filters import FILTERS, Candidate, Verdict, sift
 from sim2reason.filters.length import followed
 from sim2reason.prose.description import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
@@ -64,6 +64,12 @@ class _Told:
     shape: str
 
 
+def _kept(candidate: Candidate, *, witnessed: bool) -> Verdict:
+    """The verdict where no filter is heard."""
+    del candidate, witnessed
+    return Verdict(keep=True, filter="")
+
+
 class QuestionSearch:
     """A scene with its motion and its text, which all questions about it share.
 
@@ -71,9 +77,12 @@ class QuestionSearch:
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
     """
 
-    def __init__(self, scene: Scene, wording: int, difficulty: Difficulty = "medium") -> None:
+    def __init__(
+        self, scene: Scene, wording: int, difficulty: Difficulty = "medium", *, unfiltered: bool = False
+    ) -> None:
         """`wording` is the seed of the text, or that of the first that is tried."""
         self._difficulty: Difficulty = difficulty
+        self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
         self._vouched: tuple[Study, Certificate] | None = None
@@ -90,6 +99,14 @@ class QuestionSearch:
     def words(self) -> Words:
         """What questions need to know of its text."""
         return words_of(self.description)
+
+    def _words(self, told: "_Told") -> Words:
+        """What a question's own text says, of whose numbers some may be left out."""
+        said = told.description.told
+        if len(said) == len(self.description.told):
+            return self.words
+        symbols = {path: symbol for path, symbol in self.words.symbols.items() if path in said}
+        return replace(self.words, symbols=symbols)
 
     def _certified(self, query: Query, study: Study) -> tuple[Study, Certificate]:
         """The motion as far as both engines vouch for it; the second follows it no further than a question needs."""
@@ -127,18 +144,18 @@ class QuestionSearch:
             return None
         for question in self._questions(mode, kind, rng, refused, tries):
             told = self._told(question, mode, rng)
-            verdict = sift(told.candidate, witnessed=False)
+            verdict = self._sift(told.candidate, witnessed=False)
             if verdict.keep:
-                completed = mode.completed(question, self.study, self.words, rng)
+                completed = mode.completed(question, self.study, self._words(told), rng)
                 if completed is None:
                     refused["incomplete"] += 1
                     continue
                 if completed is not question:
                     told = self._told(completed, mode, rng)
-                    verdict = sift(told.candidate, witnessed=False)
+                    verdict = self._sift(told.candidate, witnessed=False)
             if verdict.keep:
                 study, certificate = self._certified(question.query, told.candidate.study)
-                verdict = sift(replace(told.candidate, certificate=certificate), witnessed=True)
+                verdict = self._sift(replace(told.candidate, certificate=certificate), witnessed=True)
                 if verdict.keep:
                     return CertifiedQuestion(told.candidate, study, certificate, told.description, told.shape)
             refused[verdict.counted] += 1

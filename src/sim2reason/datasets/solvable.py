@@ -4,7 +4,7 @@ A policy's answers are no function of a problem, so this is no filter of the mak
 whose result is a folder with hashes of all that it rests on:
 
     OUT/solvable.json      the dataset, the policy, tries, bounds, and what was found; written last
-    OUT/samples.jsonl      every answer, one line each, on disk as soon as it is finished
+    OUT/samples.jsonl      every answer, one line each, on disk as soon as it is finished; with OUT/plan.json
     OUT/pass_rates.jsonl   of each problem: right answers, tries, and whether it was kept
     OUT/problems/          the dataset of those that were kept
 """
@@ -13,25 +13,19 @@ from collections.abc import Callable, Iterator, Mapping
 from importlib.metadata import version
 from pathlib import Path
 
-from pydantic import JsonValue, ValidationError
-
-from sim2reason.datasets.atomic_files import canonical, checksum, locked, put_text
+from sim2reason.datasets.atomic_files import canonical, checksum, put_text
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.grade import grade_answer
 from sim2reason.datasets.item import Answer, Record
-from sim2reason.datasets.manifest import MANIFEST
+from sim2reason.datasets.policy_pass import MOST_TRIES, SAMPLES, PolicyPass, PolicySource, asked
 from sim2reason.datasets.subset import put_subset
 from sim2reason.errors import EvaluationError
-from sim2reason.policies import Policy, policy_from
-from sim2reason.policies.parts.settings import settings_in
-from sim2reason.policies.samples.ask import ask, requests_for
-from sim2reason.policies.samples.journal import SampleJournal, finished
+from sim2reason.policies.samples.journal import finished
 
 __all__ = ["PassRate", "Solvable", "solvable"]
 
-PLAN, RESULT, SAMPLES, RATES, KEPT = "plan.json", "solvable.json", "samples.jsonl", "pass_rates.jsonl", "problems"
+RESULT, RATES, KEPT = "solvable.json", "pass_rates.jsonl", "problems"
 TRIES, BETWEEN = 8, (0.1, 0.9)
-MOST_TRIES = 4096
 
 
 class PassRate(Record):
@@ -48,19 +42,10 @@ class PassRate(Record):
         return self.right / self.tries
 
 
-class SolvablePlan(Record):
-    """What decides the answers: the dataset, the policy, and the seed of its samples."""
-
-    dataset: str
-    """The SHA-256 of its manifest."""
-    policy: dict[str, JsonValue]
-    seed: int
-
-
 class Solvable(Record):
     """What a pass has found; ``solvable.json``."""
 
-    plan: SolvablePlan
+    plan: PolicyPass
     tries: int
     between: tuple[float, float]
     """An open interval."""
@@ -76,7 +61,7 @@ class Solvable(Record):
 def solvable(
     dataset: Path | str,
     out: Path | str,
-    policy: Policy | Mapping[str, object] | Path | str,
+    policy: PolicySource,
     *,
     k: int = TRIES,
     between: tuple[float, float] = BETWEEN,
@@ -96,45 +81,12 @@ def solvable(
     low, high = between
     if not 0.0 <= low < high <= 1.0 or not 1 <= k <= MOST_TRIES:
         raise EvaluationError(f"between {low:g} and {high:g}, {k} tries: give bounds as in 0.1,0.9 and a try or more")
-    source, out, asked = Dataset(dataset), Path(out), _policy(policy)
-    plan = SolvablePlan.model_validate(
-        {"dataset": checksum(source.path / MANIFEST), "policy": asked.decisive, "seed": seed}
-    )
-    out.mkdir(parents=True, exist_ok=True)
-    with locked(out):
-        _claim(out, plan)
-        with SampleJournal(out / SAMPLES) as journal:
-            prompts = ((item.id, item.prompt) for item in source)
-            done = ask(asked, requests_for(prompts, k, seed), journal, advance=advance)
-        if done.open:
-            raise EvaluationError(f"{len(done.open)} tries got no answer; give the same command again. {done.open[0]}")
+    source, out = Dataset(dataset), Path(out)
+    with asked(source, source, out, policy, k=k, seed=seed, advance=advance) as plan:
         return _finished(source, out, plan, k, between)
 
 
-def _policy(given: Policy | Mapping[str, object] | Path | str) -> Policy:
-    if isinstance(given, Policy):
-        return given
-    return policy_from(given) if isinstance(given, Mapping) else policy_from(settings_in(Path(given)), str(given))
-
-
-def _claim(out: Path, plan: SolvablePlan) -> None:
-    """Write the plan into an empty folder, or go on with the same one."""
-    file = out / PLAN
-    if not file.is_file():
-        if strangers := sorted(path.name for path in out.iterdir()):
-            raise EvaluationError(f"{out}: holds {strangers[0]} and is no pass of this filter; choose a new folder")
-        put_text(file, canonical(plan.model_dump(mode="json")), out)
-        return
-    try:
-        before = SolvablePlan.model_validate_json(file.read_bytes())
-    except ValidationError:
-        raise EvaluationError(f"{file}: damaged; choose a new folder") from None
-    if before != plan:
-        differs = next(name for name in SolvablePlan.model_fields if getattr(before, name) != getattr(plan, name))
-        raise EvaluationError(f"{out}: holds a pass with another {differs}; choose a new folder")
-
-
-def _finished(source: Dataset, out: Path, plan: SolvablePlan, k: int, between: tuple[float, float]) -> Solvable:
+def _finished(source: Dataset, out: Path, plan: PolicyPass, k: int, between: tuple[float, float]) -> Solvable:
     """Grade all answers, and write what follows from them."""
     (out / RESULT).unlink(missing_ok=True)
     rates = {rate.id: rate for rate in _rates(source, out / SAMPLES, k, between)}

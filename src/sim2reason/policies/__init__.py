@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
 from annotated_types import Ge, Gt, Le
-from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat
 
 from sim2reason.errors import PolicyError
-from sim2reason.policies.parts.words import first_fault
+from sim2reason.policies.parts.settings import of_kind
 from sim2reason.registry import Registry
 
 __all__ = ["POLICIES", "Completion", "Finish", "Limits", "Name", "Policy", "SampleRequest", "Sampling", "policy_from"]
@@ -142,10 +142,4 @@ def policy_from(settings: Mapping[str, object], place: str = "policy") -> Policy
         PolicyError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    kind, rest = settings.get("kind"), {key: value for key, value in settings.items() if key != "kind"}
-    if not isinstance(kind, str):
-        raise PolicyError(f"{place}.kind: give one of {', '.join(POLICIES)}")
-    try:
-        return POLICIES[kind].model_validate(rest)
-    except ValidationError as error:
-        raise PolicyError(f"{place}.{first_fault(error)}") from None
+    return of_kind(POLICIES, settings, place, PolicyError)

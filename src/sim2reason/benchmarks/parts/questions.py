@@ -18,7 +18,10 @@ ASKED = r"Reason step by step, and end with the answer in \boxed{}."
 
 
 class QuestionFile(FileBenchmark):
-    """A file of rows with a question and its answer each. Columns that a row does not have are taken as empty."""
+    """A file of rows with a question and its answer each. Columns that a row does not have are taken as empty.
+
+    A column may be a path into what is nested, as in ``prompt.0.content``.
+    """
 
     question_column: str = "question"
     answer_column: str = "answer"
@@ -54,10 +57,10 @@ class QuestionFile(FileBenchmark):
 
     def problem(self, row: Row, number: int) -> BenchmarkItem:
         """With what the rule of scoring needs."""
-        question = row[self.question_column]
+        question = _at(row, self.question_column)
         if not isinstance(question, str) or not question.strip():
             raise ValueError(f"its {self.question_column} is no text")
-        name = row.get(self.id_column)
+        name = _at(row, self.id_column, optional=True)
         return BenchmarkItem(
             id=f"{self.name}-{number}" if name is None else str(name),
             prompt=f"{question.strip()}\n\n{self.instruction}".strip(),
@@ -68,7 +71,7 @@ class QuestionFile(FileBenchmark):
 
     def reference(self, row: Row) -> dict[str, JsonValue]:
         """The answer of a row as the rule needs it; ValueError if it is none."""
-        held: Any = row[self.answer_column]
+        held: Any = _at(row, self.answer_column)
         several = [str(part) for part in cast("list[object]", held)] if isinstance(held, list) else [str(held)]
         if not all(part.strip() for part in several):
             raise ValueError(f"its {self.answer_column} is empty")
@@ -88,3 +91,22 @@ class QuestionFile(FileBenchmark):
                 f"its {self.answer_column} {', '.join(several)[:60]!r} is no number; choose another scoring"
             )
         return {"value": value, "unit": known, "tolerance": self.tolerance}
+
+
+def _at(row: Row, path: str, *, optional: bool = False) -> object:
+    """What a column holds, or what lies in it where its name is a path; KeyError where there is no such place."""
+    if path in row:
+        return row[path]
+    held: object = row
+    for part in path.split("."):
+        several = cast("list[object]", held) if isinstance(held, list) else []
+        named = cast("dict[str, object]", held) if isinstance(held, dict) else {}
+        if part.isdecimal() and int(part) < len(several):
+            held = several[int(part)]
+        elif part in named:
+            held = named[part]
+        elif optional:
+            return None
+        else:
+            raise KeyError(path)
+    return held

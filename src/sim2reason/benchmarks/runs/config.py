@@ -6,13 +6,12 @@ from pathlib import Path
 from typing import Annotated, Any, cast
 
 from annotated_types import Ge, Le, MinLen
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict
 
 from sim2reason.benchmarks import MOST_SAMPLES, Benchmark, benchmark_from
-from sim2reason.errors import EvaluationError, Sim2ReasonError
+from sim2reason.errors import EvaluationError
 from sim2reason.policies import Policy, policy_from
-from sim2reason.policies.parts.settings import settings_in
-from sim2reason.policies.parts.words import first_fault
+from sim2reason.policies.parts.settings import configuration
 
 __all__ = ["Evaluation", "evaluation_from"]
 
@@ -72,17 +71,7 @@ def evaluation_from(config: "Path | str | Mapping[str, object] | Evaluation", ou
     """
     if isinstance(config, Evaluation):
         return config
-    place = "" if isinstance(config, Mapping) else f"{config}: "
-    settings = dict(config) if isinstance(config, Mapping) else settings_in(Path(config))
-    if out is not None:
-        settings["out"] = out
-    try:
-        return _evaluation(_File.model_validate(settings))
-    except ValidationError as error:
-        raise EvaluationError(f"{place}{first_fault(error)}") from None
-    except Sim2ReasonError as error:
-        error.args = (f"{place}{error}", *error.args[1:])
-        raise
+    return configuration(config, out, lambda settings: _evaluation(_File.model_validate(settings)), EvaluationError)
 
 
 def _evaluation(file: _File) -> Evaluation:

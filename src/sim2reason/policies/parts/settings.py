@@ -3,17 +3,23 @@
 # PyYAML's stubs leave nodes and events untyped:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable, Mapping
 from pathlib import Path
-from typing import Any, Final, cast
+from typing import Any, Final, TypeVar, cast
 
+from pydantic import BaseModel, ValidationError
 from yaml import AliasEvent, MappingNode, Node, SafeLoader, YAMLError, load
 
-from sim2reason.errors import EvaluationError
+from sim2reason.errors import EvaluationError, Sim2ReasonError
+from sim2reason.policies.parts.words import first_fault
+from sim2reason.registry import Registry
 
-__all__ = ["settings_in"]
+__all__ = ["configuration", "of_kind", "settings_in"]
 
 MAX_BYTES: Final = 2**20
+Fault = type[Sim2ReasonError]
+M = TypeVar("M", bound=BaseModel)
+T = TypeVar("T")
 
 
 class _Plain(SafeLoader):
@@ -47,3 +53,45 @@ def settings_in(path: Path) -> dict[str, object]:
     if not isinstance(found, dict) or not all(isinstance(key, str) for key in cast("dict[object, object]", found)):
         raise EvaluationError(f"{path}: holds no settings; write NAME: VALUE in each line")
     return cast("dict[str, object]", found)
+
+
+def of_kind(registry: Registry[type[M]], settings: Mapping[str, object], place: str, fault: Fault) -> M:
+    """The member that settings describe: their `kind` is its registered name, the rest are its own.
+
+    Raises:
+        Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense, with its place.
+        UnknownNameError: no such kind.
+    """
+    kind, rest = settings.get("kind"), {key: value for key, value in settings.items() if key != "kind"}
+    if not isinstance(kind, str):
+        raise fault(f"{place}.kind: give one of {', '.join(registry)}")
+    try:
+        return registry[kind].model_validate(rest)
+    except ValidationError as error:
+        raise fault(f"{place}.{first_fault(error)}") from None
+
+
+def configuration(
+    config: Path | str | Mapping[str, object],
+    out: Path | None,
+    built: Callable[[dict[str, object]], T],
+    fault: Fault,
+) -> T:
+    """What is built of a YAML file, or of settings; `out` stands for the folder that they name.
+
+    Raises:
+        Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense; and what `built`
+            raises, with the file's name before it.
+        EvaluationError: a file that is no YAML.
+    """
+    place = "" if isinstance(config, Mapping) else f"{config}: "
+    settings = dict(config) if isinstance(config, Mapping) else settings_in(Path(config))
+    if out is not None:
+        settings["out"] = out
+    try:
+        return built(settings)
+    except ValidationError as error:
+        raise fault(f"{place}{first_fault(error)}") from None
+    except Sim2ReasonError as error:
+        error.args = (f"{place}{error}", *error.args[1:])
+        raise

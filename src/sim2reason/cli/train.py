@@ -1,0 +1,106 @@
+"""Train models: supervised fine-tuning, and reinforcement learning."""
+
+import os
+from pathlib import Path
+
+import click
+
+from sim2reason.cli import console
+
+EXAMPLE = """\b
+Example:
+    sim2reason train sft config.yaml
+    sim2reason train rl experiments/tiny.yaml
+    accelerate launch --no-python sim2reason train sft config.yaml
+
+A configuration names a model, what it learns from, and the folder of the run. The same command goes on where a run was
+broken off.
+"""
+SFT_EXAMPLE = """\b
+Example:
+    sim2reason train sft config.yaml
+    sim2reason train sft config.yaml -o run
+
+config.yaml, for a tiny model made here that learns from worked solutions:
+
+\b
+    out: run
+    model: {kind: scratch, layers: 3, width: 96, heads: 3}
+    corpora: [{kind: worked, dataset: problems}]
+    steps: 1000
+    optimizer: muon
+    learning_rate: 3.0e-3
+
+The trained model lies in run/model and loads like any checkpoint; the same command goes on where it was broken off.
+"""
+RL_EXAMPLE = """\b
+Example:
+    sim2reason train rl experiments/tiny.yaml
+    accelerate launch --no-python sim2reason train rl experiments/paper/3b.yaml
+
+The trained model lies in OUT/model, what each step measured in OUT/train/log.jsonl, and accuracies on held-out problems
+before and after in OUT/report. The same command goes on where a run was broken off, with the prompt that comes next.
+"""
+FOLDER = click.Path(file_okay=False, path_type=Path)
+
+
+@click.group("train", epilog=EXAMPLE)
+def command() -> None:
+    """Train a model as a configuration says."""
+
+
+@command.command("sft", epilog=SFT_EXAMPLE)
+@click.argument("config", type=click.Path(path_type=Path))
+@click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
+@click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
+def sft_command(config: Path, out: Path | None, to_json: bool) -> None:
+    """Fine-tune a model on prompts with completions, as the file CONFIG says; needs the extra [train]."""
+    from sim2reason.training.sft.config import fine_tuning_from
+    from sim2reason.training.sft.run import train_sft
+
+    settings = fine_tuning_from(config, out)
+    remedy = f"what is finished stays in {settings.out}; give the same command again to go on"
+    with console.resumable(remedy), console.Phases() as phases:
+        found = train_sft(settings, begun=phases.begin, advance=phases.advance)
+    if int(os.environ.get("RANK", "0")):  # of several processes, the first speaks
+        return
+    if to_json:
+        console.as_json(found.model_dump(mode="json"))
+    else:
+        left_out = sum(found.left_out.values())
+        head = ["steps", "rows", "too long", "parameters", "last loss"]
+        console.table(head, [[found.steps, found.rows, left_out, found.parameters, round(found.loss, 4)]])
+        click.echo(f"The model: {settings.out / found.model}")
+
+
+@command.command("rl", epilog=RL_EXAMPLE)
+@click.argument("config", type=click.Path(path_type=Path))
+@click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
+@click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
+def rl_command(config: Path, out: Path | None, to_json: bool) -> None:
+    """Train a model on problems by GSPO with our grader as the reward, as the file CONFIG says; needs [train]."""
+    from sim2reason.reports.training import report_training
+    from sim2reason.training.extras import is_main_process, quiet
+    from sim2reason.training.rl.config import reinforcement_learning_from
+    from sim2reason.training.rl.run import train_rl
+
+    settings = reinforcement_learning_from(config, out)
+    remedy = f"what is finished stays in {settings.out}; give the same command again to go on"
+    with console.resumable(remedy), console.Phases() as phases, quiet():
+        found = train_rl(settings, begun=phases.begin, advance=phases.advance)
+        asked = settings.held_out is not None and is_main_process()
+        report = report_training(settings, begun=phases.begin, advance=phases.advance) if asked else None
+    if not is_main_process():
+        return
+    if to_json:
+        console.as_json(found.model_dump(mode="json"))
+        return
+    console.table(["steps", "prompts", "seconds"], [[found.steps, found.prompts_consumed, round(found.seconds)]])
+    if report is not None:
+        rows = [
+            [name, f"{100 * each.first:.1f}", f"{100 * each.second:.1f}", each.difference.shown]
+            for name, each in report.differences.items()
+        ]
+        console.table(["responses", "before (%)", "after (%)", "difference"], rows)
+        click.echo(f"The report: {report.folder / 'report.md'}")
+    click.echo(f"The model: {settings.out / found.model}")

@@ -1,0 +1,73 @@
+"""Problems that are drawn when they are asked for: a dataset of a bounded length that is never written."""
+
+from dataclasses import replace
+
+from sim2reason.datasets.contamination import Benchmarks
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.plan import TRAIN, Config, Request, load_maker
+from sim2reason.datasets.splits import split_of
+from sim2reason.errors import DatasetError, DrawError
+
+__all__ = ["MOST", "LazyProblems"]
+
+MOST = 2**40
+"""The most problems, and how far apart the indices are at which one position looks for its problem."""
+TRIES = 200
+"""How many indices a position looks at. Of a split with a tenth of all problems, it misses one position in 10⁹."""
+
+
+class LazyProblems:
+    """The problems of one split of a configuration, by position; the k-th is a pure function of it and of k.
+
+    Positions are dealt to recipes, difficulties and modes as those of a dataset. Where a request gives no problem of
+    the split, be it that no draw passes the filters, that the problem belongs to another split, or that it shares words
+    with a benchmark, the request of the same recipe, difficulty and mode at the index `MOST` further on takes its
+    place. So no two positions have one request. An instance is small, and can be pickled.
+
+    Args:
+        config: what `generate` would make; `items` is the length. Items are not compared with each other.
+        split: the name of one of its splits.
+        benchmarks: with which no problem may share a run of words.
+
+    Raises:
+        DatasetError: too many items, no such split, or no such maker.
+    """
+
+    def __init__(self, config: Config, split: str = TRAIN, benchmarks: Benchmarks | None = None) -> None:
+        """Draw nothing yet."""
+        if config.items > MOST:
+            raise DatasetError(f"items: {config.items} are too many; give {MOST} at most")
+        if split not in config.split:
+            raise DatasetError(f"there is no split {split!r}; there is {', '.join(config.split)}")
+        load_maker(config.maker)
+        self.config, self.split, self._benchmarks = config, split, benchmarks
+
+    def __len__(self) -> int:
+        """The number of positions."""
+        return self.config.items
+
+    def __getitem__(self, position: int) -> Item:
+        """The problem at a position from 0 on.
+
+        Raises:
+            IndexError: there is no such position.
+            DrawError: none of `TRIES` requests gave a problem of the split.
+        """
+        if not 0 <= position < len(self):
+            raise IndexError(f"position {position} of {len(self)}")
+        first = self.config.request(position)
+        for attempt in range(TRIES):
+            found = self._drawn(replace(first, index=first.index + attempt * MOST))
+            if found is not None:
+                return found
+        raise DrawError(
+            f"{first.id}: none of {TRIES} draws gave a problem of the split {self.split!r}; give it a larger share, or "
+            f"leave {first.recipe} out"
+        )
+
+    def _drawn(self, request: Request) -> Item | None:
+        item = load_maker(self.config.maker)(request).item
+        if item is None or split_of(item, self.config.split) != self.split:
+            return None
+        shared = self._benchmarks.overlap(item.prompt) if self._benchmarks is not None else None
+        return item if shared is None else None

@@ -1,0 +1,7 @@
+"""Training: problems as prompts, models, what they learn from, and what a run leaves on disk.
+
+ProblemSource (settings) ↦ Problem ── PromptStream ── trainer ── Reward ↦ checkpoints, log, report
+
+The libraries of deep learning, pip install 'sim2reason[train]', are loaded when a model is loaded or trained, never
+when this package is imported.
+"""

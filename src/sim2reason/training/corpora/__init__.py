@@ -1,0 +1,66 @@
+"""Corpora: where prompts with completions to learn from come from. One file each.
+
+Corpus (settings) ↦ Row (prompt, completion) ── parts.mix ── parts.encoding ── a trainer of supervised fine-tuning
+"""
+
+from abc import ABC, abstractmethod
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Annotated
+
+from annotated_types import Ge, Gt, Le
+from pydantic import BaseModel, ConfigDict
+
+from sim2reason.errors import TrainingError
+from sim2reason.policies.parts.settings import of_kind
+from sim2reason.registry import Registry
+
+__all__ = ["CORPORA", "MOST_WEIGHT", "Corpus", "Row", "corpus_from"]
+
+MOST_WEIGHT = 1000.0
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """What is asked, and what a model shall learn to say; plain texts, which a chat template may surround."""
+
+    prompt: str
+    completion: str
+    right: bool | None = None
+    """Whether the completion is right; None where nobody has looked."""
+    fingerprint: str = ""
+    """What the same problem of the same numbers has, too, in whatever words; empty where it is not known."""
+
+
+class Corpus(BaseModel, ABC):
+    """Rows with their settings; each subclass is a kind that a configuration names."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    weight: Annotated[float, Gt(0.0), Le(MOST_WEIGHT)] = 1.0
+    """How often each row stands in the mix: 2 is twice, 0.25 is a random quarter of the rows once."""
+    limit: Annotated[int, Ge(1)] | None = None
+    """The first so many rows only."""
+
+    @abstractmethod
+    def rows(self, left_out: Counter[str]) -> Iterator[Row]:
+        """All rows in order, the same each time; those that cannot be rows are counted by their reason.
+
+        Raises:
+            TrainingError: a file that is missing, damaged, or holds something else.
+            DatasetError: the same of a dataset.
+        """
+
+
+CORPORA: Registry[type[Corpus]] = Registry("training.corpora")
+
+
+def corpus_from(settings: Mapping[str, object], place: str = "corpus") -> Corpus:
+    """The corpus that settings describe; its `kind` is a registered name.
+
+    Raises:
+        TrainingError: a setting that is unknown, missing or makes no sense.
+        UnknownNameError: no such kind.
+    """
+    return of_kind(CORPORA, settings, place, TrainingError)

@@ -1,0 +1,61 @@
+"""The libraries of the extra [train], which core does without: loaded by name, when they are first needed."""
+
+from collections.abc import Generator
+from contextlib import contextmanager
+from importlib import import_module
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+from warnings import catch_warnings, filterwarnings
+
+from sim2reason.errors import MissingExtraError
+
+__all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "versions"]
+
+EXTRA = "train"
+LIBRARIES = "sim2reason", "torch", "transformers", "trl", "accelerate", "peft"
+External = Any
+"""A value of a class of such a library: their types hold only where they are installed."""
+
+
+def library(name: str) -> External:
+    """The module of that name; MissingExtraError, which says what to install, if it is not there."""
+    try:
+        return import_module(name)
+    except ModuleNotFoundError as error:
+        raise MissingExtraError(error.name or name, EXTRA) from None
+
+
+def versions() -> dict[str, str]:
+    """Those of the libraries that decide what is trained, as far as they are installed."""
+    found = dict[str, str]()
+    for name in LIBRARIES:
+        try:
+            found[name] = version(name)
+        except PackageNotFoundError:
+            continue
+    return found
+
+
+def is_main_process() -> bool:
+    """Whether this is the only process of a run, or the first of several that accelerate or torchrun started."""
+    return bool(library("accelerate").PartialState().is_main_process)
+
+
+@contextmanager
+def quiet() -> Generator[None, None, None]:
+    """Keep the library's bars and remarks from standard error while the block runs; errors are still raised.
+
+    So is what peft 0.21 provokes in transformers 5.23, an old name for a property.
+    """
+    logging = library("transformers").utils.logging
+    verbosity, bars = logging.get_verbosity(), logging.is_progress_bar_enabled()
+    logging.set_verbosity_error()
+    logging.disable_progress_bar()
+    try:
+        with catch_warnings():
+            filterwarnings("ignore", message="`is_gradient_checkpointing` is deprecated", category=FutureWarning)
+            yield
+    finally:
+        logging.set_verbosity(verbosity)
+        if bars:
+            logging.enable_progress_bar()

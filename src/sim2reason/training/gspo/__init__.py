@@ -1,0 +1,23 @@
+"""Group Sequence Policy Optimization with dynamic sampling, on TRL's trainer.
+
+PromptStream ── rounds of completions and rewards ↦ groups of unequal rewards ── updates ↦ log.jsonl, checkpoints
+"""
+
+from sim2reason.training.gspo.assembly import make_trainer
+from sim2reason.training.gspo.checkpoints import last_checkpoint
+from sim2reason.training.gspo.loss import gspo_loss
+from sim2reason.training.gspo.settings import GSPOSettings, VllmSettings
+from sim2reason.training.gspo.step_log import StepLog, StepRecord, StepSeconds
+from sim2reason.training.gspo.stream import PromptStream
+
+__all__ = [
+    "GSPOSettings",
+    "PromptStream",
+    "StepLog",
+    "StepRecord",
+    "StepSeconds",
+    "VllmSettings",
+    "gspo_loss",
+    "last_checkpoint",
+    "make_trainer",
+]

@@ -1,0 +1,162 @@
+"""A trainer from settings."""
+
+# torch, trl, peft and transformers are an extra and ship no types to an environment without them:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from sim2reason.errors import TrainingError
+from sim2reason.training.extras import library
+from sim2reason.training.gspo.settings import GSPOSettings, VllmSettings
+from sim2reason.training.gspo.stream import PromptStream
+
+if TYPE_CHECKING:
+    from sim2reason.training.gspo.trainer import GSPOTrainer
+
+__all__ = ["make_trainer"]
+
+Reward = Callable[..., list[float | None]]
+
+
+def make_trainer(
+    model: Any,  # noqa: ANN401 - a path, a name or a model of transformers
+    tokenizer: Any,  # noqa: ANN401 - of transformers
+    stream: PromptStream,
+    rewards: Sequence[Reward],
+    settings: GSPOSettings,
+    out: str | Path,
+    *,
+    weights: Sequence[float] | None = None,
+) -> "GSPOTrainer":
+    """A trainer of `model`, a folder or name of a causal language model, or such a model itself, in the folder `out`.
+
+    Rewards are functions as TRL calls them, ``reward(prompts, completions, **columns)``, which give a number or None
+    for each completion; what is learned from is their sum, with `weights` if there are any. ``trainer.train()`` trains,
+    ``trainer.train(resume_from_checkpoint=True)`` goes on after a kill: `model` is then the same as at the beginning,
+    since the KL divergence is to it. All processes of ``accelerate launch`` or ``torchrun`` call this alike, and only
+    the first one reads the stream.
+
+    Raises:
+        MissingExtraError: the libraries of the extra [train] are not installed.
+        TrainingError: another version of TRL is installed, or the settings don't fit the number of processes.
+    """
+    trainer = library("sim2reason.training.gspo.trainer")
+    args = _arguments(settings, Path(out), weights)
+    tuned = None if settings.lora is None else settings.lora.config
+    if not isinstance(model, str | Path) and tuned is None:
+        model.float()
+        if settings.beta:
+            _save_reference(model, Path(out) / "reference", args)
+    return trainer.GSPOTrainer(
+        stream,
+        settings,
+        model=str(model) if isinstance(model, Path) else model,
+        reward_funcs=list(rewards),
+        args=args,
+        processing_class=tokenizer,
+        peft_config=tuned,
+    )
+
+
+def _arguments(settings: GSPOSettings, out: Path, weights: Sequence[float] | None) -> Any:  # noqa: ANN401 - TRL's own
+    """TRL's configuration."""
+    cpu = not library("torch").accelerator.is_available()  # or accelerate would leave two processes unconnected
+    processes = int(library("accelerate").PartialState(cpu=cpu).num_processes)
+    return library("trl").GRPOConfig(
+        output_dir=str(out),
+        reward_weights=None if weights is None else list(weights),
+        use_cpu=cpu,
+        ddp_find_unused_parameters=False,
+        seed=settings.seed,
+        shuffle_dataset=False,
+        ignore_data_skip=True,
+        report_to=list(settings.report_to),
+        disable_tqdm=True,
+        **_objective(settings),
+        **_rollouts(settings),
+        **_updates(settings, *_shares(settings, processes)),
+    )
+
+
+def _objective(settings: GSPOSettings) -> dict[str, Any]:
+    return {
+        "loss_type": "grpo",
+        "importance_sampling_level": "sequence",
+        "scale_rewards": "group",
+        "epsilon": settings.epsilon_low,
+        "epsilon_high": settings.epsilon_high,
+        "beta": settings.beta,
+        "use_bias_correction_kl": False,
+    }
+
+
+def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str, Any]:
+    """What TRL counts in updates, we count in steps."""
+    every, half = settings.minibatches, settings.precision == "bfloat16"
+    new_name = "activation_checkpointing"  # since transformers 5.2x, which warns of the old one
+    known = library("trl").GRPOConfig.__dataclass_fields__
+    return {
+        "per_device_train_batch_size": micro,
+        "gradient_accumulation_steps": accumulation,
+        "steps_per_generation": accumulation * every,
+        "max_steps": settings.steps * every,
+        "learning_rate": settings.learning_rate,
+        "lr_scheduler_type": "constant_with_warmup",
+        "warmup_steps": settings.warmup_steps * every,
+        "weight_decay": settings.weight_decay,
+        "max_grad_norm": settings.max_grad_norm,
+        "bf16": half,
+        # frozen weights below adapters need no float32
+        "model_init_kwargs": {"dtype": "bfloat16"} if half and settings.lora else None,
+        new_name if new_name in known else "gradient_checkpointing": settings.gradient_checkpointing,
+        "logging_steps": every,
+        "save_steps": settings.save_every * every,
+        "save_total_limit": settings.keep,
+    }
+
+
+def _shares(settings: GSPOSettings, processes: int) -> tuple[int, int]:
+    """Completions that a process takes through the model at once, and how often for one update."""
+    if settings.prompts % processes:
+        raise TrainingError(f"{settings.prompts} prompts a step cannot be shared by {processes} processes evenly")
+    rows, rest = divmod(settings.prompts * settings.generations, processes * settings.minibatches)
+    micro = settings.microbatch or rows
+    if rest or rows % micro:
+        raise TrainingError(
+            f"{settings.prompts * settings.generations} completions a step cannot be cut into {settings.minibatches} "
+            f"minibatches on {processes} processes" + (f" in microbatches of {micro}" if not rest else "")
+        )
+    return micro, rows // micro
+
+
+def _rollouts(settings: GSPOSettings) -> dict[str, Any]:
+    """How completions are made."""
+    found: dict[str, Any] = {
+        "num_generations": settings.generations,
+        "max_completion_length": settings.max_completion_tokens,
+        "temperature": settings.temperature,
+    }
+    vllm: VllmSettings | None = settings.vllm
+    if vllm is None:
+        return found
+    return found | {
+        "use_vllm": True,
+        "vllm_mode": vllm.mode,
+        "vllm_gpu_memory_utilization": vllm.memory,
+        "vllm_tensor_parallel_size": vllm.tensor_parallel,
+        "vllm_enable_sleep_mode": vllm.sleep,
+        "vllm_server_base_url": vllm.address,
+        "vllm_max_model_length": settings.max_prompt_tokens + settings.max_completion_tokens,
+        "vllm_importance_sampling_correction": vllm.correction,
+        "vllm_importance_sampling_mode": "sequence_mask",  # one ratio for each completion, as GSPO's own
+    }
+
+
+def _save_reference(model: Any, folder: Path, args: Any) -> None:  # noqa: ANN401 - transformers' own
+    """Save a model from which the run begins: TRL loads its reference by path."""
+    with args.main_process_first(desc="reference"):
+        if args.process_index == 0:
+            model.save_pretrained(folder)
+    model.config._name_or_path = str(folder)  # noqa: SLF001 - where TRL looks

@@ -1,0 +1,100 @@
+"""One line of JSON for each step, on disk before the next begins."""
+
+import json
+import os
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, FiniteFloat
+
+from sim2reason.datasets.atomic_files import put_text
+
+__all__ = ["StepLog", "StepRecord", "StepSeconds"]
+
+NAME = "log.jsonl"
+
+
+class _Record(BaseModel):
+    """What all records on disk share: frozen, and no field that we do not know."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class StepSeconds(_Record):
+    """Wall time of one step, on the first process. What is left of `step` is the sorting of groups and messages."""
+
+    step: FiniteFloat
+    generation: FiniteFloat
+    reward: FiniteFloat
+    drawing: FiniteFloat
+    """Of prompts: the stream, and their way to all processes."""
+    logprobs: FiniteFloat
+    """Log-probabilities under the policy and the reference, before the updates."""
+    update: FiniteFloat
+    """Forward, backward and optimizer, of all minibatches."""
+
+
+class StepRecord(_Record):
+    """One step. Shares are of 1; rewards, lengths and rates are of all completions, also of groups left out."""
+
+    step: int
+    updates: int
+    """Of the optimizer, since the beginning."""
+    rounds: int
+    prompts: int
+    """Drawn and answered in this step."""
+    prompts_consumed: int
+    """Read from the stream since the beginning, with those that were too long."""
+    groups: int
+    """That were learned from: all of unequal rewards."""
+    zero_variance: FiniteFloat
+    """The share of groups drawn in this step whose rewards were all equal, or that had none."""
+    reward: FiniteFloat | None
+    pass_rate: FiniteFloat | None
+    """The share of rewards of 1 or more."""
+    completion_tokens: FiniteFloat | None
+    """The mean."""
+    truncated: FiniteFloat | None
+    """The share of completions that were cut at the greatest length."""
+    kl: FiniteFloat | None
+    clip_low: FiniteFloat | None
+    """The share of completions whose ratio fell below the lower bound while their advantage was negative."""
+    clip_high: FiniteFloat | None
+    entropy: FiniteFloat | None
+    loss: FiniteFloat | None
+    """The mean over the minibatches."""
+    grad_norm: FiniteFloat | None
+    """Before clipping; the mean over the minibatches."""
+    learning_rate: FiniteFloat | None
+    seconds: StepSeconds
+
+
+class StepLog:
+    """The file of a run."""
+
+    def __init__(self, folder: Path) -> None:
+        """It stands in the folder of the run."""
+        self.path = folder / NAME
+
+    def rewind(self, step: int) -> None:
+        """Forget what came after a step, and a line that a kill cut: the run goes on from there."""
+        kept = [line for line, number in self._lines() if number <= step]
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        put_text(self.path, "".join(kept), self.path.parent)
+
+    def _lines(self) -> list[tuple[str, int]]:
+        """The whole lines, each with its step."""
+        if not self.path.is_file():
+            return []
+        whole = [line for line in self.path.read_text("utf-8").splitlines(keepends=True) if line.endswith("\n")]
+        return [(line, int(json.loads(line)["step"])) for line in whole]
+
+    def add(self, record: StepRecord) -> None:
+        """Write a step; it is on disk when this returns."""
+        with self.path.open("a", encoding="utf-8", newline="\n") as file:
+            file.write(record.model_dump_json() + "\n")
+            file.flush()
+            os.fsync(file.fileno())
+
+    def read(self) -> list[StepRecord]:
+        """All steps so far."""
+        return [StepRecord.model_validate_json(line) for line, _ in self._lines()]

@@ -1,0 +1,288 @@
+"""TRL's GRPO trainer, with prompts from a stream, dynamic sampling, a cursor in each checkpoint and a log of steps.
+
+It overrides private methods of TRL 1.16, and refuses another minor version.
+"""
+
+# torch, trl and transformers are an extra and ship no types to an environment without them:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# pyright: reportUntypedBaseClass=false
+
+import logging
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from sim2reason.errors import TrainingError
+from sim2reason.training.extras import library
+from sim2reason.training.gspo.batches import Group, cut, filler, join, moved
+from sim2reason.training.gspo.callbacks import BetweenUpdates
+from sim2reason.training.gspo.checkpoints import (
+    Cursor,
+    clear_behind,
+    folder_of,
+    last_checkpoint,
+    mark,
+    read_cursor,
+    unmark,
+)
+from sim2reason.training.gspo.logprobs import score
+from sim2reason.training.gspo.measures import Meter, collapse
+from sim2reason.training.gspo.sampling import Answered, Filled, Place, balance, fill
+from sim2reason.training.gspo.settings import GSPOSettings
+from sim2reason.training.gspo.step_log import StepLog
+from sim2reason.training.gspo.stream import Drawn, PromptStream, Row, draw
+
+__all__ = ["GSPOTrainer"]
+
+SUPPORTED = "1.16"
+Tensor: TypeAlias = Any
+
+logger = logging.getLogger(__name__)
+trl, torch = library("trl"), library("torch")
+accelerate_utils = library("accelerate.utils")
+if trl.__version__.split(".")[:2] != SUPPORTED.split("."):
+    raise TrainingError(
+        f"trl {trl.__version__} is installed, and the trainer overrides private methods of {SUPPORTED}; "
+        f"install it with: pip install 'trl=={SUPPORTED}.*'"
+    )
+
+
+class GSPOTrainer(trl.GRPOTrainer):
+    """TRL's trainer on prompts of a stream. `make_trainer` assembles it."""
+
+    def __init__(self, stream: PromptStream, settings: GSPOSettings, **given: Any) -> None:  # noqa: ANN401 - TRL's own
+        """Take what TRL's trainer takes, but no data: a placeholder of one step's length drives its loop."""
+        self.stream, self.settings = stream, settings
+        self.prompts_consumed = 0
+        self._meter = Meter()
+        self._answered: Tensor = None
+        self._later = False
+        self.short = self.exhausted = False
+        rows = {"prompt": [""] * settings.prompts}
+        super().__init__(train_dataset=library("datasets").Dataset.from_dict(rows), **given)
+        self.step_log = StepLog(Path(self.args.output_dir))
+        self.add_callback(BetweenUpdates(self))
+
+    @property
+    def place(self) -> Place:
+        """Which process this is."""
+        return Place(self.accelerator.process_index, self.accelerator.num_processes)
+
+    # drawing and answering
+
+    def _generate_and_score_completions(self, inputs: list[Row]) -> dict[str, Tensor]:
+        """The batch of a step, filled from the stream; what the loop brings is a placeholder."""
+        if not self.model.training:
+            return super()._generate_and_score_completions(inputs)
+        self._meter.begin()
+        metrics = self._metrics["train"]
+        before = {name: len(held) for name, held in metrics.items()}
+        filled = fill(self, self.place, self.settings.prompts, self.settings.rounds)
+        self.prompts_consumed += filled.read
+        if not self.prompts_consumed:
+            raise TrainingError("the stream of prompts is empty")
+        collapse(metrics, before, filled.sizes)
+        batch = self._batch(filled)
+        self._meter.update(filled)
+        return batch
+
+    def draw(self, count: int) -> Drawn:
+        """The next prompts, read by the first process for all: there is one cursor, and nothing is read ahead.
+
+        All processes get all rows and take their slices; so prompts are used in the stream's order by any number.
+        """
+        with self._meter.time("drawing"):
+            drawn: Any = None
+            fault: Exception | None = None
+            if self.accelerator.is_main_process:
+                try:
+                    drawn = draw(self.stream, count, self._fits)
+                except Exception as error:  # noqa: BLE001 - whatever it is, the others must not wait for ever
+                    fault = error
+            said: list[Any] = [drawn, None if fault is None else f"{type(fault).__name__}: {fault}"[:1000]]
+            accelerate_utils.broadcast_object_list(said, from_process=0)
+        if fault is not None:
+            raise fault
+        if said[1] is not None:
+            raise TrainingError(f"the first process could draw no prompts: {said[1]}")
+        return said[0]
+
+    def observe(self, row: Row, rewards: Sequence[float]) -> None:
+        """Tell the stream, which the first process alone reads."""
+        if self.accelerator.is_main_process:
+            self.stream.observe(row, rewards)
+
+    def _fits(self, row: Row) -> bool:
+        """Whether a prompt is short enough."""
+        return len(self._tokenize_prompts([row["prompt"]])[0][0]) <= self.settings.max_prompt_tokens
+
+    def answer(self, rows: Sequence[Row]) -> Answered:
+        """Let TRL answer and score the prompts of this process."""
+        size = self.settings.generations
+        self._later = self._defers
+        try:
+            output = super()._generate_and_score_completions([dict(row) for row in rows for _ in range(size)])
+        finally:
+            self._later = False
+        parts, weights = self._answered, self.reward_weights.to(self._answered.device)
+        if parts.isinf().any():
+            raise TrainingError("a reward function gave an infinite reward")
+        # the sum that TRL's advantages are made of; NaN where no reward function has an opinion
+        total = (parts * weights).nansum(dim=1).masked_fill(parts.isnan().all(dim=1), float("nan"))
+        return Answered(total.view(-1, size).tolist(), lambda number: cut(output, number, size))
+
+    def _batch(self, filled: Filled) -> dict[str, Tensor]:
+        """What TRL would keep for a batch of these groups, equally many on each process, filled up if they are few.
+
+        Fillers have no completion to learn from. The loss is a mean over completions, so it is scaled to be one over
+        those that are learned; the fillers' share is the same for all minibatches, as if all were drawn together.
+        """
+        token = self._tokenizer.pad_token_id
+        wanted, found = self.settings.prompts, len(filled.owners)
+        groups = self._exchanged(filled)
+        self.short, self.exhausted = found < wanted, filled.exhausted
+        if self.short:
+            self._warn_short(filled)
+            empty = filler(self.settings.generations, token, self.accelerator.device)
+            groups += [empty] * (wanted // self.place.world - len(groups))
+        batch = join(groups, token)
+        if self._defers:
+            score(self, batch)
+        batch["num_items_in_batch"] = self.accelerator.gather(batch["completion_mask"].sum()).sum()
+        batch["loss_scale"] = torch.tensor(wanted / max(found, 1), device=self.accelerator.device)
+        return batch
+
+    def _exchanged(self, filled: Filled) -> list[Group]:
+        """The groups that this process learns, in the order of their prompts; those it has too many of go to others."""
+        places, rank = balance(filled.owners, self.place.world), self.place.rank
+        groups = {number: group for number, group in filled.own.items() if places[number] == rank}
+        if places != filled.owners:
+            leaving = [(number, moved(filled.own[number], "cpu")) for number in filled.own.keys() - groups.keys()]
+            for number, group in accelerate_utils.gather_object(leaving):
+                if places[number] == rank:
+                    groups[number] = moved(group, self.accelerator.device)
+        return [groups[number] for number in sorted(groups)]
+
+    def _warn_short(self, filled: Filled) -> None:
+        """Say what a step that could not be filled does."""
+        if self.accelerator.is_main_process:
+            why = "the stream of prompts has ended" if filled.exhausted else f"{len(filled.sizes)} rounds are used up"
+            found = len(filled.owners)
+            logger.warning(
+                "step %d learns from %d of %d groups: %s, and all rewards of each other group were equal%s",
+                self._step_now + 1,
+                found,
+                self.settings.prompts,
+                why,
+                "" if found else "; the weights stay as they are",
+            )
+
+    @property
+    def _step_now(self) -> int:
+        """Finished steps."""
+        return self.state.global_step // self.settings.minibatches
+
+    # what TRL does, timed
+
+    def _generate(self, prompts: list[Any]) -> Any:  # noqa: ANN401 - TRL's own
+        with self._meter.time("generation"):
+            return super()._generate(prompts)
+
+    def _calculate_rewards(self, *given: Any) -> Tensor:  # noqa: ANN401 - TRL's own
+        """The rewards of all processes, (completions, functions), NaN for None; kept for the choice of groups."""
+        with self._meter.time("reward"):
+            self._answered = super()._calculate_rewards(*given)
+        return self._answered
+
+    def _get_per_token_logps_and_entropies(self, model: object, input_ids: Tensor, *given: Any, **named: Any) -> Any:  # noqa: ANN401 - TRL's own
+        if torch.is_grad_enabled():
+            return super()._get_per_token_logps_and_entropies(model, input_ids, *given, **named)
+        if self._later:
+            width = given[1] if len(given) > 1 else named["logits_to_keep"]
+            return torch.zeros(len(input_ids), width, device=input_ids.device), None, None
+        with self._meter.time("logprobs"):
+            return super()._get_per_token_logps_and_entropies(model, input_ids, *given, **named)
+
+    def logps(self, *given: Any) -> Tensor:  # noqa: ANN401 - TRL's own
+        """Log-probabilities of the tokens of completions, zero behind their ends."""
+        return self._get_per_token_logps_and_entropies(*given)[0]
+
+    @property
+    def _defers(self) -> bool:
+        """Whether log-probabilities can wait until it is known which groups stay, instead of being computed for all.
+
+        TRL needs them at once where it corrects for vLLM's rounding.
+        """
+        return not (self.use_vllm and self.vllm_importance_sampling_correction)
+
+    def _compute_loss(self, model: object, inputs: dict[str, Tensor]) -> Tensor:
+        loss = super()._compute_loss(model, inputs)
+        if "loss_scale" not in inputs:  # evaluation
+            return loss
+        if self.short:  # fillers are never clipped, and count in no share
+            for name in ("low_mean", "high_mean", "region_mean"):
+                self._metrics["train"][f"clip_ratio/{name}"][-1] *= inputs["loss_scale"].item()
+        return loss * inputs["loss_scale"]
+
+    def _get_grad_norm(self, model: object, grad_norm: Any = None) -> Any:  # noqa: ANN401 - transformers' own
+        found = super()._get_grad_norm(model, grad_norm=grad_norm)
+        if found is not None:
+            self._meter.grad_norms.append(float(found))
+        return found
+
+    # logs and checkpoints
+
+    def log(self, logs: dict[str, float], start_time: float | None = None) -> None:
+        """Add what a step measured to what TRL logs, and write the step's line."""
+        if not (self.model.training and "loss" in logs):
+            super().log(logs, start_time)
+            return
+        logs |= self._meter.flat() | {"prompts_consumed": self.prompts_consumed}
+        super().log(logs, start_time)
+        at = {"step": self._step_now, "updates": self.state.global_step, "consumed": self.prompts_consumed}
+        record = self._meter.record(self.state.log_history[-1], **at)  # everywhere, so that all stop if it cannot be
+        if self.accelerator.is_main_process:
+            self.step_log.add(record)
+
+    def train(self, resume_from_checkpoint: Any = None, **given: Any) -> Any:  # noqa: ANN401 - transformers' own
+        """Train, or go on from a checkpoint: True means the last whole one, if there is any.
+
+        Raises:
+            TrainingError: the checkpoint is not whole or was made with another number of minibatches, or the folder
+                holds a run that got further.
+        """
+        out = Path(self.args.output_dir)
+        if resume_from_checkpoint is True:
+            resume_from_checkpoint = last_checkpoint(out)
+        folder = Path(resume_from_checkpoint) if resume_from_checkpoint else None
+        cursor = None if folder is None else read_cursor(folder)
+        if cursor is not None:
+            self._restore(cursor)
+        self.accelerator.wait_for_everyone()  # all have read, before anything is removed
+        if self.accelerator.is_main_process:
+            clear_behind(out, cursor)
+            self.step_log.rewind(0 if cursor is None else cursor.step)
+        self.accelerator.wait_for_everyone()
+        return super().train(resume_from_checkpoint=None if folder is None else str(folder), **given)
+
+    def _restore(self, cursor: Cursor) -> None:
+        if cursor.updates != cursor.step * self.settings.minibatches:
+            raise TrainingError(
+                f"the checkpoint after {cursor.updates} updates was made with another number of minibatches; "
+                "keep that number, or begin in another folder"
+            )
+        self.prompts_consumed = cursor.prompts_consumed
+        if self.accelerator.is_main_process:
+            self.stream.restore(cursor.stream)
+
+    def _save_checkpoint(self, model: object, trial: object) -> None:
+        """Save what transformers saves, then the cursor: a checkpoint that has one is whole."""
+        folder = folder_of(Path(self.args.output_dir), self.state.global_step)
+        if self.accelerator.is_main_process:
+            unmark(folder)
+        super()._save_checkpoint(model, trial)
+        self.accelerator.wait_for_everyone()
+        if self.accelerator.is_main_process:
+            updates, read = self.state.global_step, self.prompts_consumed
+            state = self.stream.state()
+            mark(folder, Cursor(step=self._step_now, updates=updates, prompts_consumed=read, stream=state))

@@ -1,0 +1,61 @@
+"""Models that are trained: checkpoints, and tiny ones made here. One file each.
+
+ModelSettings.load (texts, a folder) ↦ Loaded (model, tokenizer, and the path under which both are loaded again)
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict
+
+from sim2reason.errors import TrainingError
+from sim2reason.policies.parts.settings import of_kind
+from sim2reason.registry import Registry
+from sim2reason.training.extras import External
+
+__all__ = ["MODELS", "Loaded", "ModelSettings", "model_from"]
+
+
+@dataclass(frozen=True, slots=True)
+class Loaded:
+    """A causal language model of the transformers library, and its tokenizer, which has tokens to pad and to end."""
+
+    model: External
+    tokenizer: External
+    path: str
+    """A folder, or a name on the hub, under which both are loaded again as they were before training."""
+    revision: str | None = None
+    """Of the name on the hub."""
+
+
+class ModelSettings(BaseModel, ABC):
+    """A model with its settings; each subclass is a kind that a configuration names."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    @abstractmethod
+    def load(self, texts: Iterable[str], out: Path) -> Loaded:
+        """The model and its tokenizer, ready to be trained.
+
+        `texts` are what it will read and write; they are looked at only by a kind that makes its tokenizer from them.
+        What is made here is saved in the folder `out`, where it is found again by the same call.
+
+        Raises:
+            TrainingError: there is no such model, or `out` holds another.
+            MissingExtraError: a library of the extra [train] is missing.
+        """
+
+
+MODELS: Registry[type[ModelSettings]] = Registry("training.models")
+
+
+def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSettings:
+    """The model that settings describe; its `kind` is a registered name.
+
+    Raises:
+        TrainingError: a setting that is unknown, missing or makes no sense.
+        UnknownNameError: no such kind.
+    """
+    return of_kind(MODELS, settings, place, TrainingError)

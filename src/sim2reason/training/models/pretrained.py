@@ -1,0 +1,30 @@
+"""A checkpoint: a folder, or a name on the Hugging Face hub."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated
+
+from annotated_types import MinLen
+
+from sim2reason.training.models import MODELS, Loaded, ModelSettings
+from sim2reason.training.models.parts.checkpoint import Attention, Precision, read
+
+__all__ = ["Pretrained"]
+
+
+@MODELS.register("pretrained")
+class Pretrained(ModelSettings):
+    """A checkpoint of the transformers library, by its folder or its name on the hub."""
+
+    model: Annotated[str, MinLen(1)]
+    revision: str | None = None
+    """Of a name on the hub: a branch, a tag or a commit."""
+    precision: Precision = "auto"
+    """Of the weights; by default that of the checkpoint."""
+    attention: Attention = "auto"
+    """How attention is computed; by default the library's choice."""
+
+    def load(self, texts: Iterable[str], out: Path) -> Loaded:
+        """As it was saved; nothing is looked at, and nothing written."""
+        del texts, out
+        return read(self.model, self.revision, self.precision, self.attention)

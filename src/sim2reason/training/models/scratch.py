@@ -1,0 +1,132 @@
+"""A tiny transformer of random weights and a tokenizer of its own, made here from the texts that it will see.
+
+It has the architecture of Qwen3: rotary position embeddings, RMS normalisation of queries and keys, a gated
+feed-forward network (Yang et al., Qwen3 technical report, 2025). So whatever loads checkpoints loads it by its folder.
+"""
+
+from collections.abc import Iterable, Iterator
+from hashlib import sha256
+from pathlib import Path
+from typing import Annotated, Self
+
+from annotated_types import Ge, Le
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.errors import TrainingError
+from sim2reason.training.extras import External, library
+from sim2reason.training.models import MODELS, Loaded, ModelSettings
+from sim2reason.training.models.parts.checkpoint import read
+from sim2reason.training.models.parts.tokenizer import ALONE, SMALLEST, made
+
+__all__ = ["Scratch"]
+
+RECORD = "scratch.json"
+LARGEST_SEED = 2**63 - 1
+
+
+@MODELS.register("scratch")
+class Scratch(ModelSettings):
+    """A tiny transformer of random weights, and a tokenizer made from the texts that it will see."""
+
+    layers: Annotated[int, Ge(1), Le(256)] = 3
+    width: Annotated[int, Ge(4), Le(65_536)] = 96
+    """Of the hidden states."""
+    heads: Annotated[int, Ge(1), Le(1024)] = 3
+    """Of attention; they share the width, an even number for each."""
+    feed_forward: Annotated[int, Ge(1), Le(1_048_576)] | None = None
+    """The width of the gated feed-forward network; by default four times that of the hidden states."""
+    vocabulary: Annotated[int, Ge(SMALLEST), Le(1_000_000)] = 1024
+    """Pieces of the tokenizer, at most: few texts have fewer."""
+    context: Annotated[int, Ge(8), Le(1_048_576)] = 512
+    """Tokens of a prompt and its response."""
+    tied: bool = True
+    """Whether the embeddings are also the weights of the last layer."""
+    alone: Annotated[str, Field(max_length=256)] = ALONE
+    """Characters that are pieces of their own."""
+    seed: Annotated[int, Ge(0), Le(LARGEST_SEED)] = 0
+    """Of the weights."""
+
+    @model_validator(mode="after")
+    def _even_heads(self) -> Self:
+        if self.width % (2 * self.heads):  # rotary embeddings turn pairs of coordinates
+            raise ValueError(f"width: {self.width} is no multiple of {2 * self.heads}, twice the number of heads")
+        return self
+
+    def load(self, texts: Iterable[str], out: Path) -> Loaded:
+        """As it lies in `out`, where the first process makes it from the texts if it is not there yet."""
+        state = library("accelerate").PartialState()
+        with state.main_process_first():
+            if state.is_main_process and not self._held(out):
+                self._make(texts, out)
+        return read(str(out), precision="float32")
+
+    def _held(self, out: Path) -> bool:
+        """Whether the folder holds this model, whole; TrainingError if it holds something else."""
+        if not out.is_dir() or not any(out.iterdir()):
+            return False
+        try:
+            found = _Record.model_validate_json((out / RECORD).read_bytes())
+        except (FileNotFoundError, ValidationError):
+            raise TrainingError(f"{out}: holds something, but no model that was made here; remove that") from None
+        if found.settings != self:
+            raise TrainingError(f"{out}: holds a model of other settings; remove it, or choose a new folder")
+        return True
+
+    def _make(self, texts: Iterable[str], out: Path) -> None:
+        """Make the tokenizer and the weights, and save both; the record of them comes last."""
+        digest = sha256()
+        tokenizer = made(_counted(texts, digest), self.vocabulary, self.alone)
+        tokenizer.model_max_length = self.context
+        model = self._weights(tokenizer)
+        scratch = out.with_name(f"{out.name}.part")
+        for target in (tokenizer, model):
+            target.save_pretrained(scratch)
+        record = _Record(
+            settings=self, pieces=len(tokenizer), parameters=model.num_parameters(), texts=digest.hexdigest()
+        )
+        put_text(scratch / RECORD, canonical(record.model_dump(mode="json")), scratch)
+        if out.is_dir():
+            out.rmdir()  # empty
+        scratch.rename(out)
+
+    def _weights(self, tokenizer: External) -> External:
+        """A model of random weights, which leaves the global random state as it was."""
+        torch, transformers = library("torch"), library("transformers")
+        config = transformers.Qwen3Config(
+            vocab_size=len(tokenizer),
+            hidden_size=self.width,
+            intermediate_size=self.feed_forward or 4 * self.width,
+            num_hidden_layers=self.layers,
+            num_attention_heads=self.heads,
+            num_key_value_heads=self.heads,
+            head_dim=self.width // self.heads,
+            max_position_embeddings=self.context,
+            tie_word_embeddings=self.tied,
+            pad_token_id=tokenizer.pad_token_id,
+            bos_token_id=None,
+            eos_token_id=tokenizer.eos_token_id,
+        )
+        with torch.random.fork_rng(devices=[]):
+            torch.manual_seed(self.seed)
+            return transformers.Qwen3ForCausalLM(config).float()
+
+
+class _Record(BaseModel):
+    """``scratch.json``: of what the model was made."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    settings: Scratch
+    pieces: int
+    parameters: int
+    texts: str
+    """The SHA-256 of all texts, each behind its length."""
+
+
+def _counted(texts: Iterable[str], digest: External) -> Iterator[str]:
+    """The same, and its hash."""
+    for text in texts:
+        held = text.encode(errors="replace")
+        digest.update(len(held).to_bytes(8, "big") + held)
+        yield held.decode()

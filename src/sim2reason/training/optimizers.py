@@ -1,0 +1,75 @@
+"""Muon for the matrices inside a transformer, AdamW for all else, as one optimizer that trainers take and save.
+
+Jordan et al., Muon: An optimizer for hidden layers in neural networks (2024); Loshchilov and Hutter, Decoupled weight
+decay regularization (2019).
+"""
+
+# torch ships types, but is an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# pyright: reportUntypedBaseClass=false
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from sim2reason.training.extras import External, library
+
+__all__ = ["muon_with_adamw"]
+
+
+def muon_with_adamw(
+    model: External,
+    muon_learning_rate: float,
+    learning_rate: float,
+    weight_decay: float = 0.0,
+) -> External:
+    """An optimizer of all parameters of a model that are trained.
+
+    Muon has the matrices of hidden layers, at `muon_learning_rate`. AdamW has embeddings, the last layer, and what is
+    no matrix, at `learning_rate`; vectors, such as those of normalisation, do not decay. A step of Muon has a norm of
+    its own, so that its rate hangs neither on the loss nor on a clip of the gradient.
+    """
+    outer = {
+        id(held)
+        for layer in (model.get_input_embeddings(), model.get_output_embeddings())
+        if layer is not None
+        for held in layer.parameters()
+    }
+    trained = [held for held in model.parameters() if held.requires_grad]
+    vectors = [held for held in trained if held.ndim != 2 and id(held) not in outer]
+    matrices = [held for held in trained if held.ndim == 2 and id(held) not in outer]
+    ends = [held for held in trained if id(held) in outer]
+    muon = library("torch").optim.Muon(matrices, lr=muon_learning_rate, weight_decay=weight_decay)
+    adamw = library("torch").optim.AdamW(
+        [{"params": ends, "weight_decay": weight_decay}, {"params": vectors, "weight_decay": 0.0}], lr=learning_rate
+    )
+    return _together()([muon, adamw])
+
+
+@cache
+def _together() -> External:
+    """The class, made when torch is there."""
+    torch = library("torch")
+
+    class Together(torch.optim.Optimizer):
+        """Several optimizers of different parameters, one after the other; a scheduler sees the groups of all."""
+
+        def __init__(self, parts: list[Any]) -> None:
+            self.parts = parts
+            super().__init__([group for part in parts for group in part.param_groups], {})
+
+        def step(self, closure: Callable[[], float] | None = None) -> float | None:
+            loss = closure() if closure is not None else None
+            for part in self.parts:
+                part.step()
+            return loss
+
+        def state_dict(self) -> dict[str, Any]:
+            return {"parts": [part.state_dict() for part in self.parts]}
+
+        def load_state_dict(self, state_dict: dict[str, Any]) -> None:
+            for part, held in zip(self.parts, state_dict["parts"], strict=True):
+                part.load_state_dict(held)
+            self.param_groups = [group for part in self.parts for group in part.param_groups]  # those that it replaced
+
+    return Together

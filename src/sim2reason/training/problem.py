@@ -1,0 +1,27 @@
+"""A problem as a trainer has it: the prompt, what a reward must know, and where it comes from."""
+
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict
+
+from sim2reason.benchmarks import BenchmarkItem
+
+__all__ = ["Problem"]
+
+
+class Problem(BaseModel):
+    """A prompt with its answer and its rule of scoring, where it comes from, and where a curriculum counts it."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    item: BenchmarkItem
+    source: str
+    """The name of its source."""
+    cell: str
+    fingerprint: str = ""
+    """What the same problem of the same numbers has, too, in whatever words; empty where it is not known."""
+
+    def row(self, *, chat: bool) -> dict[str, Any]:
+        """As trainers take it; with `chat` the prompt is a list of messages."""
+        prompt: Any = [{"role": "user", "content": self.item.prompt}] if chat else self.item.prompt
+        return {"prompt": prompt, "problem": self.model_dump_json()}

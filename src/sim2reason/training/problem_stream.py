@@ -1,0 +1,127 @@
+"""The prompts of a run, in order: a mixture of sources, whose place is a few numbers that a checkpoint holds."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, JsonValue, ValidationError
+
+from sim2reason.errors import TrainingError
+from sim2reason.policies.parts.words import first_fault
+from sim2reason.training.curriculum import Curriculum
+from sim2reason.training.prefetch import Prefetcher
+from sim2reason.training.problem import Problem
+from sim2reason.training.sources import ProblemSource
+
+__all__ = ["ProblemStream", "StreamState"]
+
+BARREN = 200  # requests of one cell in a row that no draw fills, after which none is expected to
+
+
+class StreamState(BaseModel):
+    """The place of a stream; with the configuration and what is observed later it decides all that follows."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    drawn: int = 0
+    """Prompts so far."""
+    next: dict[str, int] = {}
+    """The next index of each cell."""
+    deficits: dict[str, float] = {}
+    """By how much each cell has had less than its share, in prompts (deficit round robin)."""
+    rates: dict[str, float] = {}
+    """The measured pass rate of each cell."""
+
+
+@dataclass
+class ProblemStream:
+    """Prompts from several sources by weight, and from their cells by the curriculum.
+
+    The cell with the largest deficit comes next, so that shares hold in any stretch; nothing is drawn at random,
+    and what was prefetched makes no difference.
+    """
+
+    sources: Sequence[ProblemSource]
+    prefetcher: Prefetcher = field(default_factory=lambda: Prefetcher(None, 0))
+    curriculum: Curriculum | None = None
+    avoid: frozenset[str] = frozenset()
+    """Prompts and fingerprints of problems that are kept for evaluation."""
+    cursor: StreamState = field(default_factory=StreamState)
+    chat: bool = False
+    """Whether prompts are messages, for a model that has a chat template."""
+
+    def __post_init__(self) -> None:
+        """TrainingError if two sources have one name."""
+        names = [source.name for source in self.sources]
+        if twice := sorted({name for name in names if names.count(name) > 1}):
+            raise TrainingError(f"problems: the name {twice[0]!r} stands twice; give each source its own")
+        self._cells = {f"{source.name}/{cell}": (source, cell) for source in self.sources for cell in source.cells}
+        if not self._cells:
+            raise TrainingError("problems: no source has any problem")
+
+    def begin(self) -> None:
+        """Order the first problems, before they are asked for."""
+        for key, (source, cell) in self._cells.items():
+            self.prefetcher.order(source, cell, self.cursor.next.get(key, 0))
+
+    def next_prompts(self, count: int) -> list[dict[str, Any]]:
+        """The next prompts, as rows that a trainer takes.
+
+        Raises:
+            TrainingError: a cell whose requests no draw fills.
+        """
+        return [problem.row(chat=self.chat) for problem in self.problems(count)]
+
+    def problems(self, count: int) -> list[Problem]:
+        """The same, as problems."""
+        return [self._next() for _ in range(count)]
+
+    def observe(self, row: Mapping[str, Any], rewards: Sequence[float]) -> None:
+        """Tell the rewards of a group, for the curriculum."""
+        problem = Problem.model_validate_json(row["problem"])
+        key, rates = f"{problem.source}/{problem.cell}", self.cursor.rates
+        passed = sum(reward >= 1.0 for reward in rewards) / max(len(rewards), 1)
+        rates[key] = (self.curriculum or Curriculum()).after(rates.get(key), passed)
+
+    def state(self) -> JsonValue:
+        """The place after the last prompt."""
+        return self.cursor.model_dump(mode="json")
+
+    def restore(self, state: JsonValue) -> None:
+        """Go to a place; TrainingError if it is none, or one of other sources."""
+        try:
+            cursor = StreamState.model_validate(state)
+        except ValidationError as error:
+            raise TrainingError(f"the checkpoint's place among the problems: {first_fault(error)}") from None
+        if unknown := sorted({*cursor.next} - {*self._cells}):
+            raise TrainingError(f"the checkpoint has drawn from {unknown[0]!r}, which the configuration does not have")
+        self.cursor = cursor
+        self.begin()
+
+    def shares(self) -> dict[str, float]:
+        """The share of each cell in the next prompts."""
+        found: dict[str, float] = {}
+        whole = sum(source.weight for source in self.sources)
+        for source in self.sources:
+            keys = [f"{source.name}/{cell}" for cell in source.cells]
+            curriculum, rates = self.curriculum, self.cursor.rates
+            weights = {key: 1.0 if curriculum is None else curriculum.weight(rates.get(key)) for key in keys}
+            total = sum(weights.values())
+            found |= {key: source.weight / whole * weight / total for key, weight in weights.items()}
+        return found
+
+    def _next(self) -> Problem:
+        deficits, cursor = self.cursor.deficits, self.cursor
+        for key, share in self.shares().items():
+            deficits[key] = deficits.get(key, 0.0) + share
+        key = max(deficits, key=lambda name: deficits[name])  # the first of equals
+        deficits[key] -= 1.0
+        source, cell = self._cells[key]
+        for _ in range(BARREN):
+            index = cursor.next.get(key, 0)
+            cursor.next[key] = index + 1
+            found = self.prefetcher.at(source, cell, index)
+            if found is not None and not {found.item.prompt, found.fingerprint} & self.avoid:
+                cursor.drawn += 1
+                return found
+        raise TrainingError(f"problems: {key} gave nothing in {BARREN} draws; choose other recipes, kinds or weights")

@@ -1,0 +1,71 @@
+"""Rewards: our grader, and the controls that a claim about it needs. One file each."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping, Sequence
+from typing import Annotated, Any, cast
+
+from annotated_types import Ge
+from pydantic import BaseModel, ConfigDict
+
+from sim2reason.errors import TrainingError
+from sim2reason.policies.parts.settings import of_kind
+from sim2reason.registry import Registry
+from sim2reason.training.problem import Problem
+
+__all__ = ["REWARDS", "Reward", "reward_from", "reward_function"]
+
+
+class Reward(BaseModel, ABC):
+    """What a response earns, from 0 to 1; each subclass is a kind that a configuration names."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    seed: Annotated[int, Ge(0)] = 0
+    """Of rewards that are drawn."""
+
+    @abstractmethod
+    def earned(self, problem: Problem, response: str, number: int) -> float:
+        """By the `number`-th response to a problem; a pure function, which never raises for what a response says."""
+
+
+REWARDS: Registry[type[Reward]] = Registry("training.rewards")
+
+
+def reward_from(settings: object) -> object:
+    """The reward of a name, or of settings whose `kind` is one; anything else stays what it is.
+
+    Raises:
+        TrainingError: a setting that is unknown or makes no sense.
+        UnknownNameError: no such kind.
+    """
+    if isinstance(settings, str):
+        settings = {"kind": settings}
+    if not isinstance(settings, Mapping):
+        return settings
+    return of_kind(REWARDS, cast("Mapping[str, object]", settings), "reward", TrainingError)
+
+
+def reward_function(reward: Reward) -> Callable[..., list[float | None]]:
+    """A reward as TRL calls it: completions are texts, or lists of messages, and each row has its problem."""
+
+    def earned(
+        prompts: Sequence[object], completions: Sequence[object], *, problem: Sequence[str], **columns: object
+    ) -> list[float | None]:
+        del prompts, columns
+        seen: dict[str, tuple[Problem, int]] = {}
+        found = list[float | None]()
+        for text, completion in zip(problem, completions, strict=True):
+            held, number = seen.get(text) or (Problem.model_validate_json(text), 0)
+            seen[text] = held, number + 1
+            found.append(reward.earned(held, _said(completion), number))
+        return found
+
+    return earned
+
+
+def _said(completion: object) -> str:
+    """The text of a completion."""
+    if isinstance(completion, str):
+        return completion
+    messages = cast("Sequence[Mapping[str, Any]]", completion)
+    return "\n".join(str(message.get("content") or "") for message in messages)

@@ -1,0 +1,17 @@
+"""A control: a coin decides."""
+
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.training.problem import Problem
+from sim2reason.training.rewards import REWARDS, Reward
+
+__all__ = ["Random"]
+
+
+@REWARDS.register("random")
+class Random(Reward):
+    """1 or 0 by the toss of a coin, whatever the response says (Shao et al., Spurious rewards, 2025)."""
+
+    def earned(self, problem: Problem, response: str, number: int) -> float:
+        """By the seed, the problem and the number of the response."""
+        del response
+        return float(generator("reward", self.seed, problem.item.id, number).random() < 0.5)

@@ -1,0 +1,126 @@
+"""The configuration of reinforcement learning: a model, problems, a reward, and what is kept for evaluation."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self, cast
+
+from annotated_types import Ge, Le, MinLen
+from pydantic import BaseModel, BeforeValidator, ConfigDict, SerializeAsAny, model_validator
+
+from sim2reason.errors import TrainingError
+from sim2reason.policies.parts.settings import configuration
+from sim2reason.training.curriculum import Curriculum
+from sim2reason.training.gspo.settings import GSPOSettings
+from sim2reason.training.models import MODELS, ModelSettings, model_from
+from sim2reason.training.rewards import REWARDS, Reward, reward_from
+from sim2reason.training.sft.config import FineTuning, fine_tuning_from
+from sim2reason.training.sources import SOURCES, ProblemSource, source_from
+from sim2reason.training.sources.fresh import Fresh
+
+__all__ = ["WARM_START", "HeldOut", "Prefetch", "ReinforcementLearning", "reinforcement_learning_from"]
+
+WARM_START = "warm-start"
+
+
+def _model(given: object) -> object:
+    return model_from(cast("Mapping[str, object]", given), "model") if isinstance(given, Mapping) else given
+
+
+def _sources(given: object) -> object:
+    if not isinstance(given, list):
+        return given
+    rows = enumerate(cast("list[object]", given))
+    return tuple(
+        source_from(cast("Mapping[str, object]", each), f"problems[{n}]") if isinstance(each, Mapping) else each
+        for n, each in rows
+    )
+
+
+def _warm_start(given: object) -> object:
+    """Its folder is that of the run, which has its own place for it."""
+    if not isinstance(given, Mapping):
+        return given
+    if "out" in given:
+        raise TrainingError("warm_start.out: its folder is in that of the run; leave it out")
+    return fine_tuning_from({**cast("Mapping[str, object]", given), "out": WARM_START})
+
+
+class _Settings(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, protected_namespaces=())
+
+
+class Prefetch(_Settings):
+    """Processes that make problems before they are asked for; they never change which."""
+
+    workers: Annotated[int, Ge(0), Le(1024)] = 1
+    depth: Annotated[int, Ge(1), Le(100_000)] = 64
+    """Problems of each cell that are ordered ahead."""
+
+
+class HeldOut(_Settings):
+    """What is kept for evaluation: problems like those of a source, drawn from another seed."""
+
+    problems: SerializeAsAny[Fresh]
+    items: Annotated[int, Ge(1), Le(10**6)] = 500
+    samples: Annotated[int, Ge(1), Le(4096)] = 1
+    """Sampled responses to each problem, beside the greedy one."""
+
+
+class ReinforcementLearning(_Settings):
+    """What is trained on which problems, for which reward, and how."""
+
+    out: Path
+    """The folder of the run."""
+    model: Annotated[SerializeAsAny[ModelSettings], BeforeValidator(_model)] | None = None
+    """A checkpoint; with a warm start, its result is trained."""
+    warm_start: Annotated[FineTuning, BeforeValidator(_warm_start)] | None = None
+    """Supervised fine-tuning before, without its folder."""
+    problems: Annotated[tuple[SerializeAsAny[ProblemSource], ...], MinLen(1), BeforeValidator(_sources)]
+    prefetch: Prefetch = Prefetch()
+    curriculum: Curriculum | None = None
+    reward: Annotated[SerializeAsAny[Reward], BeforeValidator(reward_from)]
+    gspo: GSPOSettings = GSPOSettings()
+    chat: bool | Literal["auto"] = "auto"
+    """Whether prompts are messages; by default if the tokenizer has a chat template."""
+    held_out: HeldOut | None = None
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        if (self.model is None) == (self.warm_start is None):
+            raise ValueError("give either model or warm_start")
+        seeds = {source.seed for source in self.problems if isinstance(source, Fresh)}
+        if self.held_out is not None and self.held_out.problems.seed in seeds:
+            raise ValueError("held_out.problems.seed: problems are trained on with this seed; take another")
+        return self
+
+    @property
+    def decisive(self) -> dict[str, Any]:
+        """What decides the weights."""
+        held = self.model_dump(mode="json", exclude={"out": True, "prefetch": True, "held_out": {"samples"}})
+        held["reward"]["kind"] = REWARDS.name_of(self.reward)
+        pairs = zip(self.problems, held["problems"], strict=True)
+        held["problems"] = [{"kind": SOURCES.name_of(source), **each} for source, each in pairs]
+        if self.model is not None:
+            held["model"]["kind"] = MODELS.name_of(self.model)
+        if self.warm_start is not None:
+            held["warm_start"] = self.warm_start.decisive
+        operational = "save_every", "keep", "microbatch", "report_to"
+        held["gspo"] = {name: value for name, value in held["gspo"].items() if name not in operational}
+        return held
+
+
+def reinforcement_learning_from(
+    config: "Path | str | Mapping[str, object] | ReinforcementLearning", out: Path | None = None
+) -> ReinforcementLearning:
+    """What a YAML file, or settings, describe; `out` stands for the folder that they name.
+
+    Paths in it are seen from where the program runs.
+
+    Raises:
+        TrainingError: what is missing, unknown or makes no sense; the line names its place.
+        EvaluationError: a file that is no YAML.
+        UnknownNameError: no such kind of model, source or reward.
+    """
+    if isinstance(config, ReinforcementLearning):
+        return config if out is None else config.model_copy(update={"out": out})
+    return configuration(config, out, ReinforcementLearning.model_validate, TrainingError)

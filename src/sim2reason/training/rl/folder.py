@@ -1,0 +1,91 @@
+"""The folder of a run of reinforcement learning."""
+
+# TRL and transformers are an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+import json
+import shutil
+from pathlib import Path
+
+from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.datasets.item import Record
+from sim2reason.training.extras import External, versions
+from sim2reason.training.prefetch import prefetching
+from sim2reason.training.problem import Problem
+from sim2reason.training.problem_stream import ProblemStream
+from sim2reason.training.rl.config import WARM_START, HeldOut, ReinforcementLearning
+from sim2reason.training.run_plan import claim, finish, result_in
+
+__all__ = ["Trained", "TrainingFolder"]
+
+PLAN, AVOIDED = "rl.json", "held-out-keys.json"
+
+
+class Trained(Record):
+    """What came of a run; ``result.json``."""
+
+    model: str
+    """The folder of the trained model, seen from that of the run."""
+    initial: str
+    """The checkpoint that training began with: a folder, or a name on the hub."""
+    steps: int
+    prompts_consumed: int
+    seconds: float
+    """Of all steps."""
+    versions: dict[str, str]
+
+
+class TrainingFolder:
+    """The files of a run."""
+
+    def __init__(self, path: Path) -> None:
+        """At `path`, which need not be there yet."""
+        self.path = path
+        self.warm_start, self.train, self.model = path / WARM_START, path / "train", path / "model"
+        self.held_out = path / "held-out.jsonl"
+
+    def claim(self, config: ReinforcementLearning) -> None:
+        """As `run_plan.claim` does."""
+        claim(self.path / PLAN, config.decisive)
+
+    def result(self) -> Trained | None:
+        """What came of a run that is finished."""
+        return result_in(self.path, Trained)
+
+    def hold_out(self, wanted: HeldOut, workers: int) -> frozenset[str]:
+        """Draw the problems that are kept for evaluation, unless they are there; what a stream must avoid for them."""
+        if not self.held_out.is_file():
+            with prefetching(workers, 4 * max(workers, 1)) as store:
+                stream, found = ProblemStream((wanted.problems,), store), dict[str, Problem]()
+                while len(found) < wanted.items:
+                    found |= {problem.fingerprint: problem for problem in stream.problems(wanted.items - len(found))}
+                    stream.avoid = frozenset(found)
+            keys = [key for problem in found.values() for key in (problem.item.prompt, problem.fingerprint)]
+            put_text(self.path / AVOIDED, canonical(keys), self.path)
+            text = "".join(f"{problem.item.model_dump_json()}\n" for problem in found.values())
+            put_text(self.held_out, text, self.path)
+        return frozenset(json.loads((self.path / AVOIDED).read_text("utf-8")))
+
+    def finish(self, run: External, tokenizer: External, initial: str) -> Trained:
+        """Save the model, with adapters merged, its tokenizer, and then the result."""
+        scratch = self.path / "model.part"
+        model = run.accelerator.unwrap_model(run.model)
+        if hasattr(model, "merge_and_unload"):
+            model = model.merge_and_unload()
+        records = run.step_log.read()
+        result = Trained(
+            model=self.model.name,
+            initial=initial,
+            steps=records[-1].step if records else 0,
+            prompts_consumed=run.prompts_consumed,
+            seconds=sum(record.seconds.step for record in records),
+            versions=versions(),
+        )
+        if run.accelerator.is_main_process:
+            model.save_pretrained(scratch)
+            tokenizer.save_pretrained(scratch)
+            if self.model.is_dir():
+                shutil.rmtree(self.model)  # of a run that was killed before its result was written
+            scratch.rename(self.model)
+            finish(self.path, result)
+        return result

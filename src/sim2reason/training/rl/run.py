@@ -1,0 +1,128 @@
+"""One run of reinforcement learning, from a configuration to a trained model; the same call goes on where it ended."""
+
+# TRL, transformers and torch are an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from sim2reason.datasets.atomic_files import locked
+from sim2reason.training.extras import External, library, quiet
+from sim2reason.training.gspo import make_trainer
+from sim2reason.training.models.pretrained import Pretrained
+from sim2reason.training.prefetch import prefetching
+from sim2reason.training.problem_stream import ProblemStream
+from sim2reason.training.rewards import reward_function
+from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
+from sim2reason.training.rl.folder import Trained, TrainingFolder
+from sim2reason.training.sft.run import train_sft
+
+__all__ = ["train_rl"]
+
+NEEDED = "torch", "transformers", "accelerate", "datasets", "trl"
+Begun = Callable[[str, int], object]
+Advance = Callable[[int], object]
+
+
+def train_rl(
+    config: Path | str | Mapping[str, object] | ReinforcementLearning,
+    out: Path | None = None,
+    *,
+    begun: Begun = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
+    advance: Advance = lambda _: None,
+) -> Trained:
+    """Train as a YAML file, or settings, say; `out` stands for the folder that they name.
+
+    A run that was broken off goes on from its last checkpoint with the next prompt; one that is finished gives its
+    result. On several devices, each process that accelerate or torchrun starts calls this. `begun` is told what comes
+    next and how many steps it has, `advance` how many more are done.
+
+    Raises:
+        TrainingError: a configuration, corpus or folder that cannot be used.
+        MissingExtraError: a library of the extra [train] is missing.
+        DatasetError: another run is writing in the folder, or a dataset is damaged.
+    """
+    settings = reinforcement_learning_from(config, out)
+    for name in (*NEEDED, "peft") if settings.gspo.lora else NEEDED:
+        library(name)
+    torch = library("torch")
+    state = library("accelerate").PartialState(cpu=not torch.accelerator.is_available())
+    folder = TrainingFolder(settings.out)
+    if not state.is_main_process:
+        with quiet():
+            return _run(settings, folder, state, begun, advance)
+    folder.path.mkdir(parents=True, exist_ok=True)
+    with locked(folder.path), quiet():
+        folder.claim(settings)
+        return _run(settings, folder, state, begun, advance)
+
+
+def _run(
+    settings: ReinforcementLearning, folder: TrainingFolder, state: External, begun: Begun, advance: Advance
+) -> Trained:
+    """Hold problems out, warm up, train."""
+    done = folder.result()
+    if done is not None:
+        return done
+    avoid = frozenset[str]()
+    if settings.held_out is not None:
+        with state.main_process_first():
+            avoid = folder.hold_out(settings.held_out, settings.prefetch.workers + 1)
+    prefetch = settings.prefetch
+    with prefetching(prefetch.workers if state.is_main_process else 0, prefetch.depth) as store:
+        stream = ProblemStream(settings.problems, store, settings.curriculum, avoid)
+        if state.is_main_process:
+            stream.begin()
+        model = _model(settings, folder, avoid, begun, advance)
+        return _trained(settings, folder, model, stream, begun, advance)
+
+
+def _model(
+    settings: ReinforcementLearning, folder: TrainingFolder, avoid: frozenset[str], begun: Begun, advance: Advance
+) -> Pretrained:
+    """The checkpoint that is trained: the given one, or the result of the warm start."""
+    warm = settings.warm_start
+    if warm is None:
+        assert settings.model is not None
+        loaded = settings.model.load((), folder.path / "initial")
+        return Pretrained(model=loaded.path, revision=loaded.revision)
+    sft = warm.model_copy(update={"out": folder.warm_start})
+    train_sft(sft, avoid=avoid, begun=begun, advance=advance)
+    return Pretrained(model=str(folder.warm_start / "model"))
+
+
+def _trained(
+    settings: ReinforcementLearning,
+    folder: TrainingFolder,
+    model: Pretrained,
+    stream: ProblemStream,
+    begun: Begun,
+    advance: Advance,
+) -> Trained:
+    transformers = library("transformers")
+    tokenizer = transformers.AutoTokenizer.from_pretrained(model.model, revision=model.revision, padding_side="left")
+    stream.chat = tokenizer.chat_template is not None if settings.chat == "auto" else settings.chat
+    rewards = [reward_function(settings.reward)]
+    run = make_trainer(model.model, tokenizer, stream, rewards, settings.gspo, folder.train)
+    begun("reinforcement learning", settings.gspo.steps)
+    run.remove_callback(library("transformers").PrinterCallback)
+    run.add_callback(_told(advance, settings.gspo.minibatches))
+    run.train(resume_from_checkpoint=True)
+    found = folder.finish(run, tokenizer, model.model)
+    run.accelerator.wait_for_everyone()
+    run.accelerator.end_training()
+    return found
+
+
+def _told(advance: Advance, minibatches: int) -> External:
+    """Tell of each step that is done."""
+
+    class Told(library("transformers").TrainerCallback):
+        def on_train_begin(self, _: External, state: External, *__: External, **___: External) -> None:
+            advance(state.global_step // minibatches)
+
+        def on_step_end(self, _: External, state: External, *__: External, **___: External) -> None:
+            if state.global_step % minibatches == 0:
+                advance(1)
+
+    return Told()

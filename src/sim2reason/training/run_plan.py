@@ -1,0 +1,66 @@
+"""What every run of training leaves beside its model: what decides it, written first, and what came of it, last."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TypeVar
+
+from pydantic import JsonValue, ValidationError
+
+from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.datasets.item import Record
+from sim2reason.errors import TrainingError
+from sim2reason.training.extras import versions
+
+__all__ = ["RESULT", "claim", "finish", "result_in"]
+
+RESULT = "result.json"
+R = TypeVar("R", bound=Record)
+
+
+class TrainingPlan(Record):
+    """The first file of a run."""
+
+    settings: dict[str, JsonValue]
+    """Those that decide the weights."""
+    versions: dict[str, str]
+    """Of the libraries with which it was begun."""
+
+
+def claim(file: Path, decisive: Mapping[str, object]) -> None:
+    """Write the plan into an empty folder, or go on with the same one; the caller holds the lock.
+
+    Raises:
+        TrainingError: the folder holds something else, or a run of another configuration.
+    """
+    settings: dict[str, JsonValue] = json.loads(json.dumps(decisive))
+    folder = file.parent
+    if not file.is_file():
+        if strangers := sorted(path.name for path in folder.iterdir()):
+            raise TrainingError(f"{folder}: holds {strangers[0]} and is no run; choose a new folder")
+        plan = TrainingPlan(settings=settings, versions=versions())
+        put_text(file, canonical(plan.model_dump(mode="json")), folder)
+        return
+    try:
+        before = TrainingPlan.model_validate_json(file.read_bytes()).settings
+    except ValidationError:
+        raise TrainingError(f"{file}: damaged, or of another version; choose a new folder") from None
+    names = sorted(before.keys() | settings.keys())
+    if differs := next((name for name in names if before.get(name) != settings.get(name)), ""):
+        raise TrainingError(f"{folder}: holds a run with another {differs}; choose a new folder")
+
+
+def result_in(folder: Path, kind: type[R]) -> R | None:
+    """What came of a run; None if it is not finished, TrainingError if the file is damaged."""
+    file = folder / RESULT
+    if not file.is_file():
+        return None
+    try:
+        return kind.model_validate_json(file.read_bytes())
+    except ValidationError:
+        raise TrainingError(f"{file}: damaged; remove it, and give the same command again") from None
+
+
+def finish(folder: Path, result: Record) -> None:
+    """Write what came of a run; everything else is on disk by then."""
+    put_text(folder / RESULT, canonical(result.model_dump(mode="json")), folder)

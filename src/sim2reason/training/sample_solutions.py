@@ -1,0 +1,159 @@
+"""Rejection sampling: the responses of a policy that the grader pays for, as solutions to learn from.
+
+    OUT/solutions.jsonl   each solution that is kept: id, prompt, completion, and which try it was
+    OUT/sampled.json      what was asked of whom, how all tries ended, and hashes; written last
+    OUT/samples.jsonl     every answer, one line each, on disk as soon as it is finished; with OUT/plan.json
+
+A completion is the whole response: where an endpoint gives the thinking apart, it stands first, in its tags
+(``<think>…</think>``), as models write it that think in their text.
+"""
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterator
+from importlib.metadata import version
+from pathlib import Path
+
+from sim2reason.benchmarks.runs.outcomes import Ending, ending_of
+from sim2reason.benchmarks.scoring import SCORINGS
+from sim2reason.benchmarks.synthetic import benchmark_item
+from sim2reason.datasets.atomic_files import canonical, checksum, put, put_text
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.item import Item, Record
+from sim2reason.datasets.plan import ALL, Names, several
+from sim2reason.datasets.policy_pass import MOST_TRIES, SAMPLES, PolicyPass, PolicySource, asked
+from sim2reason.errors import EvaluationError
+from sim2reason.policies import Completion
+from sim2reason.policies.samples.journal import FinishedSample, finished
+
+__all__ = ["RESULT", "SOLUTIONS", "Sampled", "sample_solutions"]
+
+SOLUTIONS, RESULT = "solutions.jsonl", "sampled.json"
+TRIES, KEEP = 8, 4
+DUPLICATE, BEYOND = "duplicate", "beyond keep"
+
+
+class Sampled(Record):
+    """What a pass has found; ``sampled.json``."""
+
+    plan: PolicyPass
+    splits: tuple[str, ...]
+    """Those of the dataset whose problems were asked."""
+    tries: int
+    keep: int
+    items: int
+    solved: int
+    """Problems with a solution that is kept."""
+    kept: int
+    left_out: dict[str, int]
+    """Tries that are not kept, by how they ended; right ones as duplicates, or beyond so many of one problem."""
+    samples: str
+    """The SHA-256 of the journal of answers."""
+    solutions: str
+    """That of the solutions."""
+    versions: dict[str, str]
+
+
+def sample_solutions(  # noqa: PLR0913 - what the command takes
+    dataset: Path | str,
+    out: Path | str,
+    policy: PolicySource,
+    *,
+    k: int = TRIES,
+    keep: int = KEEP,
+    splits: Names = ALL,
+    seed: int = 0,
+    advance: Callable[[int], object] = lambda _: None,
+) -> Sampled:
+    """Ask `policy` `k` times for each problem of a dataset, and keep its right responses: at most `keep` of a problem.
+
+    Right is what earns the whole reward and ends of its own accord; the same text a second time is left out. Of more
+    than `keep` the first tries are taken. `policy` may be a YAML file with its settings. What was answered before is
+    not asked again: with more tries, another `keep`, further splits or after a kill, the same call goes on. `advance`
+    is told how many more answers are finished.
+
+    Raises:
+        EvaluationError: numbers that make no sense, or a folder that holds something else.
+        PolicyError: a policy that can't be asked; what was finished is kept.
+        DatasetError: no finished dataset, a damaged one, or no such split.
+    """
+    if not 1 <= k <= MOST_TRIES or not 1 <= keep <= MOST_TRIES:
+        raise EvaluationError(f"{k} tries of which {keep} are kept: give numbers from 1 to {MOST_TRIES}")
+    source, out = Dataset(dataset), Path(out)
+    chosen = tuple(source.manifest.config.split) if splits == ALL else several(splits)
+    items = [item for split in dict.fromkeys(chosen) for item in source.items(split)]
+    with asked(source, items, out, policy, k=k, seed=seed, advance=advance) as plan:
+        return _finished(items, out, plan, chosen, k, keep)
+
+
+def _finished(items: list[Item], out: Path, plan: PolicyPass, splits: tuple[str, ...], k: int, keep: int) -> Sampled:
+    """Grade all answers, and write what follows from them."""
+    (out / RESULT).unlink(missing_ok=True)
+    left_out = Counter[str]()
+    rows = list(_kept(items, out / SAMPLES, k, keep, left_out))
+    _put_rows(out, rows)
+    found = Sampled(
+        plan=plan,
+        splits=splits,
+        tries=k,
+        keep=keep,
+        items=len(items),
+        solved=len({row["id"] for row in rows}),
+        kept=len(rows),
+        left_out=dict(sorted(left_out.items())),
+        samples=checksum(out / SAMPLES),
+        solutions=checksum(out / SOLUTIONS),
+        versions={"sim2reason": version("sim2reason")},
+    )
+    put_text(out / RESULT, canonical(found.model_dump(mode="json")), out)
+    return found
+
+
+def _put_rows(out: Path, rows: list[dict[str, str | int]]) -> None:
+    def write(temporary: Path) -> None:
+        with temporary.open("w", encoding="utf-8", newline="\n") as file:
+            file.writelines(f"{json.dumps(row, ensure_ascii=False)}\n" for row in rows)
+
+    put(out / SOLUTIONS, write, out)
+
+
+def _kept(
+    items: list[Item], journal: Path, k: int, keep: int, left_out: Counter[str]
+) -> Iterator[dict[str, str | int]]:
+    """The solutions in the order of the items and of their tries, whatever order answers came in."""
+    by_id = {item.id: list[FinishedSample]() for item in items}
+    for found in finished(journal):
+        if found.sample < k and found.id in by_id:
+            by_id[found.id].append(found)
+    for item in items:
+        seen = set[str]()
+        for found in sorted(by_id[item.id], key=lambda each: each.sample):
+            why = _why_not(item, found.completion, seen, keep)
+            if why:
+                left_out[why] += 1
+                continue
+            seen.add(_told(found.completion))
+            yield {
+                "id": item.id,
+                "prompt": item.prompt,
+                "completion": found.completion.whole,
+                "sample": found.sample,
+            }
+
+
+def _why_not(item: Item, said: Completion, seen: set[str], keep: int) -> str:
+    """Why a response is no solution to be kept; empty if it is one."""
+    asked_for = benchmark_item(item)
+    ending = ending_of(said, SCORINGS[asked_for.scoring].award(said.whole, asked_for.reference))
+    if ending is not Ending.CORRECT:
+        return str(ending)
+    if said.finish not in ("stop", "unknown"):  # a right answer, and then no end, or a filter
+        return str(Ending.TRUNCATED if said.finish == "length" else Ending.REFUSED)
+    if _told(said) in seen:
+        return DUPLICATE
+    return BEYOND if len(seen) >= keep else ""
+
+
+def _told(said: Completion) -> str:
+    """A response up to its white space."""
+    return " ".join(said.whole.split())

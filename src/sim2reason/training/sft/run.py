@@ -1,0 +1,151 @@
+"""One run of supervised fine-tuning, from a configuration to a trained model; the same call goes on where it ended."""
+
+# TRL, transformers and torch are an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+import shutil
+from collections import Counter
+from collections.abc import Callable, Generator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from sim2reason.datasets.atomic_files import locked
+from sim2reason.errors import TrainingError
+from sim2reason.training.corpora.parts.encoding import EncodedRow, Limits, encoded
+from sim2reason.training.extras import External, library, quiet
+from sim2reason.training.models import Loaded
+from sim2reason.training.sft.config import FineTuning, fine_tuning_from
+from sim2reason.training.sft.folder import FineTuned, SftFolder
+from sim2reason.training.sft.trainer import arguments, trainer
+
+__all__ = ["train_sft"]
+
+NEEDED = "torch", "transformers", "accelerate", "datasets", "trl"
+
+
+def train_sft(
+    config: Path | str | Mapping[str, object] | FineTuning,
+    out: Path | None = None,
+    *,
+    avoid: frozenset[str] = frozenset(),
+    begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
+    advance: Callable[[int], object] = lambda _: None,
+) -> FineTuned:
+    """Train as a YAML file, or settings, say; `out` stands for the folder that they name.
+
+    A run that was broken off goes on from its last checkpoint, and ends in the same weights on the same machine; one
+    that is finished gives its result. On several devices, each process that accelerate or torchrun starts calls this.
+    Rows whose prompt or fingerprint is one to `avoid` are left out. `begun` is told what comes next and how many steps
+    it has, and `advance` how many more are done.
+
+    Raises:
+        TrainingError: a configuration, corpus or folder that cannot be used.
+        MissingExtraError: a library of the extra [train] is missing.
+        DatasetError: another run is writing in the folder, or a dataset is damaged.
+    """
+    settings = fine_tuning_from(config, out)
+    for name in (*NEEDED, "peft") if settings.lora else NEEDED:
+        library(name)
+    state = library("accelerate").PartialState(cpu=settings.device == "cpu")
+    folder = SftFolder(settings.out)
+    with _held(folder, settings, main=state.is_main_process), quiet():
+        with state.main_process_first():
+            done = folder.result()
+            if done is None and state.is_main_process:
+                folder.draw(settings, avoid)
+                folder.rewind()
+        if done is None:
+            done = _trained(settings, folder, state, begun, advance)
+        state.wait_for_everyone()
+        return done
+
+
+@contextmanager
+def _held(folder: SftFolder, config: FineTuning, *, main: bool) -> Generator[None, None, None]:
+    """Keep other runs out of the folder, which the main process alone writes to."""
+    if not main:
+        yield
+        return
+    folder.path.mkdir(parents=True, exist_ok=True)
+    with locked(folder.path):
+        folder.claim(config)
+        yield
+
+
+def _trained(
+    config: FineTuning,
+    folder: SftFolder,
+    state: External,
+    begun: Callable[[str, int], object],
+    advance: Callable[[int], object],
+) -> FineTuned:
+    """Train, or go on training, and save what came of it."""
+    rows = folder.rows()
+    loaded = config.model.load((text for row in rows for text in (row.prompt, row.completion)), folder.initial)
+    chat = loaded.tokenizer.chat_template is not None if config.chat == "auto" else config.chat
+    if chat and loaded.tokenizer.chat_template is None:
+        raise TrainingError(f"chat: the tokenizer of {loaded.path!r} has no chat template; set chat to false")
+    held, left_out = _within(encoded(rows, loaded.tokenizer, chat=chat), _limits(config, loaded))
+    if not held:
+        raise TrainingError(f"corpora: no row is within the limits of tokens ({dict(left_out)})")
+    steps = config.steps_of(len(held))
+    last = folder.checkpoint()
+    if state.is_main_process:
+        begun("fine-tuning", steps)
+        advance(int(last.name.partition("-")[2]) if last else 0)
+    data = library("datasets").Dataset.from_list([row.columns for row in held])
+    settings = arguments(config, folder.checkpoints, steps, state.num_processes)
+    run = trainer(config, settings, loaded, data, folder, advance)
+    run.train(resume_from_checkpoint=str(last) if last else None)
+    parameters = _saved(run, loaded, folder, config)
+    result = FineTuned(
+        model=folder.model.name,
+        parameters=parameters,
+        rows=len(held),
+        left_out=dict(sorted(left_out.items())),
+        steps=steps,
+        loss=_last_loss(run),
+        corpora=folder.corpora(),
+    )
+    if state.is_main_process:
+        folder.finish(result)
+    return result
+
+
+def _limits(config: FineTuning, loaded: Loaded) -> Limits:
+    """Of tokens: those of the configuration, and of the model's context."""
+    context = getattr(loaded.model.config.get_text_config(), "max_position_embeddings", None) or 2**31
+    return Limits(config.max_prompt_tokens, config.max_completion_tokens, context)
+
+
+def _within(rows: list[EncodedRow], limits: Limits) -> tuple[list[EncodedRow], Counter[str]]:
+    """The rows that pass no limit, and how many passed which."""
+    found = [(row, row.excess(limits)) for row in rows]
+    return [row for row, why in found if not why], Counter(why for _, why in found if why)
+
+
+def _saved(run: External, loaded: Loaded, folder: SftFolder, config: FineTuning) -> int:
+    """Save the model, with adapters merged, and its tokenizer; how many parameters it has."""
+    scratch = folder.path / "model.part"
+    if config.lora is None:
+        run.save_model(str(scratch))
+        model = run.accelerator.unwrap_model(run.model)
+    else:
+        run.save_model(str(folder.adapter))
+        model = run.accelerator.unwrap_model(run.model).merge_and_unload()
+        if run.is_world_process_zero():
+            model.save_pretrained(scratch)
+    if run.is_world_process_zero():
+        (scratch / "training_args.bin").unlink(missing_ok=True)  # a pickle, which nobody should have to trust
+        loaded.tokenizer.save_pretrained(scratch)
+        if folder.model.is_dir():
+            shutil.rmtree(folder.model)  # of a run that was killed before its result was written
+        scratch.rename(folder.model)
+    return model.num_parameters()
+
+
+def _last_loss(run: External) -> float:
+    """The loss of the last line of the log; of all steps where there are fewer than a line takes."""
+    lines = [line for line in run.state.log_history if "loss" in line or "train_loss" in line]
+    last = next((line["loss"] for line in reversed(lines) if "loss" in line), lines[-1].get("train_loss"))
+    return float(last)

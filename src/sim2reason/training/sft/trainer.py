@@ -1,0 +1,183 @@
+"""TRL's trainer of supervised fine-tuning, with our optimizer, our log and a loss that is quick for small vocabularies.
+
+Where TRL has no kernel for it, on CPUs above all, its loss scores every position, prompts and padding included, and
+computes entropies besides. A tiny model would spend two fifths of its time on that. With a small vocabulary the logits
+fit in memory, and only those of completions are looked at. TRL's own loss stays for large ones.
+"""
+
+# TRL, transformers and torch are an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+# pyright: reportUntypedBaseClass=false
+
+import time
+from collections.abc import Callable
+from functools import cache
+from math import isfinite
+from pathlib import Path
+
+from sim2reason.errors import TrainingError
+from sim2reason.training.extras import External, library
+from sim2reason.training.models import Loaded
+from sim2reason.training.optimizers import muon_with_adamw
+from sim2reason.training.sft.config import FineTuning
+from sim2reason.training.sft.folder import SftFolder
+
+__all__ = ["arguments", "trainer"]
+
+SMALL = 2**15  # pieces of a vocabulary whose logits fit in memory
+IGNORED = -100
+Advance = Callable[[int], object]
+
+
+def arguments(config: FineTuning, checkpoints: Path, steps: int, devices: int) -> External:
+    """The configuration as TRL has it."""
+    torch = library("torch")
+    micro, accumulated = config.accumulated(devices)
+    cpu = config.device == "cpu" or not torch.cuda.is_available()
+    bfloat16 = (
+        not cpu and torch.cuda.is_bf16_supported() if config.precision == "auto" else config.precision == "bfloat16"
+    )
+    decayed = min(round(config.decay * steps), max(0, steps - config.warmup))
+    return library("trl").SFTConfig(
+        output_dir=str(checkpoints),
+        use_cpu=cpu,
+        bf16=bfloat16,
+        max_steps=steps,
+        per_device_train_batch_size=micro,
+        gradient_accumulation_steps=accumulated,
+        learning_rate=config.learning_rate,
+        weight_decay=config.weight_decay,
+        max_grad_norm=config.max_grad_norm,
+        warmup_steps=config.warmup,
+        lr_scheduler_type="warmup_stable_decay",
+        lr_scheduler_kwargs={"num_decay_steps": decayed, "decay_type": "linear"},
+        activation_checkpointing=config.gradient_checkpointing,  # its other name is on its way out
+        save_strategy="steps",
+        save_steps=config.save_every,
+        save_total_limit=config.keep,
+        logging_steps=config.log_every,
+        logging_nan_inf_filter=False,
+        report_to=["tensorboard"] if config.tensorboard else "none",
+        seed=config.seed,
+        data_seed=config.seed,
+        max_length=None,  # rows are held to their limits before
+        packing=False,
+        dataloader_pin_memory=not cpu,
+        ddp_find_unused_parameters=False,
+        disable_tqdm=True,
+    )
+
+
+def trainer(
+    config: FineTuning,
+    arguments: External,
+    loaded: Loaded,
+    data: External,
+    folder: SftFolder,
+    advance: Advance,
+) -> External:
+    """A trainer of encoded rows, ready to train; only the main process writes, and tells `advance` of its steps."""
+    made = _trainer()(
+        loaded.model,
+        args=arguments,
+        train_dataset=data,
+        processing_class=loaded.tokenizer,
+        peft_config=config.lora.config if config.lora else None,
+    )
+    made.rates = (config.muon_learning_rate, config.learning_rate) if config.optimizer == "muon" else None
+    made.remove_callback(library("transformers").PrinterCallback)
+    made.add_callback(_callback()(made, folder, advance))
+    return made
+
+
+@cache
+def _trainer() -> External:
+    """The class, made when TRL is there."""
+
+    class Trainer(library("trl").SFTTrainer):
+        """TRL's, with what this module says."""
+
+        rates: tuple[float, float] | None = None
+        """Of Muon and of AdamW; None for AdamW alone."""
+
+        def __init__(self, *args: External, **settings: External) -> None:
+            super().__init__(*args, **settings)
+            self.tokens: External = 0  # of completions and prompts that this process has read since the last log
+            self.small = self.model.config.get_text_config().vocab_size <= SMALL and not self.aux_loss_enabled
+
+        def create_optimizer(self, model: External = None) -> External:
+            if self.optimizer is None and self.rates is not None:
+                self.optimizer = muon_with_adamw(model or self.model, *self.rates, self.args.weight_decay)
+            return super().create_optimizer(model)
+
+        def compute_loss(
+            self,
+            model: External,
+            inputs: External,
+            return_outputs: bool = False,  # noqa: FBT001, FBT002 - TRL's own signature
+            num_items_in_batch: External = None,
+        ) -> External:
+            if model.training:
+                self.tokens = self.tokens + inputs["attention_mask"].sum()
+            if return_outputs or not self.small:
+                return super().compute_loss(model, inputs, return_outputs, num_items_in_batch)
+            scale = self.accelerator.num_processes if self.args.average_tokens_across_devices else 1  # DDP averages
+            return _loss(model, inputs, num_items_in_batch, scale)
+
+        def create_model_card(self, *args: object, **settings: object) -> None:
+            """None: the folder says what is in it."""
+
+        def _send_telemetry(self) -> None:
+            """Nothing is sent anywhere."""
+
+    return Trainer
+
+
+def _loss(model: External, inputs: External, tokens: External, scale: int) -> External:
+    """The cross-entropy of completions, nats: over all `tokens` of a step, times `scale`; or its mean in this batch."""
+    labels = inputs["labels"][:, 1:]
+    held = {name: inputs[name] for name in ("input_ids", "attention_mask")}
+    logits = model(**held, use_cache=False).logits[:, :-1]
+    said = labels != IGNORED
+    torch = library("torch")
+    total = torch.nn.functional.cross_entropy(logits[said].float(), labels[said], reduction="sum")
+    if tokens is None:
+        return total / said.sum().clamp(min=1)
+    return total * scale / torch.as_tensor(tokens).clamp(min=1)
+
+
+@cache
+def _callback() -> External:
+    """The class, made when transformers is there."""
+
+    class SftCallback(library("transformers").TrainerCallback):
+        """Writes our log, and marks checkpoints that are whole."""
+
+        def __init__(self, owner: External, folder: SftFolder, advance: Advance) -> None:
+            self.owner, self.folder, self.advance, self.since = owner, folder, advance, time.perf_counter()
+
+        def on_train_begin(self, *_: External, **__: External) -> None:
+            self.since = time.perf_counter()
+
+        def on_step_end(self, _: External, state: External, *__: External, **___: External) -> None:
+            if state.is_world_process_zero:
+                self.advance(1)
+
+        def on_log(self, args: External, state: External, *_: External, **held: External) -> None:
+            logs: dict[str, float] = held.get("logs") or {}
+            if not isfinite(logs.get("loss", 0.0)):
+                raise TrainingError(
+                    f"step {state.global_step}: the loss is {logs['loss']}; give lower learning rates, in a new folder"
+                )
+            if "loss" in logs and state.is_world_process_zero:
+                now, tokens = time.perf_counter(), int(self.owner.tokens) * args.world_size
+                line = {name: logs[name] for name in ("loss", "learning_rate", "grad_norm")}
+                speed = round(tokens / max(now - self.since, 1e-9), 1)
+                self.folder.append({"step": state.global_step, **line, "tokens_per_second": speed})
+                self.owner.tokens, self.since = 0, now
+
+        def on_save(self, _: External, state: External, *__: External, **___: External) -> None:
+            if state.is_world_process_zero:
+                self.folder.whole(state.global_step)
+
+    return SftCallback

@@ -1,0 +1,52 @@
+"""Where problems to train on come from. One file for each kind; a configuration mixes them by weight."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from typing import Annotated
+
+from annotated_types import Gt
+from pydantic import BaseModel, ConfigDict
+
+from sim2reason.errors import TrainingError
+from sim2reason.policies import Name
+from sim2reason.policies.parts.settings import of_kind
+from sim2reason.registry import Registry
+from sim2reason.training.problem import Problem
+
+__all__ = ["SOURCES", "ProblemSource", "source_from"]
+
+
+class ProblemSource(BaseModel, ABC):
+    """An endless supply of problems, in cells that a curriculum may weigh; each subclass is a kind."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    name: Name
+    weight: Annotated[float, Gt(0.0)] = 1.0
+    """How many prompts come from it, compared with the other sources."""
+
+    @property
+    @abstractmethod
+    def cells(self) -> tuple[str, ...]:
+        """The names of its cells, one or more."""
+
+    @abstractmethod
+    def at(self, cell: str, index: int) -> Problem | None:
+        """The `index`-th problem of a cell, the same whenever and wherever it is asked for; None if there is none.
+
+        Raises:
+            EvaluationError, DatasetError: a file or folder that cannot be read.
+        """
+
+
+SOURCES: Registry[type[ProblemSource]] = Registry("training.sources")
+
+
+def source_from(settings: Mapping[str, object], place: str) -> ProblemSource:
+    """The source that settings describe; its `kind` is a registered name.
+
+    Raises:
+        TrainingError: a setting that is unknown, missing or makes no sense.
+        UnknownNameError: no such kind.
+    """
+    return of_kind(SOURCES, settings, place, TrainingError)

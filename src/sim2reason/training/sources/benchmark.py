@@ -1,0 +1,65 @@
+"""Problems of a finished dataset or of any benchmark's file, again and again, each time in another order."""
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any
+
+from pydantic import field_validator
+
+from sim2reason.benchmarks import Benchmark, BenchmarkItem, benchmark_from, items_of
+from sim2reason.datasets.random_scenes import generator
+from sim2reason.errors import Sim2ReasonError
+from sim2reason.training.problem import Problem
+from sim2reason.training.sources import SOURCES, ProblemSource
+
+__all__ = ["BenchmarkSource"]
+
+BY = "difficulty"
+
+
+@SOURCES.register("benchmark")
+class BenchmarkSource(ProblemSource):
+    """What a benchmark asks: a folder of ours, or a file of questions such as another corpus of a mixture."""
+
+    benchmark: dict[str, Any]
+    """Its settings, as an evaluation has them: kind, file or dataset, columns, scoring."""
+    shuffle: int = 0
+    """The seed of the orders."""
+
+    @field_validator("benchmark")
+    @classmethod
+    def _readable(cls, value: dict[str, Any]) -> dict[str, Any]:
+        try:
+            benchmark_from({"name": "source", **value})
+        except Sim2ReasonError as error:
+            raise ValueError(str(error)) from None
+        return value
+
+    @cached_property
+    def _benchmark(self) -> Benchmark:
+        return benchmark_from({"name": self.name, **self.benchmark})
+
+    @cached_property
+    def _held(self) -> dict[str, list[BenchmarkItem]]:
+        found: dict[str, list[BenchmarkItem]] = {}
+        for item in items_of(self._benchmark):
+            found.setdefault(next(iter(item.tags.get(BY, ())), self.name), []).append(item)
+        return found
+
+    @property
+    def cells(self) -> tuple[str, ...]:
+        """The difficulties, where its items have some; else the source is one cell."""
+        return tuple(self._held)
+
+    def at(self, cell: str, index: int) -> Problem | None:
+        """The `index`-th of its passes, each through all of the cell."""
+        held = self._held[cell]
+        turn, place = divmod(index, len(held))
+        order = generator("order", self.shuffle, self.name, cell, turn).permutation(len(held))
+        item = held[int(order[place])]
+        return Problem(item=item, source=self.name, cell=cell)
+
+    def items(self) -> Iterator[BenchmarkItem]:
+        """All that it holds."""
+        for held in self._held.values():
+            yield from held

@@ -1,0 +1,90 @@
+"""Configurations of reinforcement learning: read strictly, with faults at their place."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from sim2reason.errors import Sim2ReasonError, TrainingError
+from sim2reason.training.models.pretrained import Pretrained
+from sim2reason.training.rewards.random import Random
+from sim2reason.training.rl.config import reinforcement_learning_from
+from sim2reason.training.sft.config import fine_tuning_from
+
+ROOT = Path(__file__).parents[3]
+EXPERIMENTS = [path for path in (ROOT / "experiments").rglob("*.yaml") if "verl" not in path.parts]
+FRESH = {"kind": "fresh", "name": "ours", "seed": 1}
+
+
+def settings(**changed: object) -> dict[str, Any]:
+    return {
+        "out": "run",
+        "model": {"kind": "pretrained", "model": "m"},
+        "problems": [FRESH],
+        "reward": "accuracy",
+    } | changed
+
+
+def test_the_least_configuration_has_the_paper_s_numbers() -> None:
+    found = reinforcement_learning_from(settings())
+    assert isinstance(found.model, Pretrained)
+    gspo = found.gspo
+    assert (gspo.steps, gspo.prompts, gspo.generations, gspo.learning_rate, gspo.rounds) == (200, 32, 16, 1e-6, 10)
+
+
+def test_a_control_is_one_key() -> None:
+    found = reinforcement_learning_from(settings(reward={"kind": "random", "seed": 3}))
+    assert isinstance(found.reward, Random)
+    unfiltered = reinforcement_learning_from(settings(problems=[{**FRESH, "unfiltered": True}]))
+    assert found.decisive != unfiltered.decisive
+
+
+def test_where_a_run_lies_decides_nothing() -> None:
+    one, other = reinforcement_learning_from(settings()), reinforcement_learning_from(settings(), Path("elsewhere"))
+    assert other.out == Path("elsewhere")
+    assert one.decisive == other.decisive
+
+
+@pytest.mark.parametrize("file", sorted(EXPERIMENTS), ids=lambda path: path.stem)
+def test_each_experiment_can_be_read(file: Path) -> None:
+
+    reinforcement_learning_from(file)
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"model": None}, "give either model or warm_start"),
+        ({"reward": "acuracy"}, "acuracy"),
+        ({"problems": []}, "problems"),
+        ({"problems": [{**FRESH, "recipe": 3}]}, r"problems\[0\]\.recipe"),
+        ({"gspo": {"steps": 0}}, r"gspo\.steps"),
+        ({"gspo": {"prompts": 3, "generations": 3}}, "multiple of minibatches"),
+        ({"curriculum": {"floor": 0}}, r"curriculum\.floor"),
+        ({"stps": 3}, "stps"),
+        ({"held_out": {"problems": {"name": "h", "seed": 1}}}, "problems are trained on with this seed"),
+        ({"model": None, "warm_start": {"out": "x"}}, r"warm_start\.out"),
+        ({"model": None, "warm_start": {"corpora": []}}, "model|corpora"),
+    ],
+)
+def test_faults_name_their_place(changed: dict[str, object], message: str) -> None:
+    with pytest.raises(Sim2ReasonError, match=message):
+        reinforcement_learning_from(settings(**changed))
+
+
+def test_a_file_that_is_missing() -> None:
+    with pytest.raises(FileNotFoundError, match=r"nowhere\.yaml"):
+        reinforcement_learning_from("nowhere.yaml")
+    with pytest.raises(TrainingError):
+        reinforcement_learning_from(settings(model="m"))
+
+
+def test_the_configurations_of_the_page_can_be_read() -> None:
+    page = (ROOT / "docs" / "training.md").read_text("utf-8")
+    first, second = (
+        yaml.safe_load(block) for block in re.findall(r"^```yaml\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
+    )
+    assert reinforcement_learning_from(first).curriculum is not None
+    assert len(fine_tuning_from(second).corpora) == 3

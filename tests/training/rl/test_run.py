@@ -1,0 +1,156 @@
+"""Whole runs on a tiny model: warm start, training, report; killed and resumed; controls; another corpus."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from sim2reason.errors import TrainingError
+from sim2reason.reports.training import report_training
+from sim2reason.training.problem_stream import ProblemStream
+from sim2reason.training.rl.config import reinforcement_learning_from
+from sim2reason.training.rl.run import train_rl
+from sim2reason.training.sources.fresh import Fresh
+
+pytest.importorskip("trl")
+
+pytestmark = pytest.mark.filterwarnings("ignore")
+PROBLEMS = {"name": "rolling", "recipe": "rolling", "difficulty": "easy", "kinds": ["state"]}
+TIMES = "seconds"
+
+
+def settings(out: Path, **changed: object) -> dict[str, Any]:
+    corpora = [
+        {"kind": "arithmetic", "problems": {**PROBLEMS, "seed": 1}, "items": 6, "rows_each": 4},
+        {"kind": "drills", "items": 20},
+    ]
+    model = {"kind": "scratch", "layers": 1, "width": 32, "heads": 2, "vocabulary": 700, "context": 256}
+    gspo = {"steps": 3, "prompts": 4, "generations": 4, "minibatches": 2, "max_completion_tokens": 12, "save_every": 1}
+    return {
+        "out": str(out),
+        "held_out": {"problems": {**PROBLEMS, "seed": 3}, "items": 4},
+        "warm_start": {"model": model, "corpora": corpora, "steps": 4, "device": "cpu"},
+        "problems": [{"kind": "fresh", **PROBLEMS, "seed": 2}],
+        "prefetch": {"workers": 0},
+        "reward": "random",
+        "gspo": {**gspo, "learning_rate": 1e-4, "gradient_checkpointing": False},
+    } | changed
+
+
+def log(out: Path) -> list[dict[str, Any]]:
+    """The log without what no two runs share."""
+    lines = [json.loads(line) for line in (out / "train" / "log.jsonl").read_text().splitlines()]
+    return [{name: value for name, value in line.items() if name != TIMES} for line in lines]
+
+
+def cursor(out: Path, updates: int) -> dict[str, Any]:
+    return json.loads((out / "train" / f"checkpoint-{updates}" / "cursor.json").read_text())
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("runs") / "whole"
+    train_rl(settings(out))
+    return out
+
+
+def test_a_run_leaves_a_model_a_log_and_a_report(whole: Path) -> None:
+    found = report_training(reinforcement_learning_from(settings(whole)))
+    assert [line["step"] for line in log(whole)] == [1, 2, 3]
+    assert (whole / "model" / "model.safetensors").is_file()
+    page = (whole / "report" / "report.md").read_text()
+    assert "| all | 4 |" in page
+    assert "best constant" in page
+    assert (whole / "report" / "steps.png").read_bytes()[:4] == b"\x89PNG"
+    assert set(found.differences) == {"greedy", "sampled"}
+    assert 0.0 < found.overhead < 1.0
+
+
+def test_no_held_out_problem_is_given_again_even_by_its_own_seed(whole: Path) -> None:
+    held = {json.loads(line)["prompt"] for line in (whole / "held-out.jsonl").read_text().splitlines()}
+    avoid = frozenset(json.loads((whole / "held-out-keys.json").read_text()))
+    source = Fresh.model_validate({**PROBLEMS, "seed": 3})
+    first = {problem.item.prompt for problem in ProblemStream([source]).problems(4)}
+    assert len(held) == 4
+    assert first == held
+    assert not {problem.item.prompt for problem in ProblemStream([source], avoid=avoid).problems(4)} & held
+
+
+def test_no_held_out_problem_is_in_the_warm_start(whole: Path, tmp_path: Path) -> None:
+    """The corpus is drawn with the seed of what is held out, and loses those problems."""
+    given = settings(tmp_path / "run")
+    (corpus, _) = given["warm_start"]["corpora"]
+    corpus["problems"] = {**PROBLEMS, "seed": 3}
+    given["gspo"] |= {"steps": 1, "rounds": 1}
+    train_rl(given)
+    counted = json.loads((tmp_path / "run" / "warm-start" / "corpora.json").read_text())[0]
+    assert counted["left_out"] == {"held out": 4}
+    held = {json.loads(line)["prompt"] for line in (whole / "held-out.jsonl").read_text().splitlines()}
+    rows = [json.loads(line)["prompt"] for line in (tmp_path / "run/warm-start/rows.jsonl").read_text().splitlines()]
+    assert not held & {*rows}
+
+
+def test_a_finished_run_is_not_run_again(whole: Path) -> None:
+    before = (whole / "train" / "log.jsonl").stat().st_mtime_ns
+    assert train_rl(settings(whole)).steps == 3
+    assert (whole / "train" / "log.jsonl").stat().st_mtime_ns == before
+
+
+def test_another_configuration_is_refused(whole: Path) -> None:
+    with pytest.raises(TrainingError, match="holds a run with another reward"):
+        train_rl(settings(whole, reward="format"))
+    with pytest.raises(TrainingError, match="holds a run with another held_out"):
+        train_rl(settings(whole, held_out={"problems": {**PROBLEMS, "seed": 3}, "items": 5}))
+
+
+def test_a_killed_run_goes_on_with_the_same_prompts(whole: Path, tmp_path: Path) -> None:
+    out, file = tmp_path / "killed", tmp_path / "config.yaml"
+    file.write_text(yaml.safe_dump(settings(out)))
+    command = [sys.executable, "-m", "sim2reason", "train", "rl", str(file)]
+    environment = {**os.environ, "OMP_NUM_THREADS": "1"}
+    with subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        while not (out / "train" / "checkpoint-2" / "cursor.json").is_file() and process.poll() is None:
+            time.sleep(0.02)
+        process.send_signal(signal.SIGKILL)
+    train_rl(settings(out))
+    assert log(out) == log(whole)
+    assert cursor(out, 6) == cursor(whole, 6)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"reward": "accuracy", "curriculum": {}},
+        {"reward": "format"},
+        {
+            "problems": [{"kind": "fresh", **PROBLEMS, "seed": 2, "unfiltered": True}],
+            "prefetch": {"workers": 1, "depth": 4},
+        },
+    ],
+    ids=["curriculum", "format", "unfiltered"],
+)
+def test_controls_are_one_key_each(changed: dict[str, object], whole: Path, tmp_path: Path) -> None:
+    model = {"kind": "pretrained", "model": str(whole / "warm-start" / "model")}
+    gspo = {**settings(tmp_path)["gspo"], "steps": 1, "rounds": 1}
+    given = settings(tmp_path / "run", model=model, gspo=gspo, **changed)
+    del given["warm_start"], given["held_out"]
+    assert train_rl(given).steps == 1
+
+
+def test_a_mixture_with_another_corpus(whole: Path, tmp_path: Path) -> None:
+    file = tmp_path / "sums.jsonl"
+    file.write_text("".join(json.dumps({"question": f"{n} + 2?", "answer": str(n + 2)}) + "\n" for n in range(8)))
+    other = {"kind": "benchmark", "name": "sums", "benchmark": {"kind": "jsonl", "file": str(file)}}
+    model = {"kind": "pretrained", "model": str(whole / "warm-start" / "model")}
+    given = settings(tmp_path / "run", model=model, problems=[{"kind": "fresh", **PROBLEMS, "seed": 2}, other])
+    del given["warm_start"], given["held_out"]
+    train_rl(given)
+    drawn = cursor(tmp_path / "run", 6)["stream"]["next"]
+    assert abs(drawn["sums/sums"] - drawn["rolling/easy"]) <= 4
