@@ -7,7 +7,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-ray test-exports test-endpoint check lint types contracts docs format clean
+.PHONY: help demo test test-ray test-train test-exports test-endpoint check lint types contracts docs format clean
 
 help: ## say what can be made
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -47,6 +47,16 @@ test: .venv/dev ## all tests, in parallel
 
 test-ray: .venv-ray/done ## the tests that need Ray, on a local cluster, in an environment of their own
 	.venv-ray/bin/python -m pytest tests/datasets/places
+
+.venv-train/done: .venv/pip requirements/train.txt pyproject.toml
+	$(PYTHON) -m venv .venv-train
+	.venv-train/bin/python -m pip install --quiet --requirement requirements/train.txt
+	.venv-train/bin/python -m pip install --quiet --no-deps --editable .
+	@touch $@
+
+test-train: .venv-train/done ## the tests that train models, on CPUs, in an environment of their own
+	.venv-train/bin/python -m pytest --numprocesses auto --dist worksteal tests/training tests/policies/test_local_model.py tests/cli/test_train.py
+	.venv-train/bin/python tests/support/readme.py docs/training.md
 
 # Each library that exports are for has an environment of its own in .exports, 0.6 to 2 GB large. For one of them alone:
 # make test-exports-verl. NeMo Gym needs a newer Python than others; without one it is left out, and says so.

@@ -70,3 +70,19 @@ def test_python_blocks_run_where_their_libraries_are(tmp_path: Path, block: str,
     page = tmp_path / "page.md"
     page.write_text(f"```python\n{block}\n```\n", encoding="utf-8")
     assert readme.main(str(page)) == code
+
+
+def test_commands_of_a_library_run_where_it_is(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    for library, code in (("json", 3), ("no_such_library", 0)):
+        page.write_text(f"```console {library}\n$ exit 3\n```\n", encoding="utf-8")
+        assert readme.main(str(page)) == code
+
+
+def test_pages_run_one_after_the_other_in_one_folder_until_one_fails(tmp_path: Path) -> None:
+    pages = [tmp_path / f"{name}.md" for name in "abc"]
+    for page, command in zip(pages, ("echo one > here", "test -f here", "exit 3"), strict=True):
+        page.write_text(f"```console\n$ {command}\n```\n", encoding="utf-8")
+    assert readme.main(*map(str, pages[:2])) == 0
+    assert readme.main(*map(str, pages)) == 3
+    assert readme.main(str(pages[1])) == 1

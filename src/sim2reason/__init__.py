@@ -1,7 +1,7 @@
 """Physics simulators turned into verified problems for language models.
 
 The public names below are loaded when they are first used, so that the import itself costs next to nothing. Each
-command of the command line has a function of its name here.
+command of the command line has a function of its name here, with underscores for dashes.
 """
 
 from collections.abc import Iterable
@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from sim2reason.simulation.certify import Certificate
     from sim2reason.simulation.scenes import certify, simulate
     from sim2reason.simulation.trace import Trace
+    from sim2reason.training.sample_solutions import sample_solutions
+    from sim2reason.training.train import train
 
 _HOMES = {
     "Certificate": "simulation.certify",
@@ -61,12 +63,14 @@ _HOMES = {
     "parse_scene": "parsing",
     "plot": "figures.scenes",
     "sample": "datasets.items",
+    "sample_solutions": "training.sample_solutions",
     "schema": "scene_files.schema",
     "show": "datasets.show",
     "simulate": "simulation.scenes",
     "solve": "datasets.solve",
     "stats": "datasets.stats",
     "stream": "datasets.items",
+    "train": "training.train",
     "verify": "datasets.verify",
 }
 """Their modules; after a colon what they are called there, where that is otherwise."""
@@ -96,12 +100,14 @@ __all__ = [
     "parse_scene",
     "plot",
     "sample",
+    "sample_solutions",
     "schema",
     "show",
     "simulate",
     "solve",
     "stats",
     "stream",
+    "train",
     "verify",
 ]
 

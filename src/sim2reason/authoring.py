@@ -31,7 +31,7 @@ from sim2reason.dsl.measures import (
 )
 from sim2reason.dsl.mechanism import GRAVITY, ZERO, X, Y, Z
 from sim2reason.dsl.ports import Base, Chain, End, Mount, Pass, StringEnd
-from sim2reason.dsl.template import Word, among, assuming, defining_axes, each, either, lines_of, starting
+from sim2reason.dsl.template import Word, among, assuming, defining_axes, each, either, lines_of, placing, starting
 from sim2reason.dsl.vectors import Vector, add, inner, outer, scale
 
 __all__ = [
@@ -91,6 +91,7 @@ __all__ = [
     "inner",
     "lines_of",
     "outer",
+    "placing",
     "scale",
     "starting",
 ]

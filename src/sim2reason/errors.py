@@ -9,6 +9,7 @@
     ├── DatasetError        a dataset folder that is damaged or belongs to another configuration
     ├── PolicyError         a model that cannot be asked, or that gave no answer
     ├── EvaluationError     a configuration, benchmark file or run folder of an evaluation that cannot be used
+    ├── TrainingError       a configuration, corpus or folder of a training run that cannot be used
     ├── UnknownNameError    a name that a registry does not hold
     ├── MissingExtraError   an optional package that a command needs
     └── ConformanceError    an entity class that does not keep what the library promises of entities
@@ -66,6 +67,10 @@ class PolicyError(Sim2ReasonError):
 
 class EvaluationError(Sim2ReasonError):
     """A configuration, a benchmark's file or the folder of a run that cannot be used for an evaluation."""
+
+
+class TrainingError(Sim2ReasonError):
+    """A configuration, a corpus or the folder of a run that cannot be used for training."""
 
 
 class UnknownNameError(Sim2ReasonError, KeyError):

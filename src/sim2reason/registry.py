@@ -72,6 +72,10 @@ class Registry(Mapping[str, T], Generic[T]):
         few = len(self._members) <= FEW
         return f"there are: {', '.join(self)}" if few else f"see: sim2reason list {self.kind.rpartition('.')[2]}"
 
+    def name_of(self, value: object) -> str:
+        """Under which name the class of `value` is held; the name of the class where a program has its own."""
+        return next((name for name, kind in self.items() if kind is type(value)), type(value).__name__)
+
     def __iter__(self) -> Iterator[str]:
         """Names in alphabetical order, so that draws do not depend on the order of imports."""
         self._fill()

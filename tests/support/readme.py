@@ -2,12 +2,13 @@
 
     python tests/support/readme.py README.md            fails where the page shows something else
     python tests/support/readme.py README.md --write    writes what commands print into the page
+    python tests/support/readme.py docs/integrations/*  several pages, one after the other, in one folder
 
 A command is a line that begins with ``$ `` inside a block fenced as ``console``; what follows it is output, where
 ``…`` stands for anything, on a line of its own for any lines. A command without output is only run.
 Lines of set-up (pip, git, make, cd) are left out: whoever runs this has done them.
 A block fenced as ``python`` is run as a program, or held to what it prints where it has lines with ``>>>``. One whose
-libraries are not all installed is left out, and said so.
+libraries are not all installed is left out, and said so; so are commands fenced as ``console LIBRARY`` without it.
 """
 
 import argparse
@@ -23,6 +24,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 SET_UP = ("pip", "git", "make", "cd", "python3 -m venv", "source")
+ROOT = Path(__file__).resolve().parents[2]
+SHARED = "examples", "experiments"  # which pages name as they stand in the repository
 ABORTED = 134  # by its shell: threads of a library may abort an interpreter that ends on a busy machine; run it again
 EXAMPLES = """
 import doctest, sys
@@ -45,9 +48,12 @@ class Shown:
 def shown(text: str) -> Iterator[Shown]:
     """What is to be run of `text`, in order."""
     for language, lines, start in _blocks(text):
-        if language == "console":
+        kind, _, library = language.partition(" ")
+        if kind == "console" and library and importlib.util.find_spec(library) is None:
+            yield Shown(_left_out([library]), (), start, start)
+        elif kind == "console":
             yield from _commands(lines, start)
-        elif language == "python":
+        elif kind == "python":
             yield Shown(_program("\n".join(lines)), (), start, start)
 
 
@@ -71,9 +77,13 @@ def _program(source: str) -> str:
     """The command that runs a block in Python."""
     missing = sorted({name for name in IMPORTED.findall(source) if importlib.util.find_spec(name) is None})
     if missing:
-        return f"echo left out, for want of {' and '.join(missing)}"
+        return _left_out(missing)
     arguments = (EXAMPLES, source) if ">>> " in source else (source,)
     return shlex.join(("python", "-c", *arguments))
+
+
+def _left_out(missing: list[str]) -> str:
+    return f"echo left out, for want of {' and '.join(missing)}"
 
 
 def commands(text: str) -> Iterator[str]:
@@ -93,24 +103,30 @@ def _line(line: str) -> str:
     return ".*".join(map(re.escape, line.rstrip().split("…"))) + r"\n"
 
 
-def main(path: str, *, write: bool = False) -> int:
+def main(*paths: str, write: bool = False) -> int:
     """Run them; the exit code of the first that fails or prints something else, or 0."""
     environ = os.environ | {"PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "100"}
+    with tempfile.TemporaryDirectory() as folder:
+        for name in SHARED:
+            Path(folder, name).symlink_to(ROOT / name)
+        return next((code for path in paths if (code := _page(path, folder, environ, write=write))), 0)
+
+
+def _page(path: str, folder: str, environ: dict[str, str], *, write: bool) -> int:
     text = Path(path).read_text(encoding="utf-8")
     lines = text.splitlines()
-    with tempfile.TemporaryDirectory() as folder:
-        for found in reversed(list(_run(text, folder, environ))) if write else _run(text, folder, environ):
-            seen, code, printed = found
-            sys.stdout.write(f"$ {seen.command}\n")
-            sys.stdout.flush()
-            if code:
-                sys.stdout.write(f"{printed}{path}: this failed with exit code {code}: {seen.command}\n")
-                return code
-            if write and seen.output and "…" not in "".join(seen.output):
-                lines[seen.start : seen.stop] = [line.rstrip() for line in printed.splitlines()]
-            elif not write and not fits(seen.output, printed):
-                sys.stdout.write(f"{path}: this command prints something else now: {seen.command}\n{printed}")
-                return 1
+    for found in reversed(list(_run(text, folder, environ))) if write else _run(text, folder, environ):
+        seen, code, printed = found
+        sys.stdout.write(f"$ {seen.command}\n")
+        sys.stdout.flush()
+        if code:
+            sys.stdout.write(f"{printed}{path}: this failed with exit code {code}: {seen.command}\n")
+            return code
+        if write and seen.output and "…" not in "".join(seen.output):
+            lines[seen.start : seen.stop] = [line.rstrip() for line in printed.splitlines()]
+        elif not write and not fits(seen.output, printed):
+            sys.stdout.write(f"{path}: this command prints something else now: {seen.command}\n{printed}")
+            return 1
     if write:
         Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
     return 0
@@ -130,7 +146,7 @@ def _called(command: str, folder: str, environ: dict[str, str]) -> subprocess.Co
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("path")
+    parser.add_argument("paths", nargs="+")
     parser.add_argument("--write", action="store_true")
     given = parser.parse_args()
-    sys.exit(main(given.path, write=given.write))
+    sys.exit(main(*given.paths, write=given.write))

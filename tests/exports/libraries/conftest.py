@@ -91,12 +91,14 @@ def follow(real: Path, tmp_path: Path) -> Callable[[str], None]:
         folder = tmp_path / "page"
         folder.mkdir()
         (folder / "problems").symlink_to(real)  # what the page's first command generates
+        for own in ("examples", "experiments"):  # of a clone
+            (folder / own).symlink_to(PAGES.parents[1] / own)
         path = folder / f"problems-{name}"
         for page, where in ((PAGES / f"{name}.md", folder), (path / "README.md", path)):
             for language, lines, start in readme._blocks(page.read_text(encoding="utf-8")):
                 if language == "python":
                     run([sys.executable, "-c", "\n".join(lines)], where, PYTHONPATH=str(path))
-                for shown in readme._commands(lines, start) if language == "console" else ():
+                for shown in readme._commands(lines, start) if language.startswith("console") else ():
                     if not shown.command.startswith("sim2reason generate"):
                         printed = run(shown.command, where, PYTHONPATH=str(path))
                         assert readme.fits(shown.output, printed), printed

@@ -41,7 +41,7 @@ def test_right_answers_pass_and_distractors_do_not(
     wrong: Callable[[Item], Iterator[str]],
     split: str,
 ) -> None:
-    done = sim2reason.export(real, tmp_path / "out", to="lm-eval", split=split)
+    done = sim2reason.export(real, tmp_path / "out", to="lm-eval", splits=split)
     by_prompt = {item.prompt: item for item in items.values()}
     found = result(done.folder, "sim2reason", lambda prompt: right(by_prompt[prompt]))
     assert found["results"]["sim2reason"]["accuracy,none"] == 1.0
