@@ -356,3 +356,50 @@ def test_a_root_is_seen_although_short_strings_would_end_the_motion_before() -> 
     found = unfixed(question, Study(study, simulate(study)))
     assert found.endswith(" kg is not excluded")
     assert float(found.split()[1]) < 1.5
+
+
+OVER_THE_TOP = (
+    "From a fixed point a small ball of mass 1.5 kg hangs on a light, rigid rod of length $\\ell$. At the start the "
+    "rod makes an angle of 62° with the downward vertical. Here g = 9.8 m/s². Imagine that the ball is set moving "
+    "downwards along its arc at speed 2.9 m/s. The time from t = 0 until the ball first reaches the highest point of "
+    "its path is 0.915 s. Determine the length $\\ell$. Give your answer in m, to three significant figures, inside "
+    "\\boxed{}."
+)
+PUCKS = (
+    "In this problem g = 9.8 m/s². Four smooth pucks of radius $R$ slide on a frictionless table tilted at 14° to the "
+    "horizontal; x points horizontally to the right and y straight up the slope. Each puck's mass, position and "
+    "velocity at t = 0 are listed below.\n\n"
+    "| puck | $m$ (kg) | $x$ (m) | $y$ (m) | $v_x$ (m/s) | $v_y$ (m/s) |\n"
+    "| --- | --- | --- | --- | --- | --- |\n"
+    "| A | 13 | −0.90 | −1.07 | 0.09 | 0.17 |\n"
+    "| B | 8.5 | −0.97 | −0.08 | 0.09 | −2.63 |\n"
+    "| C | 12 | 1.29 | 0.54 | −2.83 | −1.68 |\n"
+    "| D | 7.8 | −0.02 | −1.37 | −2.31 | 1.79 |\n\n"
+    "All collisions are elastic. Calculate $R$, if the distance between puck B and its starting point when puck A is "
+    "first 3.0 m from its starting point is 1.09 m. State the answer in m to three significant figures, inside "
+    "\\boxed{}."
+)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "answer", "given", "low", "high"),
+    [
+        (OVER_THE_TOP, 1.09896, StatedResult("0.915", "s"), 0.2915, 0.293),
+        (PUCKS, 0.200136, StatedResult("1.09", "m"), 0.1955, 0.1973),
+    ],
+    ids=["beside a separatrix", "among collisions"],
+)
+def test_narrow_stretches_of_other_values_are_seen(
+    prompt: str, answer: float, given: StatedResult, low: float, high: float
+) -> None:
+    """A rod just long enough to be carried over the top takes as long as wanted; discs that touch go other ways.
+
+    Both were found by a scan of the result over the unknown, at steps of 0.1 %.
+    """
+    asked = parse_prompt(prompt, np.random.default_rng(1))
+    (unknown,) = asked.reading.unknown
+    study = asked.study.scene.having(unknown, answer)
+    question = Question("reverse", asked.query, "", answer, "m", unknown=unknown, given=given)
+    found = unfixed(question, Study(study, simulate(study)))
+    assert found.endswith(" m is not excluded")
+    assert low < float(found.split()[1]) < high

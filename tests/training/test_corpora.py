@@ -29,6 +29,9 @@ def lines(path: Path, count: int, name: str = "row") -> dict[str, object]:
     return {"kind": "jsonl", "file": str(path), "prompt": "q", "completion": "a"}
 
 
+FRESH = {"name": "drawn", "seed": 1}
+
+
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
@@ -39,10 +42,10 @@ def lines(path: Path, count: int, name: str = "row") -> dict[str, object]:
         ({"kind": "jsonl", "file": "a", "weight": 1e9}, "corpora[0].weight"),
         ({"kind": "jsonl", "file": "a", "limit": 0}, "corpora[0].limit"),
         ({"kind": "jsonl", "file": "a", "fields": "a"}, "corpora[0].fields: no such setting"),
-        ({"kind": "worked"}, "give either dataset, a folder, or seed"),
-        ({"kind": "worked", "seed": 1, "dataset": "a"}, "give either dataset, a folder, or seed"),
-        ({"kind": "worked", "seed": 1, "split": "train"}, "split is one of a dataset"),
-        ({"kind": "worked", "seed": -1}, "corpora[0].seed"),
+        ({"kind": "worked"}, "give either dataset, a folder, or problems"),
+        ({"kind": "worked", "problems": FRESH, "dataset": "a"}, "give either dataset, a folder, or problems"),
+        ({"kind": "worked", "problems": FRESH, "split": "train"}, "split is one of a dataset"),
+        ({"kind": "worked", "problems": {"name": "a", "seed": -1}}, "corpora[0].problems.seed"),
     ],
 )
 def test_what_makes_no_sense_is_said_with_its_place(settings: dict[str, object], message: str) -> None:
@@ -58,10 +61,11 @@ def test_an_unknown_kind_is_said_with_what_is_near() -> None:
 
 
 def test_solutions_of_drawn_problems_stand_in_boxes_and_are_right() -> None:
-    settings = {"kind": "worked", "seed": 3, "items": 4, "recipe": ["incline", "collision"], "difficulty": "easy"}
+    problems = {"name": "drawn", "seed": 3, "recipe": ["incline", "collision"], "difficulty": "easy"}
+    settings = {"kind": "worked", "problems": problems, "items": 4}
     rows = list(corpus_from(settings).rows(Counter()))
-    assert rows == list(corpus_from(settings).rows(Counter()))
-    assert 0 < len(rows) <= 4
+    assert rows == list(corpus_from({**settings, "workers": 2}).rows(Counter()))
+    assert len(rows) == 4
     assert all(r"\boxed{" in row.completion for row in rows)
 
 

@@ -1,12 +1,11 @@
 """Work on foreign input in a process of its own, which can be killed."""
 
-import os
 from collections.abc import Callable
-from multiprocessing import get_context, parent_process
+from multiprocessing import get_context
 from multiprocessing.connection import Connection
-from threading import Thread
 from typing import ParamSpec, TypeVar
 
+from sim2reason.datasets.end_with_parent import end_with_parent
 from sim2reason.datasets.interrupts import deaf_children
 from sim2reason.errors import Sim2ReasonError, SimulationError
 
@@ -49,16 +48,9 @@ def _serve(
     args: tuple[object, ...],
     kwargs: dict[str, object],
 ) -> None:
-    Thread(target=_die_with_parent, daemon=True).start()
+    end_with_parent()
     try:
         answer = True, function(*args, **kwargs)
     except (Sim2ReasonError, OSError) as error:
         answer = False, error
     pipe.send(answer)
-
-
-def _die_with_parent() -> None:
-    parent = parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)

@@ -2,10 +2,14 @@
 
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from sim2reason.cli import console
+
+if TYPE_CHECKING:
+    from sim2reason.training.rl.folder import Trained
 
 EXAMPLE = """\b
 Example:
@@ -40,6 +44,23 @@ Example:
 
 The trained model lies in OUT/model, what each step measured in OUT/train/log.jsonl, and accuracies on held-out problems
 before and after in OUT/report. The same command goes on where a run was broken off, with the prompt that comes next.
+"""
+STUDY_EXAMPLE = """\b
+Example:
+    sim2reason train study experiments/tiny-study.yaml
+
+tiny-study.yaml names a configuration of train rl, what arms change in it, and seeds:
+
+\b
+    out: runs/tiny-study
+    base: experiments/tiny.yaml
+    seeds: [0, 1, 2]
+    arms:
+      ours: {}
+      random: {reward: random}
+
+Each run lies in OUT/runs/ARM-SEED, all of them together on a page in OUT/report. The same command goes on where a study
+was broken off.
 """
 FOLDER = click.Path(file_okay=False, path_type=Path)
 
@@ -88,7 +109,7 @@ def rl_command(config: Path, out: Path | None, to_json: bool) -> None:
     remedy = f"what is finished stays in {settings.out}; give the same command again to go on"
     with console.resumable(remedy), console.Phases() as phases, quiet():
         found = train_rl(settings, begun=phases.begin, advance=phases.advance)
-        asked = settings.held_out is not None and is_main_process()
+        asked = bool(settings.held_out) and is_main_process()
         report = report_training(settings, begun=phases.begin, advance=phases.advance) if asked else None
     if not is_main_process():
         return
@@ -98,9 +119,41 @@ def rl_command(config: Path, out: Path | None, to_json: bool) -> None:
     console.table(["steps", "prompts", "seconds"], [[found.steps, found.prompts_consumed, round(found.seconds)]])
     if report is not None:
         rows = [
-            [name, f"{100 * each.first:.1f}", f"{100 * each.second:.1f}", each.difference.shown]
-            for name, each in report.differences.items()
+            [name, each.benchmark, f"{100 * each.first:.1f}", f"{100 * each.second:.1f}", each.difference.shown]
+            for name, held in report.differences.items()
+            for each in held
         ]
-        console.table(["responses", "before (%)", "after (%)", "difference"], rows)
+        console.table(["responses", "problems", "before (%)", "after (%)", "difference"], rows)
         click.echo(f"The report: {report.folder / 'report.md'}")
     click.echo(f"The model: {settings.out / found.model}")
+
+
+@command.command("study", epilog=STUDY_EXAMPLE)
+@click.argument("config", type=click.Path(path_type=Path))
+@click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the study. [default: as CONFIG says]")
+@click.option("--json", "to_json", is_flag=True, help="Print what came of each run for a program to read.")
+def study_command(config: Path, out: Path | None, to_json: bool) -> None:
+    """Train by `train rl` in several arms and with several seeds, as the file CONFIG says; needs [train]."""
+    from sim2reason.reports.study import report_study
+    from sim2reason.training.study.config import study_from
+    from sim2reason.training.study.run import train_study
+
+    study = study_from(config, out)
+    remedy = f"what is finished stays in {study.out}; give the same command again to go on"
+    with console.resumable(remedy), console.Phases() as phases:
+        found = train_study(study, begun=phases.begin, advance=phases.advance)
+    report = report_study(study) if study.configs[study.runs[0]].held_out else None
+    if to_json:
+        console.as_json({name: each.model_dump(mode="json") for name, each in found.items()})
+        return
+    console.table(["run", "steps", "prompts", "seconds"], [_row(name, each) for name, each in found.items()])
+    if report is not None:
+        rows = [
+            [*each[:3], f"{100 * each.before:.1f}", f"{100 * each.after:.1f}", each.gain.shown] for each in report.arms
+        ]
+        console.table(["problems", "responses", "arm", "before (%)", "after (%)", "gain"], rows)
+        click.echo(f"The report: {report.folder / 'report.md'}")
+
+
+def _row(name: str, found: "Trained") -> list[object]:
+    return [name, found.steps, found.prompts_consumed, round(found.seconds)]

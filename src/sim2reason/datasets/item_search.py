@@ -81,8 +81,13 @@ class ItemSearch:
                 if not self._mode.offers(scene.mechanism):
                     self.rejected[NOTHING] += 1
                     continue
-                wording, unfiltered = int(rng.random() * 2**31), self._request.unfiltered
-                search = QuestionSearch(scene, wording, self._difficulty, unfiltered=unfiltered)
+                search = QuestionSearch(
+                    scene,
+                    int(rng.random() * 2**31),
+                    self._difficulty,
+                    unfiltered=self._request.unfiltered,
+                    quantities=frozenset(self._request.quantities),
+                )
             except (SceneError, SimulationError, UnsupportedError) as error:
                 self.rejected[_counted(error)] += 1
                 continue

@@ -93,6 +93,8 @@ class Request:
     """Whether the item comes with its worked solution; it is the same problem either way."""
     unfiltered: bool = False
     """Whether any question that has an answer will do, whatever the filters say of it."""
+    quantities: tuple[str, ...] = ()
+    """Those that may be asked about; none: any."""
 
     def __post_init__(self) -> None:
         """DrawError for coordinates that no item has; whole numbers of other packages become Python's."""
@@ -105,7 +107,8 @@ class Request:
         name = f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
         tail = f"-{self.units}" if self.units != SI else ""
         tail += f"-{UNFILTERED}" if self.unfiltered else ""
-        return f"{name}{tail}-{_digest(self.weights)}" if self.weights else f"{name}{tail}"
+        chosen = (*self.weights, *self.quantities)
+        return f"{name}{tail}-{_digest(chosen)}" if chosen else f"{name}{tail}"
 
     @classmethod
     def named(cls, name: str, weights: Weights = ()) -> Self:
@@ -232,9 +235,9 @@ def file_name(number: int, total: int, split: str = TRAIN) -> str:
     return f"{DATA}/{split}-{number:05}-of-{total:05}.parquet"
 
 
-def _digest(weights: tuple[tuple[str, float], ...]) -> str:
-    """A short name for weights."""
-    return hashlib.sha256(json.dumps(weights).encode()).hexdigest()[:8]
+def _digest(chosen: tuple[tuple[str, float] | str, ...]) -> str:
+    """A short name for weights and quantities."""
+    return hashlib.sha256(json.dumps(chosen).encode()).hexdigest()[:8]
 
 
 @cache

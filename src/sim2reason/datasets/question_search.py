@@ -25,6 +25,7 @@ SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no u
 WORDINGS = 6  # tries
 QUESTIONS = 4  # tries that differ
 DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
+CHOOSY = 8  # times as many draws, where only some quantities may be asked about
 NOTHING = "nothing to ask"  # as a manifest counts it
 
 
@@ -78,10 +79,17 @@ class QuestionSearch:
     """
 
     def __init__(
-        self, scene: Scene, wording: int, difficulty: Difficulty = "medium", *, unfiltered: bool = False
+        self,
+        scene: Scene,
+        wording: int,
+        difficulty: Difficulty = "medium",
+        *,
+        unfiltered: bool = False,
+        quantities: frozenset[str] = frozenset(),
     ) -> None:
-        """`wording` is the seed of the text, or that of the first that is tried."""
+        """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all."""
         self._difficulty: Difficulty = difficulty
+        self._quantities = quantities
         self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
@@ -172,13 +180,19 @@ class QuestionSearch:
         candidate = Candidate(study, question, prompt.text, said, self.words, difficulty=level)
         return _Told(candidate, description, prompt.shape)
 
+    def _wants(self, query: Query) -> bool:
+        """Whether a quantity that may be asked about is asked about."""
+        return KINDS[query.kind].measured(query).name in self._quantities
+
     def _questions(
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
     ) -> Iterator[Question]:
         """Some questions that differ; fewer if the motion offers no more."""
         asked, missed = set[tuple[Query, str]](), 0
-        for _ in range(DRAWS * tries // QUESTIONS):
+        for _ in range(DRAWS * tries // QUESTIONS * (CHOOSY if self._quantities else 1)):
             question = mode.ask(self.study, self.words, kind, rng)
+            if question is not None and self._quantities and not self._wants(question.query):
+                continue
             if question is None:
                 missed += 1
                 if not kind:

@@ -6,10 +6,9 @@ import signal
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from multiprocessing import parent_process
 from multiprocessing.connection import Connection
-from threading import Thread
 
+from sim2reason.datasets.end_with_parent import end_with_parent
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import Made, Maker, Request, load_maker
 from sim2reason.errors import DatasetError
@@ -38,7 +37,7 @@ Message = list[Attempt] | DatasetError | None
 def serve(pipe: "Connection[Message, Batch]", maker: str) -> None:
     """Answer each batch that comes through `pipe`, until its other end is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent is interrupted, and decides
-    Thread(target=_die_with_parent, daemon=True).start()
+    end_with_parent()
     for library in ("OMP", "OPENBLAS", "MKL"):  # before the maker imports numpy: N workers use N cores, not N²
         os.environ[f"{library}_NUM_THREADS"] = "1"
     try:
@@ -73,10 +72,3 @@ def outcome(make: Maker, position: int, request: Request) -> Attempt:
     if made.item is not None and made.item.id != request.id:
         return Attempt(position, None, {}, f"made an item of another id: {made.item.id}")
     return Attempt(position, made.item, dict(made.rejected), wanted=made.wanted)
-
-
-def _die_with_parent() -> None:
-    parent = parent_process()
-    if parent is not None:
-        parent.join()  # returns when the parent is gone, however it went
-        os._exit(1)

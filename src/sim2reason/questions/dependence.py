@@ -23,16 +23,17 @@ from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
 LONGER = 2.0  # times the scene's own horizon, until which something is waited for that may come later;
 LATEST = 8.0  # or, where it would be another answer however late it came
-BORDER = 5  # bisections towards where there is no answer
+BORDER = 10  # bisections towards where there is no answer
 AT_ONCE = 1e-6  # of a time
 STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
 
 ROOMY = 100.0  # times: how much longer a string may be
+TURNING = 1e-6  # of the mean speed: what is slower turns
 STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
 
 Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
-"""Events in turn, by kind and subjects, and which way each coordinate has changed."""
+"""Events in turn, by kind and subjects, which way each coordinate has changed, and whether it stands."""
 
 
 class Dependence:
@@ -227,10 +228,16 @@ def roomy(scene: Scene) -> Scene:
 
 
 def _ways(study: Study, time: float) -> tuple[float, ...]:
-    """Which way each coordinate has changed by a time, or begins to: in between, a magnitude passes through zero."""
+    """Which way each coordinate has changed by a time, or begins to, and whether it turns then.
+
+    In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and
+    between them takes for ever.
+    """
     known = study.trace.sample(np.array([0.0, time]))
     changes = known.q[-1] - known.q[0] if time else known.a[0]
-    return tuple(np.sign(np.where(np.abs(changes) > STILL * np.abs(changes).max(), changes, 0.0)).tolist())
+    largest = np.abs(changes).max()
+    turns = np.abs(known.v[-1]) * time <= TURNING * largest if time else np.zeros(len(changes), dtype=bool)
+    return (*np.sign(np.where(np.abs(changes) > STILL * largest, changes, 0.0)).tolist(), *turns.tolist())
 
 
 def towards_border(dependence: Callable[[float], float | None], one: float, other: float) -> Iterator[float]:

@@ -8,14 +8,14 @@ from sim2reason.questions.dependence import Dependence, towards_border
 
 STRIDES = (16, 4)  # of the scan: first some points far apart, which most often tell
 SMOOTH = 0.1  # of the least distance from what is given: by how much a cubic may miss the answer where it is smooth
-NEAR = 0.02  # relative: what is closer to the root is not told from it
+NEAR = 0.01  # relative: what is closer to the root is not told from it
 DIP = 3  # guesses for the bottom of a dip
 SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into,
 NEARLY = 10.0  # margins: unless it is as low as this already; then halving finds the tip of a kink
 KINK = 10  # halvings
 EDGE = 0.01  # relative: where there is no answer this close to the root, who looks for it may pass it by
 BEHIND = 3.0  # steps of the scan: how far behind an end of the range another root is foreseen
-CLOSER = 3  # halvings between numbers for which different things happen
+CLOSER = 5  # halvings between numbers for which different things happen
 
 
 class Scan:

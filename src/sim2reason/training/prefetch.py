@@ -7,6 +7,7 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from multiprocessing import get_context
 
+from sim2reason.datasets.end_with_parent import end_with_parent
 from sim2reason.training.problem import Problem
 from sim2reason.training.sources import ProblemSource
 
@@ -62,11 +63,12 @@ def prefetching(workers: int, depth: int) -> Generator[Prefetcher]:
     try:
         yield Prefetcher(pool, depth)
     finally:
-        pool.shutdown(wait=False, cancel_futures=True)
+        pool.shutdown(wait=True, cancel_futures=True)  # of those that are being made it waits for the end
 
 
 def begin_worker() -> None:
-    """One thread each, and the trainer comes first."""
+    """One thread each, and the trainer comes first; without it there is nothing to do."""
+    end_with_parent()
     os.environ["OMP_NUM_THREADS"] = "1"
     os.nice(5)
 

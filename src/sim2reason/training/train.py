@@ -9,7 +9,7 @@ from sim2reason.errors import UnknownNameError
 
 __all__ = ["METHODS", "train"]
 
-METHODS = {"rl": "rl.run:train_rl", "sft": "sft.run:train_sft"}
+METHODS = {"rl": "rl.run:train_rl", "sft": "sft.run:train_sft", "study": "study.run:train_study"}
 """The function of each method, below this package."""
 
 
@@ -21,7 +21,7 @@ def train(
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
 ) -> Any:  # noqa: ANN401 - each method has a result of its own
-    """Train a model by a method, ``rl`` or ``sft``, as a YAML file, or settings, say: ``train METHOD CONFIG``.
+    """Train by a method, ``rl``, ``sft`` or ``study``, as a YAML file, or settings, say: ``train METHOD CONFIG``.
 
     `out` stands for the folder that they name. `begun` is told what comes next and how many steps it has,
     `advance` how many more are done. The same call goes on where a run was broken off.

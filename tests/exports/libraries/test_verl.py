@@ -157,7 +157,7 @@ def test_it_composes_in_each_size_and_verl_finds_it_valid(size: str, tmp_path: P
 
 
 def test_the_sizes_are_the_papers() -> None:
-    assert SIZES == ["14b", "32b", "3b", "7b"]
+    assert SIZES == ["14b", "30b-a3b", "32b", "3b", "7b"]
 
 
 @pytest.mark.parametrize(

@@ -85,6 +85,16 @@ def test_a_round_is_never_larger_than_a_step_and_a_multiple_of_the_processes(
     assert round_size(8, Filled(owners=[0] * owners, good=good, sizes=sizes), 4) == expected
 
 
+def test_a_larger_first_round_makes_others_rarer() -> None:
+    sampler = Scripted({0, 2, 4, 5, 7, 8}, world=2)
+    found: list[Filled] = []
+    for rank in range(2):
+        own = Scripted(sampler.good, 2)
+        found.append(fill(own, Place(rank, 2), 4, 10, first=7))
+        assert own.asked == [8]
+    assert prompts(found) == [0, 2, 4, 5]
+
+
 def test_rounds_are_used_up() -> None:
     (found,) = filled(Scripted({0, 5}), 4, rounds=3)
     assert prompts([found]) == [0, 5]

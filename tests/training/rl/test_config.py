@@ -12,9 +12,12 @@ from sim2reason.training.models.pretrained import Pretrained
 from sim2reason.training.rewards.random import Random
 from sim2reason.training.rl.config import reinforcement_learning_from
 from sim2reason.training.sft.config import fine_tuning_from
+from sim2reason.training.study.config import study_from
 
 ROOT = Path(__file__).parents[3]
-EXPERIMENTS = [path for path in (ROOT / "experiments").rglob("*.yaml") if "verl" not in path.parts]
+EXPERIMENTS = [
+    path for path in (ROOT / "experiments").rglob("*.yaml") if "verl" not in path.parts and "study" not in path.name
+]
 FRESH = {"kind": "fresh", "name": "ours", "seed": 1}
 
 
@@ -49,7 +52,6 @@ def test_where_a_run_lies_decides_nothing() -> None:
 
 @pytest.mark.parametrize("file", sorted(EXPERIMENTS), ids=lambda path: path.stem)
 def test_each_experiment_can_be_read(file: Path) -> None:
-
     reinforcement_learning_from(file)
 
 
@@ -65,6 +67,7 @@ def test_each_experiment_can_be_read(file: Path) -> None:
         ({"curriculum": {"floor": 0}}, r"curriculum\.floor"),
         ({"stps": 3}, "stps"),
         ({"held_out": {"problems": {"name": "h", "seed": 1}}}, "problems are trained on with this seed"),
+        ({"held_out": [{"problems": {"name": "h", "seed": n}} for n in (2, 3)]}, "'h' stands twice"),
         ({"model": None, "warm_start": {"out": "x"}}, r"warm_start\.out"),
         ({"model": None, "warm_start": {"corpora": []}}, "model|corpora"),
     ],
@@ -81,10 +84,12 @@ def test_a_file_that_is_missing() -> None:
         reinforcement_learning_from(settings(model="m"))
 
 
-def test_the_configurations_of_the_page_can_be_read() -> None:
+def test_the_configurations_of_the_page_can_be_read(monkeypatch: pytest.MonkeyPatch) -> None:
     page = (ROOT / "docs" / "training.md").read_text("utf-8")
-    first, second = (
+    first, study, second = (
         yaml.safe_load(block) for block in re.findall(r"^```yaml\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
     )
     assert reinforcement_learning_from(first).curriculum is not None
     assert len(fine_tuning_from(second).corpora) == 3
+    monkeypatch.chdir(ROOT)
+    assert len(study_from(study).runs) == 7

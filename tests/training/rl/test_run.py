@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 import yaml
 
+from short_run import PROBLEMS, settings
 from sim2reason.errors import TrainingError
 from sim2reason.reports.training import report_training
 from sim2reason.training.problem_stream import ProblemStream
@@ -22,26 +23,7 @@ from sim2reason.training.sources.fresh import Fresh
 pytest.importorskip("trl")
 
 pytestmark = pytest.mark.filterwarnings("ignore")
-PROBLEMS = {"name": "rolling", "recipe": "rolling", "difficulty": "easy", "kinds": ["state"]}
 TIMES = "seconds"
-
-
-def settings(out: Path, **changed: object) -> dict[str, Any]:
-    corpora = [
-        {"kind": "arithmetic", "problems": {**PROBLEMS, "seed": 1}, "items": 6, "rows_each": 4},
-        {"kind": "drills", "items": 20},
-    ]
-    model = {"kind": "scratch", "layers": 1, "width": 32, "heads": 2, "vocabulary": 700, "context": 256}
-    gspo = {"steps": 3, "prompts": 4, "generations": 4, "minibatches": 2, "max_completion_tokens": 12, "save_every": 1}
-    return {
-        "out": str(out),
-        "held_out": {"problems": {**PROBLEMS, "seed": 3}, "items": 4},
-        "warm_start": {"model": model, "corpora": corpora, "steps": 4, "device": "cpu"},
-        "problems": [{"kind": "fresh", **PROBLEMS, "seed": 2}],
-        "prefetch": {"workers": 0},
-        "reward": "random",
-        "gspo": {**gspo, "learning_rate": 1e-4, "gradient_checkpointing": False},
-    } | changed
 
 
 def log(out: Path) -> list[dict[str, Any]]:
@@ -74,8 +56,8 @@ def test_a_run_leaves_a_model_a_log_and_a_report(whole: Path) -> None:
 
 
 def test_no_held_out_problem_is_given_again_even_by_its_own_seed(whole: Path) -> None:
-    held = {json.loads(line)["prompt"] for line in (whole / "held-out.jsonl").read_text().splitlines()}
-    avoid = frozenset(json.loads((whole / "held-out-keys.json").read_text()))
+    held = {json.loads(line)["prompt"] for line in (whole / "held-out" / "rolling.jsonl").read_text().splitlines()}
+    avoid = frozenset(json.loads((whole / "held-out" / "keys.json").read_text()))
     source = Fresh.model_validate({**PROBLEMS, "seed": 3})
     first = {problem.item.prompt for problem in ProblemStream([source]).problems(4)}
     assert len(held) == 4
@@ -92,7 +74,7 @@ def test_no_held_out_problem_is_in_the_warm_start(whole: Path, tmp_path: Path) -
     train_rl(given)
     counted = json.loads((tmp_path / "run" / "warm-start" / "corpora.json").read_text())[0]
     assert counted["left_out"] == {"held out": 4}
-    held = {json.loads(line)["prompt"] for line in (whole / "held-out.jsonl").read_text().splitlines()}
+    held = {json.loads(line)["prompt"] for line in (whole / "held-out" / "rolling.jsonl").read_text().splitlines()}
     rows = [json.loads(line)["prompt"] for line in (tmp_path / "run/warm-start/rows.jsonl").read_text().splitlines()]
     assert not held & {*rows}
 

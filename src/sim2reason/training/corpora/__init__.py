@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from annotated_types import Ge, Gt, Le
 from pydantic import BaseModel, ConfigDict
@@ -42,6 +42,9 @@ class Corpus(BaseModel, ABC):
     """How often each row stands in the mix: 2 is twice, 0.25 is a random quarter of the rows once."""
     limit: Annotated[int, Ge(1)] | None = None
     """The first so many rows only."""
+
+    operational: ClassVar[frozenset[str]] = frozenset({"workers"})
+    """Settings that change no row."""
 
     @abstractmethod
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:

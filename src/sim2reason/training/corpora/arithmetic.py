@@ -2,10 +2,6 @@
 
 from collections import Counter
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
-from itertools import count
-from math import ceil
-from multiprocessing import get_context
 from typing import Annotated
 
 import numpy as np
@@ -21,14 +17,12 @@ from sim2reason.solutions.arithmetic import Definitions, arithmetic
 from sim2reason.solutions.renumbering import renumbered
 from sim2reason.solutions.slips import SLIPS, slipped
 from sim2reason.training.corpora import CORPORA, Corpus, Row
-from sim2reason.training.prefetch import begin_worker
+from sim2reason.training.corpora.parts.drawing import drawn_rows
 from sim2reason.training.sources.fresh import Fresh, fingerprint
 
 __all__ = ["Arithmetic"]
 
 Share = Annotated[float, Ge(0.0), Le(1.0)]
-TOGETHER = 16  # problems that a process makes before it gives them back
-BARREN = 50  # requests for each problem that is wanted, after which too few are found
 
 
 @CORPORA.register("arithmetic")
@@ -59,36 +53,14 @@ class Arithmetic(Corpus):
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
         """Those of the problems in their order; one whose solution is no arithmetic is left out."""
-        found = 0
-        with ProcessPoolExecutor(self.workers, mp_context=get_context("spawn"), initializer=begin_worker) as pool:
-            ahead = [pool.submit(self.rows_at, n) for n in range(2 * self.workers)]
-            for number in count(len(ahead)):
-                for each in ahead.pop(0).result():
-                    if each and found < self.items:
-                        found += 1
-                        yield from each
-                    elif not each:
-                        left_out["no arithmetic"] += 1
-                if found >= self.items or number > BARREN * ceil(self.items / TOGETHER):
-                    break
-                ahead.append(pool.submit(self.rows_at, number))
-            pool.shutdown(wait=True, cancel_futures=True)
+        return drawn_rows(self.problems, self.rows_of, self.items, self.workers, left_out, "no arithmetic")
 
-    def rows_at(self, number: int) -> list[list[Row]]:
-        """The rows of each problem of a stretch; none of one that has no arithmetic. A pure function."""
-        cells, found = self.problems.cells, list[list[Row]]()
-        for place in range(number * TOGETHER, (number + 1) * TOGETHER):
-            index, cell = divmod(place, len(cells))
-            rows = self._rows_of(self.problems.request(cells[cell], index))
-            if rows is not None:
-                found.append(rows)
-        return found
-
-    def _rows_of(self, request: Request) -> list[Row] | None:
+    def rows_of(self, request: Request) -> list[Row] | None:
         """Of one problem; None where there is no such problem."""
         certified = ItemSearch(request).found()
-        if certified is None or not self.problems.wants(item := item_of(request, certified)):
+        if certified is None:
             return None
+        item = item_of(request, certified)
         solution = worked(request, certified)
         rows = list[Row]()
         for number in range(self.rows_each):

@@ -2,24 +2,26 @@
 
 from collections import Counter
 from collections.abc import Iterator
-from itertools import islice
 from pathlib import Path
 from typing import Annotated, Self
 
 from annotated_types import Ge, Le
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.items import stream
-from sim2reason.datasets.plan import LARGEST, SI
+from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.make import item_of
+from sim2reason.datasets.plan import Request
+from sim2reason.datasets.worked_solutions import worked
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import CORPORA, Corpus, Row
-from sim2reason.training.sources.fresh import fingerprint
+from sim2reason.training.corpora.parts.drawing import drawn_rows
+from sim2reason.training.sources.fresh import Fresh, fingerprint
 
 __all__ = ["Worked"]
 
-DRAWN = 1000
+UNSOLVED = "no worked solution"
 
 
 @CORPORA.register("worked")
@@ -27,50 +29,51 @@ class Worked(Corpus):
     """Worked solutions of ours, each with its answer in a box: a dataset with them, or drawn from a seed."""
 
     dataset: Path | None = None
-    """A folder that ``sim2reason generate --solutions`` has finished; else problems are drawn, which takes long."""
+    """A folder that ``sim2reason generate --solutions`` has finished; else problems are drawn."""
     split: str | None = None
     """Of the dataset; by default all."""
-    seed: Annotated[int, Ge(0), Le(LARGEST)] | None = None
-    """Of the draws; evaluate on another one."""
-    items: Annotated[int, Ge(1), Le(LARGEST)] = DRAWN
-    """How many are drawn, over all recipes, difficulties and modes."""
-    recipe: str | tuple[str, ...] = "all"
-    difficulty: str | tuple[str, ...] = "all"
-    mode: str | tuple[str, ...] = "numeric"
-    weights: dict[str, float] = Field(default_factory=dict[str, float])
-    """How often kinds of question are asked."""
-    units: str = SI
+    problems: Fresh | None = None
+    """What is drawn, as a source of prompts has it; of another seed than those that are trained or evaluated on."""
+    items: Annotated[int, Ge(1), Le(10**7)] = 1000
+    """How many problems are drawn."""
+    workers: Annotated[int, Ge(1), Le(1024)] = 1
+    """Processes that make the problems; they never change which."""
 
     @model_validator(mode="after")
     def _one_source(self) -> Self:
-        if (self.dataset is None) == (self.seed is None):
-            raise ValueError("give either dataset, a folder, or seed, to draw problems")
+        if (self.dataset is None) == (self.problems is None):
+            raise ValueError("give either dataset, a folder, or problems, to draw some")
         if self.split is not None and self.dataset is None:
             raise ValueError("split is one of a dataset")
         return self
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
         """In the dataset's order, or in that of the draws; a problem without a solution is left out."""
+        if self.problems is not None:
+            yield from drawn_rows(self.problems, self.rows_of, self.items, self.workers, left_out, UNSOLVED)
+            return
         for item in self._items():
             if item.solution is None:
-                left_out["no worked solution"] += 1
+                left_out[UNSOLVED] += 1
             else:
-                yield Row(item.prompt, item.solution.text, right=True, fingerprint=fingerprint(item))
+                yield _row(item, item.solution.text)
+
+    def rows_of(self, request: Request) -> list[Row] | None:
+        """Of one problem; None where there is no such problem."""
+        certified = ItemSearch(request).found()
+        if certified is None:
+            return None
+        item = item_of(request, certified)
+        solution = worked(request, certified)
+        return [] if solution.answer is None else [_row(item, solution.text)]
 
     def _items(self) -> Iterator[Item]:
-        if self.seed is None:
-            assert self.dataset is not None
-            source = Dataset(self.dataset)
-            if not source.manifest.config.solutions:
-                raise TrainingError(f"{source.path}: its problems have no solutions; generate it with --solutions")
-            return source.items(self.split)
-        drawn = stream(
-            self.recipe,
-            self.difficulty,
-            self.mode,
-            seed=self.seed,
-            weights=self.weights,
-            units=self.units,
-            solutions=True,
-        )
-        return islice(drawn, self.items)
+        assert self.dataset is not None
+        source = Dataset(self.dataset)
+        if not source.manifest.config.solutions:
+            raise TrainingError(f"{source.path}: its problems have no solutions; generate it with --solutions")
+        return source.items(self.split)
+
+
+def _row(item: Item, text: str) -> Row:
+    return Row(item.prompt, text, right=True, fingerprint=fingerprint(item))

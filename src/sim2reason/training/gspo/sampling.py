@@ -75,8 +75,10 @@ class Filled:
         return sum(self.sizes)
 
 
-def fill(sampler: Sampler, place: Place, wanted: int, rounds: int) -> Filled:
+def fill(sampler: Sampler, place: Place, wanted: int, rounds: int, first: int = 0) -> Filled:
     """As many good groups as wanted, over all processes, or as many as `rounds` rounds and the stream give.
+
+    The first round answers `first` prompts, at least as many as groups are wanted.
 
     Good groups beyond those wanted are dropped, the last prompts first, so that which are learned from doesn't depend
     on how long they took. To keep them for the next step would be wrong: they come from the policy before this step's
@@ -85,7 +87,7 @@ def fill(sampler: Sampler, place: Place, wanted: int, rounds: int) -> Filled:
     """
     filled = Filled()
     while len(filled.owners) < wanted and len(filled.sizes) < rounds and not filled.exhausted:
-        drawn = sampler.draw(round_size(wanted, filled, place.world))
+        drawn = sampler.draw(round_size(wanted, filled, place.world, first))
         filled.read += drawn.read
         filled.exhausted = drawn.exhausted
         if drawn.rows:
@@ -93,8 +95,10 @@ def fill(sampler: Sampler, place: Place, wanted: int, rounds: int) -> Filled:
     return filled
 
 
-def round_size(wanted: int, filled: Filled, world: int) -> int:
-    """How many prompts the next round draws: never more than a whole step's, and a multiple of the processes'."""
+def round_size(wanted: int, filled: Filled, world: int, first: int = 0) -> int:
+    """How many prompts the next round draws, a multiple of the processes'; after the first at most a whole step's."""
+    if not filled.sizes:
+        return ceil(max(first, wanted) / world) * world
     missing = wanted - len(filled.owners)
     likely = ceil(missing * filled.answered / filled.good) if filled.good else wanted
     return ceil(min(likely, wanted) / world) * world

@@ -51,6 +51,8 @@ class GSPOSettings(_Settings):
     """Completions that a device takes through the model at once; gradients add up to the same. None: a minibatch."""
     rounds: Count = 10
     """At most as often are prompts drawn and answered to fill a step with groups of unequal rewards."""
+    first_round: Annotated[FiniteFloat, Ge(1.0), Le(100.0)] = 1.0
+    """Times `prompts`, how many the first round answers; more than 1 is quicker where rounds are what costs time."""
     epsilon_low: Annotated[FiniteFloat, Gt(0.0), Le(1.0)] = 3e-4
     epsilon_high: Annotated[FiniteFloat, Gt(0.0)] = 4e-4
     """The ratio is a geometric mean over tokens, so these are far below the 0.2 of PPO."""

@@ -9,6 +9,7 @@ It overrides private methods of TRL 1.16, and refuses another minor version.
 
 import logging
 from collections.abc import Sequence
+from math import ceil
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -68,6 +69,9 @@ class GSPOTrainer(trl.GRPOTrainer):
         """Which process this is."""
         return Place(self.accelerator.process_index, self.accelerator.num_processes)
 
+    def _send_telemetry(self) -> None:
+        """Nothing is sent anywhere."""
+
     # drawing and answering
 
     def _generate_and_score_completions(self, inputs: list[Row]) -> dict[str, Tensor]:
@@ -77,7 +81,8 @@ class GSPOTrainer(trl.GRPOTrainer):
         self._meter.begin()
         metrics = self._metrics["train"]
         before = {name: len(held) for name, held in metrics.items()}
-        filled = fill(self, self.place, self.settings.prompts, self.settings.rounds)
+        first = ceil(self.settings.first_round * self.settings.prompts)
+        filled = fill(self, self.place, self.settings.prompts, self.settings.rounds, first)
         self.prompts_consumed += filled.read
         if not self.prompts_consumed:
             raise TrainingError("the stream of prompts is empty")

@@ -1,7 +1,7 @@
 """Reinforcement learning: a model, problems, a reward, and what a run leaves.
 
 OUT/rl.json         what decides the run, and the versions of the libraries with which it was begun
-OUT/held-out.jsonl  the problems that are kept for evaluation, where the configuration asks for some
+OUT/held-out/       the problems that are kept for evaluation, a file for each set of the configuration
 OUT/warm-start/     the run of supervised fine-tuning that comes first, where there is one
 OUT/train/          checkpoints with the place among the problems, and log.jsonl: a line for each step
 OUT/model/          the trained model

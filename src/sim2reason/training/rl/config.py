@@ -36,6 +36,10 @@ def _sources(given: object) -> object:
     )
 
 
+def _one_or_more(given: object) -> object:
+    return (cast("object", given),) if isinstance(given, Mapping) else given
+
+
 def _warm_start(given: object) -> object:
     """Its folder is that of the run, which has its own place for it."""
     if not isinstance(given, Mapping):
@@ -58,7 +62,7 @@ class Prefetch(_Settings):
 
 
 class HeldOut(_Settings):
-    """What is kept for evaluation: problems like those of a source, drawn from another seed."""
+    """What is kept for evaluation: problems like those of a source, drawn from another seed or of other recipes."""
 
     problems: SerializeAsAny[Fresh]
     items: Annotated[int, Ge(1), Le(10**6)] = 500
@@ -80,23 +84,35 @@ class ReinforcementLearning(_Settings):
     curriculum: Curriculum | None = None
     reward: Annotated[SerializeAsAny[Reward], BeforeValidator(reward_from)]
     gspo: GSPOSettings = GSPOSettings()
+    processes: Annotated[int, Ge(1), Le(1024)] = 1
+    """How many share each step on this machine, one for each GPU or core; accelerate and torchrun say it themselves."""
     chat: bool | Literal["auto"] = "auto"
     """Whether prompts are messages; by default if the tokenizer has a chat template."""
-    held_out: HeldOut | None = None
+    held_out: Annotated[tuple[HeldOut, ...], BeforeValidator(_one_or_more)] = ()
+    """One set of problems, or several, each with a name of its own."""
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         if (self.model is None) == (self.warm_start is None):
             raise ValueError("give either model or warm_start")
-        seeds = {source.seed for source in self.problems if isinstance(source, Fresh)}
-        if self.held_out is not None and self.held_out.problems.seed in seeds:
-            raise ValueError("held_out.problems.seed: problems are trained on with this seed; take another")
+        self._check_held_out()
         return self
+
+    def _check_held_out(self) -> None:
+        """ValueError if what is kept for evaluation is trained on, or two sets have one name."""
+        seeds = {source.seed for source in self.problems if isinstance(source, Fresh)}
+        names = [each.problems.name for each in self.held_out]
+        if any(each.problems.seed in seeds for each in self.held_out):
+            raise ValueError("held_out.problems.seed: problems are trained on with this seed; take another")
+        if twice := sorted({name for name in names if names.count(name) > 1}):
+            raise ValueError(f"held_out: the name {twice[0]!r} stands twice; give each set its own")
 
     @property
     def decisive(self) -> dict[str, Any]:
         """What decides the weights."""
-        held = self.model_dump(mode="json", exclude={"out": True, "prefetch": True, "held_out": {"samples"}})
+        held = self.model_dump(
+            mode="json", exclude={"out": True, "prefetch": True, "held_out": {"__all__": {"samples"}}}
+        )
         held["reward"]["kind"] = REWARDS.name_of(self.reward)
         pairs = zip(self.problems, held["problems"], strict=True)
         held["problems"] = [{"kind": SOURCES.name_of(source), **each} for source, each in pairs]

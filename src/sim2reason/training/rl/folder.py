@@ -5,6 +5,7 @@
 
 import json
 import shutil
+from collections.abc import Sequence
 from pathlib import Path
 
 from sim2reason.datasets.atomic_files import canonical, put_text
@@ -18,7 +19,7 @@ from sim2reason.training.run_plan import claim, finish, result_in
 
 __all__ = ["Trained", "TrainingFolder"]
 
-PLAN, AVOIDED = "rl.json", "held-out-keys.json"
+PLAN, AVOIDED = "rl.json", "keys.json"
 
 
 class Trained(Record):
@@ -42,7 +43,9 @@ class TrainingFolder:
         """At `path`, which need not be there yet."""
         self.path = path
         self.warm_start, self.train, self.model = path / WARM_START, path / "train", path / "model"
-        self.held_out = path / "held-out.jsonl"
+        self.held_out = path / "held-out"
+        self.learned = self.warm_start / "corpora.json"
+        self.report = path / "report" / "report.json"
 
     def claim(self, config: ReinforcementLearning) -> None:
         """As `run_plan.claim` does."""
@@ -52,19 +55,22 @@ class TrainingFolder:
         """What came of a run that is finished."""
         return result_in(self.path, Trained)
 
-    def hold_out(self, wanted: HeldOut, workers: int) -> frozenset[str]:
+    def problems(self, name: str) -> Path:
+        """The file of a set that is held out."""
+        return self.held_out / f"{name}.jsonl"
+
+    def hold_out(self, sets: Sequence[HeldOut], workers: int) -> frozenset[str]:
         """Draw the problems that are kept for evaluation, unless they are there; what a stream must avoid for them."""
-        if not self.held_out.is_file():
-            with prefetching(workers, 4 * max(workers, 1)) as store:
-                stream, found = ProblemStream((wanted.problems,), store), dict[str, Problem]()
-                while len(found) < wanted.items:
-                    found |= {problem.fingerprint: problem for problem in stream.problems(wanted.items - len(found))}
-                    stream.avoid = frozenset(found)
-            keys = [key for problem in found.values() for key in (problem.item.prompt, problem.fingerprint)]
-            put_text(self.path / AVOIDED, canonical(keys), self.path)
-            text = "".join(f"{problem.item.model_dump_json()}\n" for problem in found.values())
-            put_text(self.held_out, text, self.path)
-        return frozenset(json.loads((self.path / AVOIDED).read_text("utf-8")))
+        keys = self.held_out / AVOIDED
+        if not keys.is_file():
+            self.held_out.mkdir(exist_ok=True)
+            drawn = [_drawn(wanted, workers) for wanted in sets]
+            for wanted, found in zip(sets, drawn, strict=True):
+                text = "".join(f"{problem.item.model_dump_json()}\n" for problem in found)
+                put_text(self.problems(wanted.problems.name), text, self.held_out)
+            avoided = [key for found in drawn for each in found for key in (each.item.prompt, each.fingerprint)]
+            put_text(keys, canonical(avoided), self.held_out)
+        return frozenset(json.loads(keys.read_text("utf-8")))
 
     def finish(self, run: External, tokenizer: External, initial: str) -> Trained:
         """Save the model, with adapters merged, its tokenizer, and then the result."""
@@ -89,3 +95,13 @@ class TrainingFolder:
             scratch.rename(self.model)
             finish(self.path, result)
         return result
+
+
+def _drawn(wanted: HeldOut, workers: int) -> list[Problem]:
+    """The first problems of a source, no two of the same numbers."""
+    with prefetching(workers, 4 * max(workers, 1)) as store:
+        stream, found = ProblemStream((wanted.problems,), store), dict[str, Problem]()
+        while len(found) < wanted.items:
+            found |= {problem.fingerprint: problem for problem in stream.problems(wanted.items - len(found))}
+            stream.avoid = frozenset(found)
+    return list(found.values())

@@ -4,6 +4,7 @@
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 from collections.abc import Callable, Mapping
+from datetime import timedelta
 from pathlib import Path
 
 from sim2reason.datasets.atomic_files import locked
@@ -12,6 +13,7 @@ from sim2reason.training.gspo import make_trainer
 from sim2reason.training.models.pretrained import Pretrained
 from sim2reason.training.prefetch import prefetching
 from sim2reason.training.problem_stream import ProblemStream
+from sim2reason.training.processes import in_processes, launched
 from sim2reason.training.rewards import reward_function
 from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
 from sim2reason.training.rl.folder import Trained, TrainingFolder
@@ -20,6 +22,7 @@ from sim2reason.training.sft.run import train_sft
 __all__ = ["train_rl"]
 
 NEEDED = "torch", "transformers", "accelerate", "datasets", "trl"
+PATIENCE = timedelta(days=1)  # that processes wait for the first one, which may have many problems to make
 Begun = Callable[[str, int], object]
 Advance = Callable[[int], object]
 
@@ -34,8 +37,8 @@ def train_rl(
     """Train as a YAML file, or settings, say; `out` stands for the folder that they name.
 
     A run that was broken off goes on from its last checkpoint with the next prompt; one that is finished gives its
-    result. On several devices, each process that accelerate or torchrun starts calls this. `begun` is told what comes
-    next and how many steps it has, `advance` how many more are done.
+    result. Several processes are started here if the configuration says so; each that accelerate or torchrun starts
+    calls this. `begun` is told what comes next and how many steps it has, `advance` how many more are done.
 
     Raises:
         TrainingError: a configuration, corpus or folder that cannot be used.
@@ -45,8 +48,18 @@ def train_rl(
     settings = reinforcement_learning_from(config, out)
     for name in (*NEEDED, "peft") if settings.gspo.lora else NEEDED:
         library(name)
+    if settings.processes > 1 and not launched():
+        in_processes(settings.processes, _train, settings, begun, advance)
+        found = TrainingFolder(settings.out).result()
+        assert found is not None
+        return found
+    return _train(settings, begun, advance)
+
+
+def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> Trained:
+    """What one process does."""
     torch = library("torch")
-    state = library("accelerate").PartialState(cpu=not torch.accelerator.is_available())
+    state = library("accelerate").PartialState(cpu=not torch.accelerator.is_available(), timeout=PATIENCE)
     folder = TrainingFolder(settings.out)
     if not state.is_main_process:
         with quiet():
@@ -65,7 +78,7 @@ def _run(
     if done is not None:
         return done
     avoid = frozenset[str]()
-    if settings.held_out is not None:
+    if settings.held_out:
         with state.main_process_first():
             avoid = folder.hold_out(settings.held_out, settings.prefetch.workers + 1)
     prefetch = settings.prefetch

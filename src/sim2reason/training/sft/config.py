@@ -110,8 +110,10 @@ class FineTuning(BaseModel):
         """What decides the weights, with the kinds of model and corpora."""
         held = self.model_dump(mode="json", exclude=set(self.operational))
         held["model"] = {"kind": MODELS.name_of(self.model), **held["model"]}
-        pairs = zip(self.corpora, held["corpora"], strict=True)
-        held["corpora"] = [{"kind": CORPORA.name_of(corpus), **each} for corpus, each in pairs]
+        held["corpora"] = [
+            {"kind": CORPORA.name_of(corpus), **corpus.model_dump(mode="json", exclude=set(corpus.operational))}
+            for corpus in self.corpora
+        ]
         return held
 
     def steps_of(self, rows: int) -> int:

@@ -1,5 +1,6 @@
 """Problems drawn on the fly from a seed: no prompt ever comes back."""
 
+from dataclasses import replace
 from functools import cached_property
 from hashlib import blake2b
 from typing import Annotated, Self
@@ -40,7 +41,7 @@ class Fresh(ProblemSource):
     weights: dict[str, float] = Field(default_factory=dict[str, float])
     """How often kinds of question are asked, as a dataset has them."""
     quantities: tuple[str, ...] = ()
-    """Only questions about these; none: about any. What is drawn of others is passed over, which costs time."""
+    """Only questions about these; none: about any."""
     units: str = SI
     unfiltered: bool = False
     """A control: any question that has an answer, whatever the filters say of it."""
@@ -94,16 +95,12 @@ class Fresh(ProblemSource):
 
     def request(self, cell: str, index: int) -> Request:
         """The order for the problem of that index."""
-        return self._configs[cell].request(index)
-
-    def wants(self, item: Item) -> bool:
-        """Whether it asks about one of the quantities."""
-        return not self.quantities or item.asked.quantity in self.quantities
+        return replace(self._configs[cell].request(index), quantities=self.quantities)
 
     def at(self, cell: str, index: int) -> Problem | None:
         """Made now; None where no draw passes the filters."""
         item = make(self.request(cell, index)).item
-        if item is None or not self.wants(item):
+        if item is None:
             return None
         return Problem(item=benchmark_item(item), source=self.name, cell=cell, fingerprint=fingerprint(item))
 

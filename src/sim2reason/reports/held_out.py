@@ -1,0 +1,99 @@
+"""Held-out problems of a run of training, answered by the model before and after.
+
+RUN/evaluation/greedy, RUN/evaluation/sampled   evaluations, each of both models on all sets
+"""
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from sim2reason.benchmarks import BenchmarkItem, items_of
+from sim2reason.benchmarks.runs.config import Evaluation
+from sim2reason.benchmarks.saved import Saved
+from sim2reason.benchmarks.scoring import SCORINGS
+from sim2reason.errors import TrainingError
+from sim2reason.policies import Policy, policy_from
+from sim2reason.reports.evaluation import evaluate
+from sim2reason.reports.scores import scores_of
+from sim2reason.reports.statistics import Estimate, wilson
+from sim2reason.training.rl.config import ReinforcementLearning
+from sim2reason.training.rl.folder import TrainingFolder
+
+__all__ = ["AFTER", "BEFORE", "CELL", "RESPONSES", "answered", "best_constant", "cells", "evaluated"]
+
+BEFORE, AFTER = "before", "after"
+RESPONSES = {"greedy": 0.0, "sampled": 1.0}
+"""How responses are chosen, and at what temperature."""
+CELL = "quantity"
+INSIDE = 0.98  # of a tolerance: what is surely inside it when written with six digits
+
+
+def answered(config: ReinforcementLearning) -> dict[str, Path]:
+    """The folder of the evaluation for each way to choose responses."""
+    return {name: config.out / "evaluation" / name for name in RESPONSES}
+
+
+def evaluated(
+    config: ReinforcementLearning,
+    begun: Callable[[str, int], object],
+    advance: Callable[[int], object],
+) -> dict[str, Sequence[BenchmarkItem]]:
+    """Let both models of a finished run answer; the problems of each set, by its name.
+
+    Raises:
+        TrainingError: the run is not finished, or holds no problems out.
+        PolicyError: a model cannot be loaded.
+    """
+    folder = TrainingFolder(config.out)
+    result = folder.result()
+    if not config.held_out or result is None:
+        raise TrainingError(f"{config.out}: no finished run with held_out problems; train it first")
+    models = {BEFORE: result.initial, AFTER: str(folder.model)}
+    names = [each.problems.name for each in config.held_out]
+    benchmarks = tuple(Saved(name=name, file=folder.problems(name)) for name in names)
+    for name, out in answered(config).items():
+        temperature = RESPONSES[name]
+        policies = tuple(_policy(config, each, path, temperature) for each, path in models.items())
+        samples = 1 if temperature == 0.0 else max(each.samples for each in config.held_out)
+        asked = Evaluation(out=out, policies=policies, benchmarks=benchmarks, samples=samples)
+        evaluate(asked, begun=lambda total, name=name: begun(f"answers, {name}", total), advance=advance)
+    return {benchmark.name: items_of(benchmark) for benchmark in benchmarks}
+
+
+def _policy(config: ReinforcementLearning, name: str, model: str, temperature: float) -> Policy:
+    sampling = {"temperature": temperature, "max_tokens": config.gspo.max_completion_tokens}
+    settings = {"kind": "transformers", "name": name, "model": model, "sampling": sampling}
+    return policy_from({**settings, "batch_size": max(64, config.gspo.generations)}, name)
+
+
+def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -> list[list[object]]:
+    """A row for each quantity of a set, and one for all: problems, accuracies before and after, best constant."""
+    groups: dict[str, list[BenchmarkItem]] = defaultdict(list)
+    for item in items:
+        groups[", ".join(item.tags.get(CELL, ("",)))].append(item)
+    means = [scores_of(f"{run}:{who}").means(name) for run in runs.values() for who in (BEFORE, AFTER)]
+    rows = list[list[object]]()
+    for cell, group in [*sorted(groups.items()), ("all", list(items))]:
+        shown = [_share([held[item.id] for item in group if item.id in held]) for held in means]
+        rows.append([cell, len(group), *shown, best_constant(group).shown])
+    return rows
+
+
+def _share(points: Sequence[float]) -> str:
+    """The mean with Wilson's interval, in per cent; of several samples the interval is that of as many problems."""
+    return wilson(round(sum(points)), len(points)).shown if points else "—"
+
+
+def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
+    """What the constant that fits the answers best earns: each answer, and both ends of its tolerance, is tried."""
+    numbers = list[float]()
+    for item in items:
+        answer = item.reference.get("answer")
+        value, tolerance = (answer.get("value"), answer.get("tolerance")) if isinstance(answer, dict) else (None, None)
+        if isinstance(value, float) and isinstance(tolerance, float):
+            numbers += [value, (1.0 - INSIDE * tolerance) * value, (1.0 + INSIDE * tolerance) * value]
+    best = 0
+    for number in sorted(set(numbers)):
+        said = f"\\boxed{{{number:.6g}}}"
+        best = max(best, sum(SCORINGS[item.scoring].award(said, item.reference).points == 1.0 for item in items))
+    return wilson(best, len(items))

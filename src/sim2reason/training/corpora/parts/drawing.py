@@ -1,0 +1,56 @@
+"""Rows of problems that are drawn from a seed, made in several processes, which never change them."""
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from itertools import count
+from math import ceil
+from multiprocessing import get_context
+
+from sim2reason.datasets.plan import Request
+from sim2reason.training.corpora import Row
+from sim2reason.training.prefetch import begin_worker
+from sim2reason.training.sources.fresh import Fresh
+
+__all__ = ["RowsOf", "drawn_rows"]
+
+TOGETHER = 16  # problems that a process makes before it gives them back
+BARREN = 50  # requests for each problem that is wanted, after which too few are found
+RowsOf = Callable[[Request], list[Row] | None]
+"""The rows of a problem: none if it can have no rows, None if there is no such problem. A pure function."""
+
+
+def drawn_rows(
+    problems: Fresh, rows_of: RowsOf, items: int, workers: int, left_out: Counter[str], reason: str
+) -> Iterator[Row]:
+    """The rows of the first so many problems that have some, in their order; of the others, `reason` counts them.
+
+    Where problems are so rare that they are given up, there are fewer.
+    """
+    found = 0
+    with ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=begin_worker) as pool:
+        ahead = [pool.submit(_stretch, problems, rows_of, number) for number in range(2 * workers)]
+        for number in count(len(ahead)):
+            for rows in ahead.pop(0).result():
+                if rows and found < items:
+                    found += 1
+                    yield from rows
+                elif not rows:
+                    left_out[reason] += 1
+            if found >= items or number > BARREN * ceil(items / TOGETHER):
+                break
+            ahead.append(pool.submit(_stretch, problems, rows_of, number))
+        pool.shutdown(wait=True, cancel_futures=True)
+    if found < items:
+        left_out["given up"] += items - found
+
+
+def _stretch(problems: Fresh, rows_of: RowsOf, number: int) -> list[list[Row]]:
+    """The rows of each problem of a stretch."""
+    cells, found = problems.cells, list[list[Row]]()
+    for place in range(number * TOGETHER, (number + 1) * TOGETHER):
+        index, cell = divmod(place, len(cells))
+        rows = rows_of(problems.request(cells[cell], index))
+        if rows is not None:
+            found.append(rows)
+    return found

@@ -1,0 +1,126 @@
+"""The same work in several processes on this machine, which find each other as those that torchrun starts do."""
+
+# torch is an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+import os
+import signal
+import socket
+import sys
+import time
+from collections.abc import Callable
+from contextlib import closing
+from multiprocessing.connection import wait
+from typing import TypeAlias, TypeVar
+
+from sim2reason.datasets.end_with_parent import end_with_parent
+from sim2reason.errors import Sim2ReasonError, TrainingError
+from sim2reason.training.extras import External, library
+
+__all__ = ["Told", "in_processes", "launched"]
+
+LAST_WORDS = 2.0  # seconds that the first process has to say why, when another has ended
+T = TypeVar("T")
+Begun: TypeAlias = Callable[[str, int], object]
+Advance: TypeAlias = Callable[[int], object]
+Work: TypeAlias = Callable[[T, Begun, Advance], object]
+Told: TypeAlias = tuple[str, int] | int | Sim2ReasonError
+"""What the first process says: that a phase begins, how many steps more are done, or what went wrong."""
+
+
+def launched() -> bool:
+    """Whether this is one of several processes already, which we, accelerate or torchrun started."""
+    return "WORLD_SIZE" in os.environ
+
+
+def in_processes(count: int, work: Work[T], given: T, begun: Begun, advance: Advance) -> None:
+    """Do `work(given, begun, advance)` in `count` processes at once; all have to be importable.
+
+    Raises:
+        Sim2ReasonError: what it raises in the first process.
+        TrainingError: a process ended before its work was done.
+    """
+    context = library("torch.multiprocessing").get_context("spawn")
+    ours, theirs = context.Pipe(duplex=False)
+    port = _free_port()
+    ranks = [
+        context.Process(target=_rank, args=(rank, count, port, theirs if rank == 0 else None, work, given))
+        for rank in range(count)
+    ]
+    with closing(ours):
+        try:
+            for process in ranks:
+                process.start()
+            theirs.close()
+            fault = _followed(ours, ranks, begun, advance)
+            codes = [process.exitcode for process in ranks if process.exitcode]
+        finally:
+            for process in ranks:
+                if process.is_alive():
+                    process.terminate()
+                process.join()
+    if fault is not None:
+        raise fault
+    if codes:
+        raise TrainingError(f"a process of the run ended with code {codes[0]}; give the same command again to go on")
+
+
+def _followed(pipe: External, ranks: list[External], begun: Begun, advance: Advance) -> Sim2ReasonError | None:
+    """Pass on what the first process says, until all have ended or one has failed; its error, if it has told one."""
+    fault, silent = None, False
+    while fault is None and not any(process.exitcode for process in ranks):
+        alive = [process.sentinel for process in ranks if process.is_alive()]
+        if not alive and (silent or not pipe.poll()):
+            break
+        if silent or pipe not in wait([pipe, *alive]):
+            wait(alive)
+            continue
+        fault, silent = _heard(pipe, begun, advance)
+    end = time.monotonic() + LAST_WORDS
+    while fault is None and not silent and pipe.poll(max(0.0, end - time.monotonic())):
+        fault, silent = _heard(pipe, begun, advance)
+    return fault
+
+
+def _heard(pipe: External, begun: Begun, advance: Advance) -> tuple[Sim2ReasonError | None, bool]:
+    """Pass on one thing that is said; the error that it is, and whether there is nobody left to say anything."""
+    try:
+        told: Told = pipe.recv()
+    except EOFError:
+        return None, True
+    match told:
+        case Sim2ReasonError():
+            return told, False
+        case int():
+            advance(told)
+        case phase, steps:
+            begun(phase, steps)
+    return None, False
+
+
+def _free_port() -> int:
+    with socket.socket() as found:
+        found.bind(("127.0.0.1", 0))
+        return int(found.getsockname()[1])
+
+
+def _rank(rank: int, count: int, port: int, pipe: External, work: Work[T], given: T) -> None:
+    """One of the processes."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent is interrupted, and ends this
+    end_with_parent()
+    names = {"RANK": rank, "LOCAL_RANK": rank, "WORLD_SIZE": count, "LOCAL_WORLD_SIZE": count, "MASTER_PORT": port}
+    os.environ.update({name: str(value) for name, value in names.items()} | {"MASTER_ADDR": "127.0.0.1"})
+    torch = library("torch")
+    if not torch.accelerator.is_available():
+        os.environ.setdefault("ACCELERATE_USE_CPU", "true")
+        torch.set_num_threads(1)  # threads of several processes wait for each other
+    try:
+        work(given, lambda phase, steps: _say(pipe, (phase, steps)), lambda steps: _say(pipe, steps))
+    except Sim2ReasonError as error:
+        _say(pipe, error)
+        sys.exit(2)
+
+
+def _say(pipe: External, told: Told) -> None:
+    if pipe is not None:
+        pipe.send(told)

@@ -1,0 +1,150 @@
+"""The configuration of a study: a run of reinforcement learning, what arms change in it, and seeds."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import Annotated, Any, NamedTuple, Self, cast
+
+from annotated_types import Ge, Le, MinLen
+from pydantic import BaseModel, BeforeValidator, ConfigDict, TypeAdapter, model_validator
+
+from sim2reason.datasets.plan import LARGEST
+from sim2reason.errors import Sim2ReasonError, TrainingError
+from sim2reason.policies import Name
+from sim2reason.policies.parts.settings import configuration, settings_in
+from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
+
+__all__ = ["Arm", "Study", "study_from"]
+
+STRIDE = 1_000_003
+"""Between the seeds from which runs with neighbouring seeds draw their problems."""
+MOST_RUNS = 1000
+Settings = dict[str, Any]
+Seeds = Annotated[tuple[Annotated[int, Ge(0), Le(2**31)], ...], MinLen(1)]
+SEEDS = TypeAdapter[tuple[int, ...]](Seeds)
+
+
+def _base(given: object) -> object:
+    """The settings themselves, or a file of them."""
+    return settings_in(Path(given)) if isinstance(given, str | Path) else given
+
+
+class Arm(NamedTuple):
+    """One run of a study."""
+
+    name: str
+    seed: int
+
+    @property
+    def run(self) -> str:
+        """The name of its folder."""
+        return f"{self.name}-{self.seed}"
+
+
+class Study(BaseModel):
+    """What is run."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    out: Path
+    """The folder of the study."""
+    base: Annotated[Settings, BeforeValidator(_base)]
+    """A configuration of ``train rl``, without its folder, or the file of one."""
+    arms: Annotated[dict[Name, Settings], MinLen(1)]
+    """What each changes in the base: settings within settings take the place of those of the same name, a list as a
+    whole. An empty one is the base itself. `seeds` in one stands for those of the study."""
+    seeds: Seeds = (0,)
+    """Of what is sampled in reinforcement learning; each draws problems of its own, too. What is held out and the warm
+    start have seeds of their own and stay."""
+    workers: Annotated[int, Ge(1), Le(1024)] = 1
+    """Runs that go on at once."""
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        for name in self.arms:
+            if len(set(self.seeds_of(name))) < len(self.seeds_of(name)):
+                raise ValueError(f"arms.{name}: a seed stands twice")
+        if len(self.runs) > MOST_RUNS:
+            raise ValueError(f"arms: {len(self.runs)} runs, and at most {MOST_RUNS} are possible")
+        held = {name: self.first(name).decisive["held_out"] for name in self.arms}
+        first = next(iter(held))
+        if differs := [name for name in held if held[name] != held[first]]:
+            raise ValueError(f"arms.{differs[0]}: other held-out problems than {first}; runs could not be compared")
+        return self
+
+    @property
+    def runs(self) -> list[Arm]:
+        """All of them, in order."""
+        seeds = dict.fromkeys(seed for name in self.arms for seed in self.seeds_of(name))
+        return [Arm(name, seed) for seed in seeds for name in self.arms if seed in self.seeds_of(name)]
+
+    def seeds_of(self, arm: str) -> tuple[int, ...]:
+        """Those of an arm; ValueError if what it gives are none."""
+        return SEEDS.validate_python(self.arms[arm]["seeds"]) if "seeds" in self.arms[arm] else self.seeds
+
+    def first(self, arm: str) -> ReinforcementLearning:
+        """The run of an arm with its first seed."""
+        return self.configs[Arm(arm, self.seeds_of(arm)[0])]
+
+    @cached_property
+    def settings(self) -> dict[Arm, Settings]:
+        """What ``train rl`` is given for each run."""
+        return {arm: self._settings(arm) for arm in self.runs}
+
+    @cached_property
+    def configs(self) -> dict[Arm, ReinforcementLearning]:
+        """The same, read."""
+        found: dict[Arm, ReinforcementLearning] = {}
+        for arm, settings in self.settings.items():
+            try:
+                found[arm] = reinforcement_learning_from(settings)
+            except Sim2ReasonError as error:
+                error.args = (f"arms.{arm.name}: {error}", *error.args[1:])
+                raise
+        return found
+
+    def _settings(self, arm: Arm) -> Settings:
+        change = {name: value for name, value in self.arms[arm.name].items() if name != "seeds"}
+        merged = _merged(self.base, change)
+        merged["out"] = str(self.out / "runs" / arm.run)
+        gspo = merged.get("gspo", {})
+        if isinstance(gspo, Mapping):
+            merged["gspo"] = {**cast("Settings", gspo), "seed": arm.seed}
+        sources = merged.get("problems")
+        if isinstance(sources, list):
+            merged["problems"] = [_drawn_anew(source, arm.seed) for source in cast("list[object]", sources)]
+        return merged
+
+
+def _merged(base: Mapping[str, Any], change: Mapping[str, Any]) -> Settings:
+    """Settings with others in their place."""
+    found = dict(base)
+    for name, value in change.items():
+        held = found.get(name)
+        both = isinstance(held, Mapping) and isinstance(value, Mapping) and "kind" not in value
+        found[name] = _merged(cast("Settings", held), cast("Settings", value)) if both else value
+    return found
+
+
+def _drawn_anew(given: object, seed: int) -> object:
+    """A source of problems as a run of that seed draws from it; a file has no seed."""
+    if not isinstance(given, Mapping) or "seed" not in given:
+        return cast("object", given)
+    settings = cast("Settings", given)
+    first = settings["seed"]
+    return {**settings, "seed": (first + STRIDE * seed) % LARGEST if isinstance(first, int) else first}
+
+
+def study_from(config: "Path | str | Mapping[str, object] | Study", out: Path | None = None) -> Study:
+    """What a YAML file, or settings, describe; `out` stands for the folder that they name.
+
+    Paths in it are seen from where the program runs.
+
+    Raises:
+        TrainingError: what is missing, unknown or makes no sense; the line names its place.
+        EvaluationError: a file that is no YAML.
+        UnknownNameError: no such kind of model, source or reward.
+    """
+    if isinstance(config, Study):
+        return config if out is None else config.model_copy(update={"out": out})
+    return configuration(config, out, Study.model_validate, TrainingError)

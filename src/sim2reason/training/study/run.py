@@ -1,0 +1,150 @@
+"""All runs of a study, each in processes of its own; the same call goes on where it ended."""
+
+# torch is an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
+import os
+import shutil
+import signal
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from pathlib import Path
+from subprocess import STDOUT, Popen
+
+from sim2reason.datasets.atomic_files import canonical, locked, put_text
+from sim2reason.errors import TrainingError
+from sim2reason.training.extras import library
+from sim2reason.training.rl.folder import Trained, TrainingFolder
+from sim2reason.training.study.config import Arm, Study, study_from
+
+__all__ = ["train_study"]
+
+LONGEST = 300  # characters of what a failed run said last
+PARTIAL = ".part"
+
+
+def train_study(
+    config: Path | str | Mapping[str, object] | Study,
+    out: Path | None = None,
+    *,
+    begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
+    advance: Callable[[int], object] = lambda _: None,
+) -> dict[str, Trained]:
+    """Make all runs that a YAML file, or settings, say; by their names what came of them.
+
+    `out` stands for the folder that they name. Runs that are finished stay as they are, and those that were broken off
+    go on. A warm start that several runs have is made once. `begun` is told how many runs there are, `advance` how many
+    more are done.
+
+    Raises:
+        TrainingError: a configuration or folder that cannot be used, or runs that failed: the others are made before.
+        MissingExtraError: a library of the extra [train] is missing.
+        DatasetError: another study is writing in the folder.
+    """
+    study = study_from(config, out)
+    for name in ("torch", "trl"):
+        library(name)
+    study.out.mkdir(parents=True, exist_ok=True)
+    with locked(study.out):
+        begun("runs", len(study.runs))
+        for arm in study.runs:
+            _claim(study, arm)
+        advance(sum(_finished(study, arm) for arm in study.runs))
+        first = _first_of_each_warm_start(study)
+        failed = dict[str, str]()
+        for arms in ([arm for arm in study.runs if arm in first.values()], study.runs):
+            failed |= _made(study, [arm for arm in arms if arm.run not in failed], first, advance)
+    if failed:
+        told = "; ".join(f"{run}: {why}" for run, why in failed.items())
+        raise TrainingError(f"{len(failed)} of {len(study.runs)} runs failed, the others are finished; {told}")
+    return {arm.run: found for arm in study.runs if (found := _folder(study, arm).result())}
+
+
+def _folder(study: Study, arm: Arm) -> TrainingFolder:
+    return TrainingFolder(study.configs[arm].out)
+
+
+def _claim(study: Study, arm: Arm) -> None:
+    """Make the folder of a run; TrainingError if it holds one of another configuration."""
+    folder = _folder(study, arm)
+    folder.path.mkdir(parents=True, exist_ok=True)
+    folder.claim(study.configs[arm])
+    put_text(folder.path.with_name(f"{arm.run}.yaml"), canonical(study.settings[arm]), folder.path.parent)
+
+
+def _finished(study: Study, arm: Arm) -> bool:
+    """Whether a run is trained, and evaluated where it is to be."""
+    folder = _folder(study, arm)
+    return folder.result() is not None and (folder.report.is_file() or not study.configs[arm].held_out)
+
+
+def _first_of_each_warm_start(study: Study) -> dict[Arm, Arm]:
+    """For each run the first that has the same warm start and the same held-out problems."""
+    found, known = dict[Arm, Arm](), dict[str, Arm]()
+    for arm in study.runs:
+        config = study.configs[arm].decisive
+        found[arm] = known.setdefault(canonical([config["warm_start"], config["held_out"]]), arm)
+    return found
+
+
+def _made(
+    study: Study, arms: Sequence[Arm], first: Mapping[Arm, Arm], advance: Callable[[int], object]
+) -> dict[str, str]:
+    """Make those runs that are not finished; of those that failed, what they said last."""
+    todo = [arm for arm in arms if not _finished(study, arm)]
+    running, failed = dict[Arm, Popen[bytes]](), dict[str, str]()
+    with ThreadPoolExecutor(study.workers) as pool:
+        made: dict[Future[str], Arm] = {}
+        try:
+            for arm in todo:
+                _share(study, first[arm], arm)
+                made[pool.submit(_make, study, arm, running)] = arm
+            for future in as_completed(made):
+                advance(1)
+                if said := future.result():
+                    failed[made[future].run] = said
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            for process in list(running.values()):
+                process.send_signal(signal.SIGINT)  # a second one, if the terminal has sent one, does no harm
+            raise
+    return failed
+
+
+def _share(study: Study, first: Arm, arm: Arm) -> None:
+    """Lay what an earlier run has made for both into the folder of another."""
+    earlier, folder = _folder(study, first), _folder(study, arm)
+    if first == arm or earlier.result() is None:
+        return
+    for theirs, mine in ((earlier.held_out, folder.held_out), (earlier.warm_start, folder.warm_start)):
+        if theirs.is_dir() and not mine.exists():
+            _linked(theirs, mine)
+
+
+def _linked(source: Path, target: Path) -> None:
+    """The same files under another name, whole or not at all; what a training goes on from is left out."""
+    partial = target.with_name(target.name + PARTIAL)
+    shutil.rmtree(partial, ignore_errors=True)
+    try:
+        shutil.copytree(source, partial, ignore=shutil.ignore_patterns("checkpoints"), copy_function=os.link)
+    except shutil.Error:  # a file system without links
+        shutil.rmtree(partial, ignore_errors=True)
+        shutil.copytree(source, partial, ignore=shutil.ignore_patterns("checkpoints"))
+    partial.rename(target)
+
+
+def _make(study: Study, arm: Arm, running: dict[Arm, Popen[bytes]]) -> str:
+    """Make one run; what it said last if it failed."""
+    folder = _folder(study, arm).path
+    log = folder.with_name(f"{arm.run}.log")
+    with log.open("ab") as said:
+        command = [sys.executable, "-m", "sim2reason", "train", "rl", str(folder.with_name(f"{arm.run}.yaml"))]
+        running[arm] = Popen(command, stdout=said, stderr=STDOUT)  # noqa: S603 - our own command, in a list
+        code = running[arm].wait()
+        del running[arm]
+    if code == 0:
+        return ""
+    lines = [line for line in log.read_text("utf-8", errors="replace").splitlines() if line.strip()]
+    last = lines[-1][-LONGEST:] if lines else f"ended with code {code}"
+    return f"{last} (see {log})"

@@ -1,0 +1,100 @@
+"""Whole studies on a tiny model."""
+
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from short_run import settings
+from sim2reason.errors import TrainingError
+from sim2reason.reports.study import report_study
+from sim2reason.training.study.config import study_from
+from sim2reason.training.study.run import train_study
+
+pytest.importorskip("trl")
+pytestmark = pytest.mark.filterwarnings("ignore")
+
+
+@pytest.fixture(autouse=True)
+def _one_thread(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OMP_NUM_THREADS", "1")
+
+
+def study(out: Path, **changed: object) -> dict[str, Any]:
+    base = {name: value for name, value in settings(Path("run")).items() if name != "out"}
+    base["gspo"] |= {"steps": 1, "rounds": 1}
+    arms = {"ours": {}, "drawn": {"gspo": {"temperature": 0.9}}}
+    return {"out": str(out), "base": base, "arms": arms, "seeds": [0, 1], "workers": 2, **changed}
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("studies") / "whole"
+    os.environ["OMP_NUM_THREADS"] = "1"
+    found = train_study(study(out))
+    assert [(name, each.steps) for name, each in found.items()] == [
+        ("ours-0", 1),
+        ("drawn-0", 1),
+        ("ours-1", 1),
+        ("drawn-1", 1),
+    ]
+    return out
+
+
+def test_a_warm_start_that_runs_share_is_made_once(whole: Path) -> None:
+    files = {
+        (whole / "runs" / f"{name}/warm-start/model/model.safetensors") for name in ("ours-0", "ours-1", "drawn-0")
+    }
+    assert len({file.stat().st_ino for file in files}) == 1
+    rows = [(whole / "runs" / name / "held-out" / "rolling.jsonl").read_bytes() for name in ("ours-0", "drawn-1")]
+    assert rows[0] == rows[1]
+
+
+def test_seeds_draw_other_prompts_and_arms_the_same(whole: Path) -> None:
+    cursors = {
+        name: (whole / "runs" / name / "train" / "checkpoint-2" / "cursor.json").read_text()
+        for name in ("ours-0", "ours-1")
+    }
+    assert set(cursors) == {"ours-0", "ours-1"}
+    models = {(whole / "runs" / name / "model" / "model.safetensors").read_bytes() for name in cursors}
+    assert len(models) == 2
+
+
+def test_all_runs_stand_on_one_page(whole: Path) -> None:
+    found = report_study(study_from(study(whole)))
+    page = (whole / "report" / "report.md").read_text()
+    assert len(found.runs) == 8
+    assert [(each.responses, each.arm) for each in found.arms] == [
+        ("greedy", "ours"),
+        ("greedy", "drawn"),
+        ("sampled", "ours"),
+        ("sampled", "drawn"),
+    ]
+    assert found.arms[0].against is None
+    assert found.arms[1].against is not None
+    assert "Warm start of ours, drawn:" in page
+    assert (whole / "report" / "steps.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def test_a_finished_study_is_not_run_again(whole: Path) -> None:
+    logs = {file: file.stat().st_mtime_ns for file in (whole / "runs").glob("*.log")}
+    train_study(study(whole))
+    assert {file: file.stat().st_mtime_ns for file in (whole / "runs").glob("*.log")} == logs
+
+
+def test_an_arm_that_means_something_else_now_is_refused(whole: Path) -> None:
+    with pytest.raises(TrainingError, match="ours-0: holds a run with another reward"):
+        train_study(study(whole, arms={"ours": {"reward": "format"}}, seeds=[0]))
+
+
+def test_a_study_may_shrink_and_grow(whole: Path) -> None:
+    assert [*train_study(study(whole, seeds=[1]))] == ["ours-1", "drawn-1"]
+
+
+def test_a_run_that_fails_is_named_and_the_others_are_made(tmp_path: Path) -> None:
+    arms = {"ours": {}, "broken": {"warm_start": {"model": {"kind": "scratch", "layers": 1, "width": 32, "heads": 2}}}}
+    arms["broken"]["warm_start"]["corpora"] = [{"kind": "jsonl", "file": str(tmp_path / "nowhere.jsonl")}]
+    with pytest.raises(TrainingError, match=r"1 of 2 runs failed.*broken-0: .*nowhere\.jsonl"):
+        train_study(study(tmp_path / "study", arms=arms, seeds=[0]))
+    assert (tmp_path / "study" / "runs" / "ours-0" / "result.json").is_file()
