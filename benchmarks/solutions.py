@@ -137,6 +137,7 @@ def _wrong(item: Item, setting: Setting, solution: Solution, tally: Tally) -> It
     near = SEEN.get(setting.query.kind, WELL)
     found, held = faults(solution, setting.answer, near), derivations(setting)
     others = [other for other in held if other.strategy != solution.strategy]
+    amiss = {other.strategy: faults(other, setting.answer, near) for other in others}
     graded = grade(item, solution.text)
     tally.count.update(
         solved=1,
@@ -145,10 +146,11 @@ def _wrong(item: Item, setting: Setting, solution: Solution, tally: Tally) -> It
         several=len(held) > 1,
         agree=len(held) > 1 and not differ(held),
         others=len(others),
-        **{"others that are sound": sum(not faults(other, setting.answer, near) for other in others)},
+        **{"others that are sound": sum(not told for told in amiss.values())},
         graded=graded.reward == 1.0,
     )
     yield from found
+    yield from (f"by {name}: {fault}" for name, told in amiss.items() for fault in told)
     if differ(held):
         yield "two strategies disagree"
     if graded.reward != 1.0:

@@ -8,7 +8,7 @@ import pytest
 
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.bored_cylinder import BoredCylinder
-from sim2reason.bodies.charge import ChargedBead, Launched
+from sim2reason.bodies.charge import ChargedBead, Launched, Released
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.spring import NailedSpring
 from sim2reason.bodies.star import Planet, Star
@@ -44,6 +44,7 @@ from sim2reason.questions.moments.most_compressed import MostCompressed
 from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.orbited import Orbited
+from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions import solve
@@ -190,6 +191,16 @@ def test_a_steep_field_drives_it_away_in_spite_of_a_magnetic_one() -> None:
     y = first / rate**2 * (cosh(rate * 0.9) - 1.0)
     speeds = SPEED + TURNS * y, first / rate * sinh(rate * 0.9)
     assert charged(at("velocity", BEAD, AtTime(0.9), "state"), MAGNETIC, electric) == pytest.approx(hypot(*speeds))
+
+
+def test_from_rest_in_crossed_fields_it_is_fastest_at_the_far_end() -> None:
+    """With v_x = Ω y, and y = y_c (1 − cos ωt): v² is largest at y = 2 y_c, if −k q/m < Ω²; no time is needed."""
+    electric = LinearElectric(strength=FIELD, way="positive y", trend="decreases", axis="y", slope=0.4)
+    particle = ChargedBead(mass=2.0, charge=3.0, sign="positive")
+    entity = EmEntity(magnetic=MAGNETIC, electric=electric, particle=particle, start=Released())
+    query = StretchQuery("extremum", None, Stopped(BEAD), "greatest speed", BEAD)
+    center = CHARGE * FIELD / BEAD_MASS / (TURNS**2 + CHARGE * 0.4 / BEAD_MASS)
+    assert answer("fields", entity, query) == pytest.approx(2.0 * TURNS * center)
 
 
 def test_a_medium_that_resists_by_the_square_slows_what_a_magnetic_field_turns() -> None:

@@ -13,7 +13,7 @@ from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.unit_latex import RADIANS
 
-CLOSE = 1e-9  # how far the two means are apart at last; what they are from their limit is the square of that
+CLOSE = 1e-11  # how far the two means are apart at last: an angle errs by as much, a speed near a turn by more
 TWO = Number(2.0)
 
 

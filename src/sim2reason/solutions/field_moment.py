@@ -11,7 +11,7 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.field_motion import Driven, FieldMotion
-from sim2reason.solutions.fields import Fields
+from sim2reason.solutions.fields import AXES, Fields
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.magnetic_motion import Crossed, Slowed, Turning
 from sim2reason.solutions.setting import Setting, capital
@@ -62,7 +62,7 @@ class FieldMoment:
         """When a body on a line has no velocity."""
         drive, rates = self.fields.drive, [self.motion.rate(axis, name) for axis in (0, 1)]
         kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
-        if turns is not None and self._uniform and self.fields.launch == [ZERO, ZERO]:
+        if turns is not None and self._uniform and self._from_rest:
             size = turns if self.book.value(turns) > 0.0 else -turns
             return self.book.told(
                 "stop", "What turns of the velocity cancels the drift again after", name, TWO * PI / size, SECONDS
@@ -194,6 +194,8 @@ class FieldMoment:
             self.book.told("extremum", said, time, Number(halves + 0.5) * PI / drive.frequency, SECONDS)
         else:
             slow = abs(rates[drive.axis].value(at)) < 0.05 * float(squares(rates).value(at).real) ** 0.5
+            if slow and isinstance(self.motion, Crossed) and self.motion.swings and self._from_rest:
+                return self._at_far_end(self.motion, drive.axis)
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
             if not slow and drive.growth is not None:
                 step = self.book.open("extremum")
@@ -204,6 +206,23 @@ class FieldMoment:
             else:
                 self._turned(time, rates, sign, rates[drive.axis] if slow else pull, along)
         return self.book.told("extremum", "The speed is then", self.book.fresh("v"), Root(squares(rates)), SPEED)
+
+    @property
+    def _from_rest(self) -> bool:
+        return self.fields.launch == [ZERO, ZERO]
+
+    def _at_far_end(self, motion: Crossed, axis: int) -> Symbol:
+        """The speed where an oscillation along the electric field, in crossed fields, has gone to its other end."""
+        turning, along = self.fields.turning, AXES[axis]
+        assert turning is not None
+        said = (
+            f"It is fastest at the far end of the oscillation along {along}, which is centred where the force is zero:"
+        )
+        far = self.book.told("extremum", said, self.book.fresh(along, "1"), TWO * motion.center, METRES)
+        across = turning * far
+        said = f"There its velocity along {along} is zero, and across it, by the rate of turning times the way,"
+        formula = across if self.book.value(turning) * self.book.value(far) > 0.0 else -across
+        return self.book.told("extremum", said, self.book.fresh("v"), formula, SPEED)
 
     def _turned(self, time: Symbol, parts: list[Expression], sign: float, residual: Expression, said: str) -> None:
         """When something vanishes, near where a vector is longest or shortest."""

@@ -83,34 +83,36 @@ class Driven(FieldMotion):
 
     def _departed(self, axis: int, time: Expression) -> Expression:
         """How far it has come along the field."""
-        return self._center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
+        return self.center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
 
     @cached_property
-    def _swings(self) -> bool:
+    def swings(self) -> bool:
+        """Whether it is drawn back to where the force is zero."""
         return self.book.value(self.slope) < 0.0
 
     @cached_property
     def _frequency(self) -> Expression:
         along = AXES[self._drive.axis]
-        if self._swings:
+        if self.swings:
             said = f"Along {along} that is a harmonic oscillation with the angular frequency"
             return self.named(said, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
         said = f"Along {along} the departure from where the force is zero grows or decays exponentially, at the rate"
         return self.named(said, r"\lambda", "", Root(self.slope), PER_SECOND)
 
     @cached_property
-    def _center(self) -> Expression:
+    def center(self) -> Expression:
+        """Where along the field the force is zero."""
         along = AXES[self._drive.axis]
         return self.named(f"The force is zero at {along} equal to", along, "c", -(self.push / self.slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
         """The cosine, or the hyperbolic one."""
         phase = self._frequency * time
-        return Call("cos", phase) if self._swings else HALF * (Call("exp", phase) + Call("exp", -phase))
+        return Call("cos", phase) if self.swings else HALF * (Call("exp", phase) + Call("exp", -phase))
 
     def _odd(self, time: Expression) -> Expression:
         """The sine, or the hyperbolic one, over the frequency."""
         phase = self._frequency * time
-        if self._swings:
+        if self.swings:
             return Call("sin", phase) / self._frequency
         return (Call("exp", phase) - Call("exp", -phase)) / (2.0 * self._frequency)

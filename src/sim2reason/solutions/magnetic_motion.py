@@ -47,7 +47,7 @@ class Crossed(Driven):
         along = self._drive.axis
         if axis == along:
             return self._departed(axis, time)
-        summed = self._center * (time - self._odd(time)) - self.launch[along] * (ONE - self._even(time)) / self.slope
+        summed = self.center * (time - self._odd(time)) - self.launch[along] * (ONE - self._even(time)) / self.slope
         return self.launch[axis] * time + self._turning * TURNS[axis] * summed
 
     def rate(self, axis: int, time: Expression) -> Expression:

@@ -36,6 +36,16 @@ def test_only_some_kinds_and_quantities() -> None:
     assert {problem.item.tags["kind"] for problem in found} == {("state",)}
 
 
+def test_quantities_are_drawn_not_picked_and_change_the_name() -> None:
+    source = Fresh(name="ours", recipe="rolling", difficulty="easy", seed=3, kinds=("state",))
+    chosen = source.model_copy(update={"quantities": ("momentum",)})
+    found = [chosen.at("easy", index) for index in range(6)]
+    assert sum(problem is not None for problem in found) >= 5
+    assert chosen.request("easy", 0).id != source.request("easy", 0).id
+    nothing = source.model_copy(update={"quantities": ("current",)})
+    assert nothing.at("easy", 0) is None
+
+
 def test_unfiltered_problems_are_others() -> None:
     source = Fresh(name="ours", recipe="rolling", difficulty="easy", seed=3, unfiltered=True)
     found = source.at("easy", 0)
