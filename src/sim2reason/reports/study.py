@@ -23,7 +23,7 @@ from sim2reason.reports.statistics import Estimate, difference, mean_of_items
 from sim2reason.reports.training import PANELS, PLOT, corpora_of
 from sim2reason.training.gspo.step_log import StepLog
 from sim2reason.training.rl.folder import TrainingFolder
-from sim2reason.training.study.config import Arm, Study
+from sim2reason.training.study.config import Arm, TrainingStudy
 
 __all__ = ["ArmGain", "RunAccuracy", "StudyReport", "report_study"]
 
@@ -70,7 +70,7 @@ class StudyReport(NamedTuple):
     folder: Path
 
 
-def report_study(study: Study) -> StudyReport:
+def report_study(study: TrainingStudy) -> StudyReport:
     """Put the reports of all runs on one page; TrainingError if one is not finished, or holds no problems out."""
     first = study.first(study.runs[0].name)
     if not first.held_out or any(TrainingFolder(each.out).result() is None for each in study.configs.values()):
@@ -91,7 +91,7 @@ def _problems(name: str, folder: TrainingFolder) -> Sequence[BenchmarkItem]:
     return items_of(Saved(name=name, file=folder.problems(name)))
 
 
-def _points(study: Study, arm: Arm, responses: str, name: str) -> tuple[Means, Means]:
+def _points(study: TrainingStudy, arm: Arm, responses: str, name: str) -> tuple[Means, Means]:
     """Of all problems, before and after."""
     run = answered(study.configs[arm])[responses]
     before, after = (scores_of(f"{run}:{who}").means(name) for who in (BEFORE, AFTER))
@@ -104,7 +104,7 @@ def _run(name: str, responses: str, arm: Arm, before: Means, after: Means) -> Ru
     return RunAccuracy(name, responses, arm.name, arm.seed, shares[0], shares[1], difference(first, last))
 
 
-def _arms(study: Study, name: str, responses: str, held: Mapping[Arm, tuple[Means, Means]]) -> list[ArmGain]:
+def _arms(study: TrainingStudy, name: str, responses: str, held: Mapping[Arm, tuple[Means, Means]]) -> list[ArmGain]:
     found, reference = list[ArmGain](), None
     for arm in study.arms:
         runs = [held[Arm(arm, seed)] for seed in study.seeds_of(arm)]
@@ -127,7 +127,7 @@ def _over_seeds(runs: Sequence[Means]) -> list[float]:
     return [float(mean) for mean in np.mean([_values(run) for run in runs], axis=0)]
 
 
-def _write(study: Study, found: StudyReport) -> None:
+def _write(study: TrainingStudy, found: StudyReport) -> None:
     out = found.folder
     out.mkdir(exist_ok=True)
     curves(out / "steps.png", {title: _series(study, name) for name, title in PANELS.items()})
@@ -135,7 +135,7 @@ def _write(study: Study, found: StudyReport) -> None:
     put_text(out / "report.md", "\n".join(_page(study, found)) + "\n", out)
 
 
-def _series(study: Study, name: str) -> dict[str, list[float | None]]:
+def _series(study: TrainingStudy, name: str) -> dict[str, list[float | None]]:
     """Of each arm, the mean over its seeds at each step."""
     found: dict[str, list[float | None]] = {}
     for arm in study.arms:
@@ -159,7 +159,7 @@ def _as_json(found: StudyReport) -> dict[str, JsonValue]:
     return json.loads(json.dumps({**rows, "constants": constants}))
 
 
-def _page(study: Study, found: StudyReport) -> list[str]:
+def _page(study: TrainingStudy, found: StudyReport) -> list[str]:
     lines = [f"# {study.out.name}", "", "Held-out accuracy in per cent, with 95 % intervals over the problems."]
     head = ["arm", "responses", "before", "after", "gain", "gains of single seeds", "more than the first arm"]
     seeds = ["arm", "seed", "responses", "before", "after", "gain"]
@@ -188,7 +188,7 @@ def _page(study: Study, found: StudyReport) -> list[str]:
     return [*lines, "", *_corpora(study), PLOT]
 
 
-def _corpora(study: Study) -> list[str]:
+def _corpora(study: TrainingStudy) -> list[str]:
     """What the warm start of each arm learned from; arms with the same one stand together."""
     arms: dict[str, list[str]] = {}
     for arm in study.arms:

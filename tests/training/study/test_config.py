@@ -8,7 +8,7 @@ import yaml
 
 from short_run import settings
 from sim2reason.errors import Sim2ReasonError
-from sim2reason.training.study.config import Arm, Study, study_from
+from sim2reason.training.study.config import Arm, TrainingStudy, study_from
 
 ROOT = Path(__file__).parents[3]
 STUDIES = sorted((ROOT / "experiments").rglob("*study*.yaml"))
@@ -18,7 +18,7 @@ def base() -> dict[str, Any]:
     return {name: value for name, value in settings(Path("run")).items() if name != "out"}
 
 
-def study(**changed: object) -> Study:
+def study(**changed: object) -> TrainingStudy:
     arms = {"ours": {}, "other": {"reward": "format", "gspo": {"steps": 2}}}
     return study_from({"out": "study", "base": base(), "arms": arms, "seeds": [0, 7], **changed})
 

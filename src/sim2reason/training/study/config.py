@@ -14,7 +14,7 @@ from sim2reason.policies import Name
 from sim2reason.policies.parts.settings import configuration, settings_in
 from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
 
-__all__ = ["Arm", "Study", "study_from"]
+__all__ = ["Arm", "TrainingStudy", "study_from"]
 
 STRIDE = 1_000_003
 """Between the seeds from which runs with neighbouring seeds draw their problems."""
@@ -41,7 +41,7 @@ class Arm(NamedTuple):
         return f"{self.name}-{self.seed}"
 
 
-class Study(BaseModel):
+class TrainingStudy(BaseModel):
     """What is run."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -135,7 +135,7 @@ def _drawn_anew(given: object, seed: int) -> object:
     return {**settings, "seed": (first + STRIDE * seed) % LARGEST if isinstance(first, int) else first}
 
 
-def study_from(config: "Path | str | Mapping[str, object] | Study", out: Path | None = None) -> Study:
+def study_from(config: "Path | str | Mapping[str, object] | TrainingStudy", out: Path | None = None) -> TrainingStudy:
     """What a YAML file, or settings, describe; `out` stands for the folder that they name.
 
     Paths in it are seen from where the program runs.
@@ -145,6 +145,6 @@ def study_from(config: "Path | str | Mapping[str, object] | Study", out: Path | 
         EvaluationError: a file that is no YAML.
         UnknownNameError: no such kind of model, source or reward.
     """
-    if isinstance(config, Study):
+    if isinstance(config, TrainingStudy):
         return config if out is None else config.model_copy(update={"out": out})
-    return configuration(config, out, Study.model_validate, TrainingError)
+    return configuration(config, out, TrainingStudy.model_validate, TrainingError)

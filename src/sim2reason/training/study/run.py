@@ -16,7 +16,7 @@ from sim2reason.datasets.atomic_files import canonical, locked, put_text
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import library
 from sim2reason.training.rl.folder import Trained, TrainingFolder
-from sim2reason.training.study.config import Arm, Study, study_from
+from sim2reason.training.study.config import Arm, TrainingStudy, study_from
 
 __all__ = ["train_study"]
 
@@ -25,7 +25,7 @@ PARTIAL = ".part"
 
 
 def train_study(
-    config: Path | str | Mapping[str, object] | Study,
+    config: Path | str | Mapping[str, object] | TrainingStudy,
     out: Path | None = None,
     *,
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
@@ -61,11 +61,11 @@ def train_study(
     return {arm.run: found for arm in study.runs if (found := _folder(study, arm).result())}
 
 
-def _folder(study: Study, arm: Arm) -> TrainingFolder:
+def _folder(study: TrainingStudy, arm: Arm) -> TrainingFolder:
     return TrainingFolder(study.configs[arm].out)
 
 
-def _claim(study: Study, arm: Arm) -> None:
+def _claim(study: TrainingStudy, arm: Arm) -> None:
     """Make the folder of a run; TrainingError if it holds one of another configuration."""
     folder = _folder(study, arm)
     folder.path.mkdir(parents=True, exist_ok=True)
@@ -73,13 +73,13 @@ def _claim(study: Study, arm: Arm) -> None:
     put_text(folder.path.with_name(f"{arm.run}.yaml"), canonical(study.settings[arm]), folder.path.parent)
 
 
-def _finished(study: Study, arm: Arm) -> bool:
+def _finished(study: TrainingStudy, arm: Arm) -> bool:
     """Whether a run is trained, and evaluated where it is to be."""
     folder = _folder(study, arm)
     return folder.result() is not None and (folder.report.is_file() or not study.configs[arm].held_out)
 
 
-def _first_of_each_warm_start(study: Study) -> dict[Arm, Arm]:
+def _first_of_each_warm_start(study: TrainingStudy) -> dict[Arm, Arm]:
     """For each run the first that has the same warm start and the same held-out problems."""
     found, known = dict[Arm, Arm](), dict[str, Arm]()
     for arm in study.runs:
@@ -89,7 +89,7 @@ def _first_of_each_warm_start(study: Study) -> dict[Arm, Arm]:
 
 
 def _made(
-    study: Study, arms: Sequence[Arm], first: Mapping[Arm, Arm], advance: Callable[[int], object]
+    study: TrainingStudy, arms: Sequence[Arm], first: Mapping[Arm, Arm], advance: Callable[[int], object]
 ) -> dict[str, str]:
     """Make those runs that are not finished; of those that failed, what they said last."""
     todo = [arm for arm in arms if not _finished(study, arm)]
@@ -112,7 +112,7 @@ def _made(
     return failed
 
 
-def _share(study: Study, first: Arm, arm: Arm) -> None:
+def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
     """Lay what an earlier run has made for both into the folder of another."""
     earlier, folder = _folder(study, first), _folder(study, arm)
     if first == arm or earlier.result() is None:
@@ -134,7 +134,7 @@ def _linked(source: Path, target: Path) -> None:
     partial.rename(target)
 
 
-def _make(study: Study, arm: Arm, running: dict[Arm, Popen[bytes]]) -> str:
+def _make(study: TrainingStudy, arm: Arm, running: dict[Arm, Popen[bytes]]) -> str:
     """Make one run; what it said last if it failed."""
     folder = _folder(study, arm).path
     log = folder.with_name(f"{arm.run}.log")
