@@ -128,7 +128,9 @@ class Request:
             unfiltered=bool(match["unfiltered"]),
         )
         if request.id != name:
-            raise DrawError(f"{name!r}: its weights do not stand in its id; see: sim2reason explain DATASET --id ID")
+            raise DrawError(
+                f"{name!r}: its weights or quantities do not stand in its id; see: sim2reason explain DATASET --id ID"
+            )
         return request
 
 

@@ -49,13 +49,13 @@ def evaluated(
     if not config.held_out or result is None:
         raise TrainingError(f"{config.out}: no finished run with held_out problems; train it first")
     models = {BEFORE: result.initial, AFTER: str(folder.model)}
-    names = [each.problems.name for each in config.held_out]
-    benchmarks = tuple(Saved(name=name, file=folder.problems(name)) for name in names)
+    sets = [(each.problems.name, each.samples) for each in config.held_out]
+    benchmarks = tuple(Saved(name=name, file=folder.problems(name), samples=samples) for name, samples in sets)
     for name, out in answered(config).items():
         temperature = RESPONSES[name]
         policies = tuple(_policy(config, each, path, temperature) for each, path in models.items())
-        samples = 1 if temperature == 0.0 else max(each.samples for each in config.held_out)
-        asked = Evaluation(out=out, policies=policies, benchmarks=benchmarks, samples=samples)
+        once = tuple(each.model_copy(update={"samples": 1}) for each in benchmarks)
+        asked = Evaluation(out=out, policies=policies, benchmarks=benchmarks if temperature else once)
         evaluate(asked, begun=lambda total, name=name: begun(f"answers, {name}", total), advance=advance)
     return {benchmark.name: items_of(benchmark) for benchmark in benchmarks}
 

@@ -17,7 +17,7 @@ from sim2reason.datasets.end_with_parent import end_with_parent
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.extras import External, library
 
-__all__ = ["Told", "in_processes", "launched"]
+__all__ = ["Advance", "Begun", "in_processes", "launched"]
 
 LAST_WORDS = 2.0  # seconds that the first process has to say why, when another has ended
 T = TypeVar("T")

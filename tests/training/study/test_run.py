@@ -1,5 +1,6 @@
 """Whole studies on a tiny model."""
 
+import json
 import os
 from pathlib import Path
 from typing import Any
@@ -52,13 +53,11 @@ def test_a_warm_start_that_runs_share_is_made_once(whole: Path) -> None:
 
 
 def test_seeds_draw_other_prompts_and_arms_the_same(whole: Path) -> None:
-    cursors = {
-        name: (whole / "runs" / name / "train" / "checkpoint-2" / "cursor.json").read_text()
-        for name in ("ours-0", "ours-1")
-    }
-    assert set(cursors) == {"ours-0", "ours-1"}
-    models = {(whole / "runs" / name / "model" / "model.safetensors").read_bytes() for name in cursors}
-    assert len(models) == 2
+    names = "ours-0", "drawn-0", "ours-1"
+    plans = [json.loads((whole / "runs" / name / "rl.json").read_text())["settings"] for name in names]
+    assert plans[0]["problems"] == plans[1]["problems"] != plans[2]["problems"]
+    models = {(whole / "runs" / name / "model" / "model.safetensors").read_bytes() for name in names}
+    assert len(models) == 3
 
 
 def test_all_runs_stand_on_one_page(whole: Path) -> None:

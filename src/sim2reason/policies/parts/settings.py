@@ -14,7 +14,7 @@ from sim2reason.errors import EvaluationError, Sim2ReasonError
 from sim2reason.policies.parts.words import first_fault
 from sim2reason.registry import Registry
 
-__all__ = ["configuration", "of_kind", "settings_in"]
+__all__ = ["configuration", "each_of", "of_kind", "settings_in"]
 
 MAX_BYTES: Final = 2**20
 Fault = type[Sim2ReasonError]
@@ -69,6 +69,17 @@ def of_kind(registry: Registry[type[M]], settings: Mapping[str, object], place: 
         return registry[kind].model_validate(rest)
     except ValidationError as error:
         raise fault(f"{place}.{first_fault(error)}") from None
+
+
+def each_of(given: object, built: Callable[[Mapping[str, object], str], T], place: str) -> object:
+    """What is built of each mapping of a list, told its place in it; anything else as it is, to be refused later."""
+    if not isinstance(given, list):
+        return given
+    rows = enumerate(cast("list[object]", given))
+    return tuple(
+        built(cast("Mapping[str, object]", each), f"{place}[{number}]") if isinstance(each, Mapping) else each
+        for number, each in rows
+    )
 
 
 def configuration(

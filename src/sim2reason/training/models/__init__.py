@@ -7,6 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import cast
 
 from pydantic import BaseModel, ConfigDict
 
@@ -15,7 +16,7 @@ from sim2reason.policies.parts.settings import of_kind
 from sim2reason.registry import Registry
 from sim2reason.training.extras import External
 
-__all__ = ["MODELS", "Loaded", "ModelSettings", "model_from"]
+__all__ = ["MODELS", "Loaded", "ModelSettings", "model_from", "model_given"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +50,11 @@ class ModelSettings(BaseModel, ABC):
 
 
 MODELS: Registry[type[ModelSettings]] = Registry("training.models")
+
+
+def model_given(given: object) -> object:
+    """The model that a configuration's settings describe; anything else as it is, to be refused later."""
+    return model_from(cast("Mapping[str, object]", given)) if isinstance(given, Mapping) else given
 
 
 def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSettings:

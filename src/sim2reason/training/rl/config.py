@@ -8,10 +8,10 @@ from annotated_types import Ge, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, SerializeAsAny, model_validator
 
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.settings import configuration
+from sim2reason.policies.parts.settings import configuration, each_of
 from sim2reason.training.curriculum import Curriculum
 from sim2reason.training.gspo.settings import GSPOSettings
-from sim2reason.training.models import MODELS, ModelSettings, model_from
+from sim2reason.training.models import MODELS, ModelSettings, model_given
 from sim2reason.training.rewards import REWARDS, Reward, reward_from
 from sim2reason.training.sft.config import FineTuning, fine_tuning_from
 from sim2reason.training.sources import SOURCES, ProblemSource, source_from
@@ -22,18 +22,8 @@ __all__ = ["WARM_START", "HeldOut", "Prefetch", "ReinforcementLearning", "reinfo
 WARM_START = "warm-start"
 
 
-def _model(given: object) -> object:
-    return model_from(cast("Mapping[str, object]", given), "model") if isinstance(given, Mapping) else given
-
-
 def _sources(given: object) -> object:
-    if not isinstance(given, list):
-        return given
-    rows = enumerate(cast("list[object]", given))
-    return tuple(
-        source_from(cast("Mapping[str, object]", each), f"problems[{n}]") if isinstance(each, Mapping) else each
-        for n, each in rows
-    )
+    return each_of(given, source_from, "problems")
 
 
 def _one_or_more(given: object) -> object:
@@ -75,7 +65,7 @@ class ReinforcementLearning(_Settings):
 
     out: Path
     """The folder of the run."""
-    model: Annotated[SerializeAsAny[ModelSettings], BeforeValidator(_model)] | None = None
+    model: Annotated[SerializeAsAny[ModelSettings], BeforeValidator(model_given)] | None = None
     """A checkpoint; with a warm start, its result is trained."""
     warm_start: Annotated[FineTuning, BeforeValidator(_warm_start)] | None = None
     """Supervised fine-tuning before, without its folder."""

@@ -3,7 +3,7 @@
 # TRL, transformers and torch are an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from datetime import timedelta
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from sim2reason.training.gspo import make_trainer
 from sim2reason.training.models.pretrained import Pretrained
 from sim2reason.training.prefetch import prefetching
 from sim2reason.training.problem_stream import ProblemStream
-from sim2reason.training.processes import in_processes, launched
+from sim2reason.training.processes import Advance, Begun, in_processes, launched
 from sim2reason.training.rewards import reward_function
 from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
 from sim2reason.training.rl.folder import Trained, TrainingFolder
@@ -23,8 +23,6 @@ __all__ = ["train_rl"]
 
 NEEDED = "torch", "transformers", "accelerate", "datasets", "trl"
 PATIENCE = timedelta(days=1)  # that processes wait for the first one, which may have many problems to make
-Begun = Callable[[str, int], object]
-Advance = Callable[[int], object]
 
 
 def train_rl(

@@ -3,16 +3,16 @@
 from collections.abc import Mapping
 from math import ceil
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Literal, Self, cast
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from annotated_types import Ge, Gt, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, SerializeAsAny, model_validator
 
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.settings import configuration
+from sim2reason.policies.parts.settings import configuration, each_of
 from sim2reason.training.corpora import CORPORA, Corpus, corpus_from
 from sim2reason.training.lora import Lora
-from sim2reason.training.models import MODELS, ModelSettings, model_from
+from sim2reason.training.models import MODELS, ModelSettings, model_given
 
 __all__ = ["FineTuning", "fine_tuning_from"]
 
@@ -20,18 +20,8 @@ LARGEST_SEED = 2**32 - 1  # that numpy's global generator takes, which the train
 MOST_STEPS = 10**8
 
 
-def _model(given: object) -> object:
-    return model_from(cast("Mapping[str, object]", given), "model") if isinstance(given, Mapping) else given
-
-
 def _corpora(given: object) -> object:
-    if not isinstance(given, list):
-        return given
-    rows = enumerate(cast("list[object]", given))
-    return tuple(
-        corpus_from(cast("Mapping[str, object]", each), f"corpora[{n}]") if isinstance(each, Mapping) else each
-        for n, each in rows
-    )
+    return each_of(given, corpus_from, "corpora")
 
 
 Rate = Annotated[float, Gt(0.0), Le(10.0)]
@@ -44,7 +34,7 @@ class FineTuning(BaseModel):
 
     out: Path
     """The folder of the run."""
-    model: Annotated[SerializeAsAny[ModelSettings], BeforeValidator(_model)]
+    model: Annotated[SerializeAsAny[ModelSettings], BeforeValidator(model_given)]
     corpora: Annotated[tuple[SerializeAsAny[Corpus], ...], MinLen(1), BeforeValidator(_corpora)]
     seed: Annotated[int, Ge(0), Le(LARGEST_SEED)] = 0
     """Of the mix of corpora and of the order of rows in each pass over them."""
