@@ -3,11 +3,14 @@
 import os
 import signal
 from collections.abc import Callable
+from multiprocessing import Pipe
+from multiprocessing.connection import Connection, wait
 from pathlib import Path
 
 import pytest
 
 from sim2reason.errors import TrainingError
+from sim2reason.training import processes
 from sim2reason.training.processes import in_processes, launched
 
 pytest.importorskip("torch")
@@ -69,3 +72,30 @@ def test_an_error_of_another_ends_all() -> None:
 def test_a_process_that_is_killed_ends_all(rank: str) -> None:
     with pytest.raises(TrainingError, match="ended with code -9"):
         in_processes(2, vanish, rank, *heard()[1:])
+
+
+class Seen:
+    """A process as it is seen in one look after another, with its sentinel, which is ready if the last look is."""
+
+    def __init__(self, *codes: int | None) -> None:
+        self.codes = [*codes]
+        self.sentinel, self.other = Pipe(duplex=False)
+        if codes[-1] is not None:
+            self.other.close()
+
+    @property
+    def exitcode(self) -> int | None:
+        return self.codes.pop(0) if len(self.codes) > 1 else self.codes[0]
+
+    def is_alive(self) -> bool:
+        return self.exitcode is None
+
+
+def test_a_process_that_ends_between_two_looks_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def impatient(among: list[Connection]) -> list[object]:
+        return wait(among, timeout=5) or pytest.fail("waits for what has ended")
+
+    monkeypatch.setattr(processes, "wait", impatient)
+    said, silent = Pipe(duplex=False)
+    assert processes._followed(said, [Seen(None), Seen(None, -9)], *heard()[1:]) is None
+    silent.close()

@@ -68,9 +68,10 @@ def in_processes(count: int, work: Work[T], given: T, begun: Begun, advance: Adv
 def _followed(pipe: External, ranks: list[External], begun: Begun, advance: Advance) -> Sim2ReasonError | None:
     """Pass on what the first process says, until all have ended or one has failed; its error, if it has told one."""
     fault, silent = None, False
-    while fault is None and not any(process.exitcode for process in ranks):
-        alive = [process.sentinel for process in ranks if process.is_alive()]
-        if not alive and (silent or not pipe.poll()):
+    while fault is None:
+        codes = [process.exitcode for process in ranks]  # one look: who ends after it wakes us by its sentinel
+        alive = [process.sentinel for process, code in zip(ranks, codes, strict=True) if code is None]
+        if any(codes) or (not alive and (silent or not pipe.poll())):
             break
         if silent or pipe not in wait([pipe, *alive]):
             wait(alive)
