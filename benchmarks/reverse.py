@@ -1,8 +1,9 @@
 """Whether a result fixes what is asked for: ``python benchmarks/reverse.py [ITEMS] [SEED]``.
 
 Each prompt of the reverse mode is read back. The unknown is then looked for anew, by a plain scan of many values over
-ten times the range that it is drawn from, either way, and by bisection: wherever the result that the prompt states, to
-the digits that it is stated with, comes out. All that is found must lie within 1 % of the answer.
+ten times the range that it is drawn from, either way, and to ten times the answer, and by bisection: wherever the
+result that the prompt states, to the digits that it is stated with, comes out. All that is found must lie within 1 % of
+the answer.
 """
 
 import sys
@@ -32,10 +33,10 @@ RIGHT = 0.01  # relative
 Function = Callable[[float], float | None]
 
 
-def of_number(read: ParsedPrompt, path: str) -> tuple[Function, np.ndarray]:
+def of_number(read: ParsedPrompt, path: str, answer: float) -> tuple[Function, np.ndarray]:
     """The result as a function of the unknown, and where to look."""
     scene, query = read.study.scene, read.query
-    reach = range_of(scene, path)
+    reach = range_of(scene, path, answer)
     low, high = reach[0], reach[-1]
 
     def result(value: float) -> float | None:
@@ -108,7 +109,7 @@ def verdict(prompt: str, answer: float, rng: np.random.Generator) -> str:
         unknowns = Words.of(read.reading.scene, read.reading.mentions, read.reading.unknown).unknowns
         if len(unknowns) != 1:
             return f"it leaves {len(unknowns)} numbers unknown"
-        result, values = of_number(read, unknowns[0].path)
+        result, values = of_number(read, unknowns[0].path, answer)
         found = list(hits(result, values, given))
     if not found:
         return "nothing gives the result"

@@ -137,7 +137,7 @@ def _wrong(item: Item, setting: Setting, solution: Solution, tally: Tally) -> It
     near = SEEN.get(setting.query.kind, WELL)
     found, held = faults(solution, setting.answer, near), derivations(setting)
     others = [other for other in held if other.strategy != solution.strategy]
-    amiss = {other.strategy: faults(other, setting.answer, near) for other in others}
+    amiss = {other.strategy: _but_for_length(faults(other, setting.answer, near)) for other in others}
     graded = grade(item, solution.text)
     tally.count.update(
         solved=1,
@@ -155,6 +155,11 @@ def _wrong(item: Item, setting: Setting, solution: Solution, tally: Tally) -> It
         yield "two strategies disagree"
     if graded.reward != 1.0:
         yield f"graded {graded}"
+
+
+def _but_for_length(told: list[str]) -> list[str]:
+    """What is wrong with a derivation that is not shown, of which a shorter way was found: its length is no fault."""
+    return [fault for fault in told if not fault.startswith("superfluous")]
 
 
 def _reading(item: Item, solution: Solution, tally: Tally, rng: random.Random) -> Iterator[str]:

@@ -201,6 +201,14 @@ def test_drawn_fields_turn_the_bead_by_some_radians_and_are_reached() -> None:
     assert reached > 10
 
 
+def test_no_field_at_rest_has_a_curl() -> None:
+    """∂E_x/∂y = ∂E_y/∂x without a changing magnetic field."""
+    values = {"strength": 1.0, "way": "negative x", "trend": "increases", "slope": 0.5}
+    assert LinearElectric.model_validate({**values, "axis": "x"}).axis == "x"
+    with pytest.raises(ValidationError, match="axis: a field at rest does not change across its direction"):
+        LinearElectric.model_validate({**values, "axis": "y"})
+
+
 @pytest.mark.parametrize(
     ("fields", "says"),
     [

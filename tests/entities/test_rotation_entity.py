@@ -268,11 +268,13 @@ def test_engines_agree(seed: int) -> None:
         ({"angle": 0.0}, "hangs at rest"),
         ({"angle": 9.0, "side": "from the axle, on the other side"}, "begin with a piece on the side"),
         ({"angle": 9.0, "twice": True}, "overlap"),
+        ({"angle": 9.0, "distance": 0.09}, "pieces.0: the axle would be inside it"),
     ],
 )
 def test_what_makes_no_sense_is_refused(fields: dict[str, object], says: str) -> None:
     side, twice = fields.pop("side", "from the axle"), fields.pop("twice", False)
-    piece = RoundPiece(body=Sphere(mass=1.0, radius=0.1), distance=0.5, side=side)  # type: ignore[arg-type]
+    distance = fields.pop("distance", 0.5)
+    piece = RoundPiece(body=Sphere(mass=1.0, radius=0.1), distance=distance, side=side)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=says):
         RotationEntity(pieces=(piece,) * (2 if twice else 1), **fields)  # type: ignore[arg-type]
 

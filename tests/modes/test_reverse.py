@@ -1,6 +1,7 @@
 """Numbers that follow from a result, by formulas from textbooks; and results from which they do not."""
 
 from math import asin, cos, degrees, radians, sin, sqrt, tan
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
-from sim2reason.modes.reverse import unfixed
+from sim2reason.modes.reverse import _nearly_before, unfixed
 from sim2reason.prose.description import describe
 from sim2reason.prose.voices import hiding
 from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
@@ -298,6 +299,16 @@ def test_a_time_is_asked_for() -> None:
     read = MODES["reverse"].parsed(found.text, search.study, words)
     assert read is not None
     assert MODES["reverse"].solution(read, search.study, words) == found.answer
+
+
+@pytest.mark.parametrize(("dip", "first", "nearly"), [(2.01, 3.0, True), (2.1, 3.0, False), (1.0, 2.0 / 3.0, False)])
+def test_no_time_is_asked_for_where_a_value_is_nearly_had_before(dip: float, first: float, nearly: bool) -> None:
+    """A quantity that falls from 4 to its dip, at t = 1, rises, and falls to 0 at last: when is it 2?"""
+    times = np.linspace(0.0, 4.0, 400)
+    values = np.interp(times, [0.0, 1.0, 2.0, 4.0], [4.0, dip, 4.0, 0.0])
+    target = SimpleNamespace(values=lambda scan: values[: len(scan.times)])
+    known = SimpleNamespace(trace=SimpleNamespace(scan=SimpleNamespace(times=times)))
+    assert _nearly_before(target, StatedResult("2.0", "m"), first, known) == nearly
 
 
 def test_a_text_with_an_unknown_has_no_trace_of_it() -> None:

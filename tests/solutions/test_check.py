@@ -17,6 +17,7 @@ from sim2reason.solutions import Relation, Solution, solve
 from sim2reason.solutions.check import faults, undetermined
 from sim2reason.solutions.expressions import Number, Symbol, added, multiplied
 from sim2reason.solutions.reading import read
+from sim2reason.solutions.solve import solve_prompt
 from worked import asked
 
 
@@ -128,3 +129,30 @@ def test_what_rounding_leaves_of_zero_does_not_make_a_law_idle() -> None:
     solution = Solution("limit", (step,), {"m": 2.0, "a": -1e-16, "b": 5e-17}, "m", 2.0)
     assert not undetermined(solution)
     assert undetermined(replace(solution, steps=(replace(step, relations=laws[:2]),)))
+
+
+def test_a_name_without_a_number_is_taken_from_where_rounding_counts_least() -> None:
+    """a_P is 0.766: (a) has it to 1e-3 only, as a small difference, (b) to 6e-5."""
+    text = """So $a_A = 2.2372\\ \\text{m/s}^2$. In numbers: (a) $21.500\\,a_A + 1.2000\\,a_P = 49.019$; \
+(b) $1.2000\\,a_A + 11.850\\,a_P = 11.760$."""
+    found = read(text)
+    assert not found.broken
+    assert found.values["a_P"] == pytest.approx((11.760 - 1.2 * 2.2372) / 11.850, rel=1e-12)
+    assert read(text.replace("49.019", "49.190")).broken
+
+
+STACK = """Slab A of mass 7.2 kg is on top of slab B of mass 9.1 kg, which lies on a fixed smooth plane inclined at 36° \
+to the horizontal. Slab A in turn carries slab C of mass 5.9 kg. Static and kinetic friction between B and A have the \
+same coefficient, 0.18. Between A and C the coefficient of friction, static and kinetic, is 0.20. Slab A is launched \
+up the slope at t = 0 with a speed of 3.4 m/s, all else being at rest. Nothing reaches an edge. The free-fall \
+acceleration is g = 9.8 m/s². Find the magnitude of the change in slab A's gravitational potential energy from its \
+initial value when slab B has moved 3.5 m. Write the answer in J, to three significant figures, in \\boxed{}."""
+
+
+def test_what_an_assumption_is_verified_by_is_told() -> None:
+    """Slab A sticks to B while C still slides on A: that rests on accelerations on which the answer does not."""
+    found, setting = solve_prompt(STACK)
+    assert "$a_{B,1} = " in found.text
+    assert not read(found.text).broken
+    assert setting.answer is not None
+    assert not faults(found, setting.answer)

@@ -262,6 +262,11 @@ class Mechanism:
         return {line.name: line for line in self.lines}
 
     @cached_property
+    def routes(self) -> tuple[tuple[str, ...], ...]:
+        """Past which sites each line runs: a string between two slopes needs a pulley unless they are parallel."""
+        return tuple(line.through for line in self.lines)
+
+    @cached_property
     def constraints(self) -> tuple[Line, ...]:
         """The lines that give equations, not forces."""
         return tuple(line for line in self.lines if line.law.row)

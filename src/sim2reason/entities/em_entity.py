@@ -34,7 +34,7 @@ class EmEntity(Entity):
     says = (
         either(
             "outside {region} there is no field.",
-            "no field extends beyond {region}.",
+            "fields exist only in {region}.",
             "there is no field except inside {region}.",
         ),
         either(

@@ -26,11 +26,12 @@ from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.only_root import Scan
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.study import COARSE, ENOUGH
-from sim2reason.questions.targets import targets
+from sim2reason.questions.targets import Target, targets
 from sim2reason.questions.unknown import range_of, some
 
 FIXED = 1e-2  # relative: how well what is given must fix the answer
 DIGITS = (2, 3)  # of what is given: as few as do
+NEAR = 1e-2  # relative: who comes nearer to a value nearly has it
 TIMES = {"": 0.1, "time_to_event": 0.5}  # of questions of any kind, or of one: how often the unknown is a time
 
 
@@ -60,7 +61,7 @@ class Reverse(QuestionMode):
         if result is None or not isfinite(result):
             return None
         unit = words.units.spell(asked.measured(query).unit)
-        for unknown in some(words.unknowns, rng):
+        for unknown in some(words.unknowns, study.scene, rng):
             drawn, dependence = float(study.scene.value(unknown.path)), Dependence(query, study, unknown.path)
             dependence.know(drawn, result)
             found = _fixed(dependence, drawn, result, unit)
@@ -123,7 +124,7 @@ def unfixed(question: Question, study: Study) -> str:
         return ""
     fine = Dependence(question.query, study, question.unknown, ENOUGH, roomy(study.scene))
     scan = Scan(fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE))
-    values = range_of(study.scene, question.unknown)
+    values = range_of(study.scene, question.unknown, question.answer)
     edge = scan.edge(values)
     if edge is not None:
         return f"edge: at {edge:.3g} {question.unit} there is no result"
@@ -177,7 +178,20 @@ def _asking_when(study: Study, words: Words, rng: np.random.Generator) -> Questi
             continue
         query = Query("time_to_event", None, Reached(drawn.target, given))
         answer = KINDS[query.kind].answer(query, study)
-        if answer is not None and abs(answer - time) <= FIXED * time:
+        if (
+            answer is not None
+            and abs(answer - time) <= FIXED * time
+            and not _nearly_before(drawn.target, given, answer, study)
+        ):
             text = sentence(chosen(KINDS[query.kind].shapes(query, words, None), rng))
             return Question("reverse", query, text, answer, words.units.time, given=given)
     return None
+
+
+def _nearly_before(target: Target, given: StatedResult, time: float, study: Study) -> bool:
+    """Whether a quantity all but has a value before it first has it: its digits do not tell the one from the other."""
+    scan = study.trace.scan
+    away = np.abs(target.values(scan)[scan.times < time] - given.value)
+    near = away <= max(given.half, NEAR * abs(given.value))
+    coming = len(near) - int(np.argmin(near[::-1])) if not near.all() else 0  # since when it is near for good
+    return bool(near[:coming].any() or (np.diff(away[coming:]) > 0.0).any())

@@ -203,7 +203,7 @@ class _Varied:
         """The fewest regimes that leave no scene in which the formula does not hold; None if no few do.
 
         And those that are told always, first of all. Where some few do, they also leave none that begins in another way
-        and then has no answer: a text that does not say how it begins seems to ask for that, too.
+        or loses one, and then has no answer: a text that does not exclude that seems to ask for it, too.
         """
         kept = self._shared(words)
         told = {held for held in kept if held.always_told(self._near[0].study)}
@@ -247,10 +247,10 @@ class _Varied:
         return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
 
     def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
-        """For each scene without an answer, the regimes that it is not in from the very start on, if there are any."""
+        """For each scene without an answer, the regimes that it is not in from the very start on, or loses, if any."""
         own = self._near[0].study
         first = [held for held in kept if held.holds(own, 0.0)]
-        found = ({held for held in first if not held.holds(other, 0.0)} for other in self._barren)
+        found = ({h for h in first if not h.holds(other, 0.0) or h.is_lost(other)} for other in self._barren)
         yield from filter(None, found)
 
     def _agrees(self, formula: Expression, other: Variation) -> bool:

@@ -91,7 +91,7 @@ class PotentialEnergy(Energy):
     """The gravitational potential energy of a body less that at the start, in a uniform field or near what is fixed."""
 
     name, symbol = "potential energy", "U"
-    magnitude = "the amount by which {body}'s gravitational potential energy has changed from its initial value"
+    magnitude = "the magnitude of the change in {body}'s gravitational potential energy from its initial value"
     how = "by how much has {body}'s gravitational potential energy changed from its initial value {when}?"
     indirect = "by how much {body}'s gravitational potential energy has changed from its initial value"
     panel, pooled, order = "energy", True, 8

@@ -23,9 +23,9 @@ class StatedResult:
     @classmethod
     def rounded(cls, value: float, unit: str, digits: int) -> Self | None:
         """A number rounded to significant digits; None if it is too small or too large to be said plainly."""
-        if value == 0.0 or not SMALLEST <= floor(log10(abs(value))) <= LARGEST:
+        power = floor(log10(abs(float(f"{value:.{digits - 1}e}")))) if value else LARGEST + 1
+        if not SMALLEST <= power <= LARGEST:
             return None
-        power = floor(log10(abs(float(f"{value:.{digits - 1}e}"))))
         places = digits - 1 - power
         return cls(f"{round(value, places):.{max(0, places)}f}".replace("-", MINUS), unit)
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import inf
+from math import ceil, exp, inf, log
 from typing import Self, cast
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from sim2reason.dsl.model import FieldType, Model, Parameter, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
+from sim2reason.errors import SceneError
 
 BEYOND = 10.0  # times what it is drawn from, either way
 POINTS = 64
@@ -19,6 +20,7 @@ OWN = frozenset(
 )  # what is said of a body that has a name: *the mass of A*
 LENGTHS = frozenset({"m", "au"})
 USUAL = 2.0  # times what it is drawn from, either way
+NUDGE = 1.0 + 1e-3
 TRIES = 3  # numbers that are looked at for one question
 
 
@@ -51,8 +53,11 @@ def unknowns(scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, st
     return [unknown for unknown in found if unknown is not None]
 
 
-def some(offered: Sequence[Unknown], rng: np.random.Generator) -> Iterator[Unknown]:
-    """A few of them: what they are is drawn first, so that many masses are asked for no more often than one angle."""
+def some(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> Iterator[Unknown]:
+    """A few of them: what they are is drawn first, so that many masses are asked for no more often than one angle.
+
+    Those are left out without which the text would be another one.
+    """
     left = list(offered)
     for _ in range(min(TRIES, len(left))):
         names = sorted({found.name for found in left})
@@ -60,23 +65,45 @@ def some(offered: Sequence[Unknown], rng: np.random.Generator) -> Iterator[Unkno
         same = [found for found in left if found.name == name]
         taken = same[int(rng.integers(len(same)))]
         left.remove(taken)
-        yield taken
+        if _keeps_routes(scene, taken.path):
+            yield taken
 
 
-def range_of(scene: Scene, path: str) -> tuple[float, ...]:
+def _keeps_routes(scene: Scene, path: str) -> bool:
+    """Whether strings run as they do with other values of a number, too."""
+    try:
+        other = scene.having(path, float(scene.value(path)) * NUDGE)
+    except (SceneError, ValueError):  # it has its greatest value
+        return True
+    return other.mechanism.routes == scene.mechanism.routes
+
+
+def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     """Points from a tenth of the low end of what a number is drawn from to ten times the high one, in order.
 
-    They end where its declaration does. They are evenly spaced for angles, else on the logarithmic scale: of either
-    sign, and with zero, if both can be.
+    And farther to ten times a value that it has, since recipes draw some from ranges of their own. They end where its
+    declaration does. They are evenly spaced for angles, else on the logarithmic scale: of either sign, and with zero,
+    if both can be.
     """
     held, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
     assert held.drawn is not None
     low, high = held.drawn.low, held.drawn.high
     if low < 0.0:
-        return tuple(_of_either_sign(max(-low, high), held.most).tolist())
+        return tuple(_of_either_sign(max(-low, high), held.most, abs(about)).tolist())
     spaced = np.linspace if unit == "deg" else np.geomspace
     begin = max((low if unit == "deg" else max(low, high * LEAST)) / BEYOND, held.least)
-    return tuple(spaced(begin, min(high * BEYOND, held.most), POINTS).tolist())
+    usual = spaced(begin, min(high * BEYOND, held.most), POINTS)
+    return (*usual.tolist(), *_onwards(usual, min(about * BEYOND, held.most)))
+
+
+def _onwards(points: Array, end: float) -> list[float]:
+    """Points beyond the last two, as far apart on the logarithmic scale, to an end; none if that is no farther."""
+    last = float(points[-1])
+    if end <= last:
+        return []
+    count = ceil(log(end / last) / log(last / float(points[-2])))
+    step = log(end / last) / count
+    return [last * exp(step * number) for number in range(1, count + 1)]
 
 
 def usual_range(scene: Scene, path: str) -> tuple[float, float]:
@@ -91,8 +118,9 @@ def is_usual(scene: Scene, path: str, value: float) -> bool:
     return low <= value <= high
 
 
-def _of_either_sign(size: float, most: float) -> Array:
+def _of_either_sign(size: float, most: float, about: float) -> Array:
     half = np.geomspace(size * LEAST, min(size * BEYOND, most), POINTS // 2)
+    half = np.append(half, _onwards(half, min(about * BEYOND, most)))
     return np.concatenate([-half[::-1], [0.0], half])
 
 

@@ -10,7 +10,7 @@ from sim2reason.dsl.measures import Count, Range
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.solids import Solid
-from sim2reason.entities.parts.assembly import WeldedArm, overlap
+from sim2reason.entities.parts.assembly import WeldedArm, holds_axle, overlap
 from sim2reason.entities.parts.pieces import (
     AxialPiece,
     BallPiece,
@@ -74,7 +74,7 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
         piece = draw(kind, rng, NEAR if kind is not BallPiece else FAR, {} if found else {"side": "from the axle"})
         if kind is not BallPiece and _own([piece]) < OWN * _inertia([piece]):
             continue
-        if not any(overlap(piece, other) for other in found):
+        if not holds_axle(piece) and not any(overlap(piece, other) for other in found):
             found.append(piece)
     return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
 

@@ -143,7 +143,8 @@ class Book:
         """Keep a step."""
         number = len(self.steps)
         self._source.update(dict.fromkeys(gives, number))
-        names = {name for relation in relations if relation.role == "result" for name in relation.symbols()} | {*rests}
+        worked = (relation for relation in relations if relation.role in ("result", "verified"))
+        names = {name for relation in worked for name in relation.symbols()} | {*rests}
         names |= {name for relation in relations if relation.role == "law" and gives for name in relation.symbols()}
         needs = sorted({self._source[name] for name in names if name in self._source} - {number})
         step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs))

@@ -96,16 +96,17 @@ def undetermined(solution: Solution) -> list[str]:
 
 
 def _since_when(solution: Solution) -> list[str]:
-    """The times since when something is as it was verified to be, or since when something flies freely.
+    """By what something is verified, and the times since when it is so, or since when something flies freely.
 
     What tells them is not idle, even if the answer is the same whenever they are: as two boards that stick to each
     other move by their common momentum, whatever the friction was between them, but only from when they stick; and
     as free fall changes a velocity by as much before an impact as after it.
     """
-    stuck = any(relation.role == "verified" for relation in solution.relations)
-    told = [r for step in solution.steps if step.kind == "time" and stuck for r in step.relations if r.role == "result"]
+    verified = [relation for relation in solution.relations if relation.role == "verified"]
+    told = (r for step in solution.steps if step.kind == "time" and verified for r in step.relations)
     flown = [relation for step in solution.steps if step.kind == TIME for relation in step.relations]
-    return [relation.left.latex() for relation in (*told, *flown)]
+    times = [relation.left.latex() for relation in (*(r for r in told if r.role == "result"), *flown)]
+    return times + [name for relation in verified for name in relation.right.symbols()]
 
 
 def _is_number(relation: Relation) -> bool:

@@ -40,12 +40,17 @@ class Equality:
         left, right = (arithmetic.value(side, values) for side in self.sides)
         return None if left is None or right is None else left - right
 
+    def sizes(self, values: Mapping[str, float]) -> float:
+        """The sum of the sizes of all terms."""
+        found = (arithmetic.value(term, values) for term in self.terms)
+        return sum(abs(size) for size in found if size is not None)
+
     def holds(self, values: Mapping[str, float]) -> bool:
         """Whether both sides agree as well as numbers of five digits can."""
         excess = self.excess(values)
         if excess is None:
             return False
-        sizes = [abs(size) for term in self.terms if (size := arithmetic.value(term, values)) is not None]
+        sizes = [self.sizes(values)]
         for name in self.symbols:
             moved = self.excess({**values, name: values[name] * (1.0 + STEP)})
             sizes.append(abs(moved - excess) / STEP if moved is not None else 0.0)
@@ -130,20 +135,33 @@ def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float
 
 
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
-    """Give values to what the text says no number of, where an equality has it alone and linearly."""
+    """Give values to what the text says no number of, where an equality has it alone and linearly.
+
+    Of several such equalities that one tells which magnifies the rounding of its terms least.
+    """
     for _ in equalities:
-        for equality in equalities:
-            missing = sorted(equality.symbols - values.keys())
-            if len(missing) != 1:
-                continue
-            found = [equality.excess({**values, missing[0]: x}) for x in (0.0, 1.0, 2.0)]
-            if None not in found:
-                zero, one, two = (float(x or 0.0) for x in found)
-                if one != zero and abs(two - 2.0 * one + zero) <= 1e-6 * abs(one - zero):
-                    values[missing[0]] = -zero / (one - zero)
-                    break
-        else:
+        found = [each for equality in equalities if (each := _solved(equality, values)) is not None]
+        if not found:
             return
+        _, name, value = min(found)
+        values[name] = value
+
+
+def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str, float] | None:
+    """How much an equality magnifies, the only symbol without a value, and that; None unless it is linear in it."""
+    missing = [*(equality.symbols - values.keys())]
+    if len(missing) != 1:
+        return None
+    name = missing[0]
+    found = [equality.excess({**values, name: x}) for x in (0.0, 1.0, 2.0)]
+    if None in found:
+        return None
+    zero, one, two = (float(x or 0.0) for x in found)
+    if one == zero or abs(two - 2.0 * one + zero) > 1e-6 * abs(one - zero):
+        return None
+    value = -zero / (one - zero)
+    sizes = equality.sizes({**values, name: value})
+    return sizes / abs(one - zero) / abs(value) if value else sizes, name, value
 
 
 def _table(chains: list[str]) -> frozenset[str]:

@@ -141,10 +141,14 @@ def _noun(mention: str) -> str:
 
 
 def _needed(steps: list[Step], goal: str) -> list[Step]:
-    """The steps that lead to the goal; what gives no name is kept, since what laws say was chosen before."""
+    """The steps that lead to the goal; what gives no name is kept, since what laws say was chosen before.
+
+    So is what assumptions are verified by.
+    """
     source = {name: step.id for step in steps for name in step.gives}
     kept: set[int] = set()
     waiting = [source[goal]] if goal in source else []
+    waiting += [number for step in steps if not step.gives for number in step.needs]
     while waiting:
         number = waiting.pop()
         if number not in kept:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, massive, ramp, squeezed
+from sim2reason import item
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.hoop import Hoop
 from sim2reason.bodies.incline import Incline
@@ -20,9 +21,11 @@ from sim2reason.prose.description import describe
 from sim2reason.questions import Study
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes
+from sim2reason.questions.regimes.acute import StartsAcute
 from sim2reason.questions.regimes.burnt_out import BurntOut
 from sim2reason.questions.regimes.collisions import CollideInTurn
 from sim2reason.recipes import RECIPES
+from sim2reason.scene_files import loads
 
 
 def study(scene: Scene, until: float = 1.0) -> Study:
@@ -158,3 +161,33 @@ def test_whether_fuel_is_left_is_always_told(until: float, clause: str) -> None:
 def test_at_burn_out_itself_nothing_need_be_said_of_fuel() -> None:
     scene = rocket(10.0)
     assert not any("fuel" in clause for clause in said(scene, 70.0))
+
+
+def test_a_string_that_goes_slack_in_a_motion_without_an_answer_is_said_to_stay_taut() -> None:
+    """What k (ℓ − ℓ₀) > (m_A + 2 m_B) g lets go slack: the block on the spring then falls behind the hanging one."""
+    found = item(recipe="mixed", difficulty="easy", mode="symbolic", seed=20261125, index=1)
+    assert "least tension" in found.prompt
+    assert "Assume that block B first moves up and that the string stays taut." in found.prompt
+
+
+def test_a_rod_that_may_start_above_its_hinge_is_said_to_start_below() -> None:
+    """A trolley comes to rest first as its rod is level if that starts above: the momentum along the rail is zero."""
+    words = words_of(describe(swung(40.0)))
+    acute = next(held for held in regimes(study(swung(40.0)), words, 0.5) if isinstance(held, StartsAcute))
+    assert acute.clause(words).endswith("makes an acute angle with the downward vertical at first")
+    assert acute.holds(study(swung(89.0)), 0.5)
+    assert not acute.holds(study(swung(100.0)), 0.5)
+
+
+def swung(angle: float) -> Scene:
+    """A ball on a rod that is hinged to a trolley."""
+    return loads(f"""
+scene:
+  entities:
+  - {{name: slider, type: SliderMass, parameters: {{carriage: {{mass: 2.0}}}}}}
+  - name: rod
+    type: LightRodPendulum
+    parameters: {{bob: {{mass: 1.0}}, rod: {{length: 1.0}}, angle: {angle}, side: right}}
+  connections:
+  - {{pivot: [{{entity: slider, direction: pivot}}, {{entity: rod, direction: base}}]}}
+""")

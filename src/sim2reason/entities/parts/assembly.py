@@ -86,6 +86,9 @@ class WeldedArm(Entity):
             raise ValueError(
                 "pieces.0: it is on the other side of the axle; begin with a piece on the side to which the arm points"
             )
+        for i, piece in enumerate(self.pieces):
+            if holds_axle(piece):
+                raise ValueError(f"pieces.{i}: the axle would be inside it; make it smaller, or put it farther out")
         for (i, one), (j, other) in combinations(enumerate(self.pieces), 2):
             if overlap(one, other):
                 raise ValueError(f"pieces.{i} and pieces.{j} overlap; put them farther apart on the arm")
@@ -114,6 +117,11 @@ class WeldedArm(Entity):
             piece.shape.put(arm, f"pieces.{number}.body", scale(piece.place, along), axes)
         if self.reach is not None:
             arm.site("tip", at=scale(self.reach, along))
+
+
+def holds_axle(piece: WeldedPiece) -> bool:
+    """Whether a piece reaches past the axle, which only a thin rod may."""
+    return not isinstance(piece.shape, UniformRod) and piece.span[0] < 0.0 < piece.span[1]
 
 
 def overlap(one: WeldedPiece, other: WeldedPiece) -> bool:

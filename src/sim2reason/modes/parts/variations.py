@@ -105,12 +105,12 @@ class Variations:
     def _around(
         self, middle: Sequence[float], rng: np.random.Generator, width: float, tries: int
     ) -> Iterator[list[float]]:
-        """Numbers around some, but for angles that would be steep where the text's are not."""
+        """Numbers around some, but for angles that would be steep, as good as right ones, where the text's are not."""
         for _ in range(tries):
             factors = np.exp(rng.uniform(-width, width, len(self.symbols))).tolist()
             values = [number * factor for number, factor in zip(middle, factors, strict=True)]
             steep = (
-                held.unit == "deg" and abs(value) > STEEPEST >= abs(held.value)
+                held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < 180.0 - STEEPEST
                 for held, value in zip(self.symbols, values, strict=True)
             )
             if not any(steep):
@@ -124,6 +124,8 @@ class Variations:
         query, seen = self._asking([value for held, value in said.items() if not held.path]), None
         try:
             scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
+            if scene.mechanism.routes != self.study.mechanism.routes:
+                return None  # the text tells another course of a string
             for end in ends or self._ends(query):
                 seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])))
                 found = _answered(query, seen)

@@ -111,9 +111,11 @@ def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
 
 
 def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
-    """About what a body turns: its axle, or the centre of the round face on which it moves."""
-    face = mechanism.contacts.get(name)
-    return f"the centre of {surface(mechanism, name, mentions)}" if face is not None and face.turning else "the axle"
+    """About what a body turns: its axle, the hinge of its rod, or the centre of the round face on which it moves."""
+    face, body = mechanism.contacts.get(name), mechanism.body[name]
+    if face is not None and face.turning:
+        return f"the centre of {surface(mechanism, name, mentions)}"
+    return "the axle" if any(body.inertia) or not body.mass else "the hinge"
 
 
 def _load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:

@@ -22,10 +22,10 @@ class JerkLoss(Functional):
     weight = 5.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """As in: when the string first becomes taut."""
+        """As in: when the string first becomes taut again."""
         if not (isinstance(moment, WentTaut) and moment.after and moment.name == name):
             return ()
-        return moment.verb.phrases(moment.subject(words), moment.number)
+        return moment.does(words).phrases(moment.subject(words), moment.number)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """The loss of all bodies."""

@@ -68,7 +68,7 @@ class ThresholdKind(Kind):
         if not found:
             return None
         outcome = found[int(rng.integers(len(found)))]
-        for unknown in some(words.unknowns, rng):
+        for unknown in some(words.unknowns, study.scene, rng):
             trial = Trial(study, outcome, unknown.path)
             critical = trial.usual_change()
             if critical is not None and is_usual(study.scene, unknown.path, critical):

@@ -42,6 +42,11 @@ class Regime(ABC):
         del study
         return False
 
+    def is_lost(self, study: Study) -> bool:
+        """Whether another motion may have no answer because it is not so at some time; by default that says nothing."""
+        del study
+        return False
+
     @abstractmethod
     def clause(self, words: Words) -> str:
         """It in words, after *assume that*."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import Self
 
 from sim2reason.quantities.subjects.strings import Strings
@@ -27,6 +28,10 @@ class AllStayTaut(Regime):
     def holds(self, study: Study, until: float) -> bool:
         """Whether there is a tension in each throughout."""
         return all(StaysTaut(line.name).holds(study, until) for line in study.mechanism.strings)
+
+    def is_lost(self, study: Study) -> bool:
+        """Where one of them goes slack."""
+        return not self.holds(study, inf)
 
     def clause(self, words: Words) -> str:
         """As in: all strings stay taut."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import Self
 
 from sim2reason.quantities.subjects.strings import Strings
@@ -34,6 +35,10 @@ class StaysTaut(Regime):
         """Where the text says what happens if the string goes slack, as if it did."""
         owner = self.name.partition(".")[0]
         return any(named.entity.slackens for named in study.scene.entities if named.name == owner)
+
+    def is_lost(self, study: Study) -> bool:
+        """Where it goes slack."""
+        return not self.holds(study, inf)
 
     def clause(self, words: Words) -> str:
         """As in: the string stays taut."""

@@ -1,9 +1,12 @@
 """An electric field that changes from place to place."""
 
+from collections.abc import Mapping
 from math import sqrt
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
+import numpy as np
 from annotated_types import Le
+from pydantic import model_validator
 
 from sim2reason.authoring import LEAST, Law, Measure, Profile, Push, Range, either
 from sim2reason.entities.parts.fields import (
@@ -21,7 +24,7 @@ Slope = Annotated[float, LEAST, Le(1e6), Measure("gradient", "N/(C m)", "k"), Ra
 
 @force_field
 class LinearElectric(ElectricField):
-    """One direction, and a strength that is a linear function of x or of y."""
+    """One direction, and a strength that is a linear function of the coordinate along it, as charges can cause it."""
 
     strength: ElectricStrength
     way: Direction
@@ -36,6 +39,18 @@ class LinearElectric(ElectricField):
             "an electric field has a single component, in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
         ),
     )
+
+    @model_validator(mode="after")
+    def _has_no_curl(self) -> Self:
+        if not self.way.endswith(self.axis):
+            raise ValueError("axis: a field at rest does not change across its direction; give the axis of way")
+        return self
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, object], rng: np.random.Generator) -> Mapping[str, object]:
+        """The axis of its direction."""
+        del rng
+        return {"axis": str(drawn["way"])[-1]}
 
     @property
     def signed(self) -> float:

@@ -1,0 +1,35 @@
+"""Numbers that a text may leave unknown."""
+
+import numpy as np
+
+from sim2reason.prose.description import describe
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.unknown import some
+from sim2reason.scene_files import loads
+
+SLOPES = """
+scene:
+  entities:
+  - name: upper
+    type: TwoSideMassPlane
+    parameters: {{plane: {{angle: 40.0, friction: 0.0}}, blocks: [{{mass: 2.0}}]}}
+  - name: lower
+    type: TwoSideMassPlane
+    parameters: {{plane: {{angle: {angle}, friction: 0.0}}, blocks: [{{mass: 3.0}}]}}
+  connections:
+  - {{tendon: [{{entity: upper, direction: left}}, {{entity: lower, direction: right}}], free: 2.0}}
+"""
+
+
+def asked_for(angle: float) -> set[str]:
+    scene = loads(SLOPES.format(angle=angle))
+    words = words_of(describe(scene, 1))
+    return {found.path for seed in range(60) for found in some(words.unknowns, scene, np.random.default_rng(seed))}
+
+
+def test_no_angle_is_asked_for_where_another_one_would_need_a_pulley() -> None:
+    """Between two slopes of one angle a string runs straight, and the text has no pulley there."""
+    masses = {path for path in asked_for(40.0) if path.endswith("mass")}
+    assert len(masses) == 2
+    assert asked_for(40.0) == masses
+    assert {path for path in asked_for(50.0) if path.endswith("angle")} == {"upper.plane.angle", "lower.plane.angle"}
