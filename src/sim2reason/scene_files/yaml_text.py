@@ -63,12 +63,23 @@ def parse(text: str, lines: Lines | None = None) -> Plain:
     try:
         return _Reader(text, lines).document()
     except YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        place = f"line {mark.line + 1}" if mark is not None else "the file"
-        problem = " ".join(str(getattr(error, "problem", None) or error).split())
-        raise SceneError(place, f"this is not YAML: {problem}", "mend the indentation and the punctuation") from None
-    except RecursionError:  # libyaml's own limit is far away, but PyYAML's pure parser calls itself
-        raise SceneError("the file", "it is nested too deeply", f"use at most {MAX_DEPTH} levels") from None
+        raise _refusal(error) from None
+    except RecursionError:  # PyYAML's pure parser calls itself
+        raise _too_deep("the file") from None
+
+
+def _refusal(error: YAMLError) -> SceneError:
+    """What a parser complains of, with its line; libyaml may stop at a depth of its own, before any event."""
+    mark = getattr(error, "problem_mark", None)
+    place = f"line {mark.line + 1}" if mark is not None else "the file"
+    problem = " ".join(str(getattr(error, "problem", None) or error).split())
+    if "nesting depth" in problem:
+        return _too_deep(place)
+    return SceneError(place, f"this is not YAML: {problem}", "mend the indentation and the punctuation")
+
+
+def _too_deep(place: str) -> SceneError:
+    return SceneError(place, "it is nested too deeply", f"use at most {MAX_DEPTH} levels")
 
 
 class _Reader:
