@@ -208,7 +208,7 @@ def test_a_run_that_is_broken_off_ends_in_the_same_weights(settings: Settings, c
     torn = folder.checkpoints / "checkpoint-6"
     torn.mkdir()
     (torn / "trainer_state.json").write_text("{")
-    with folder.log.open("a") as file:
+    with folder.log.path.open("a") as file:
         file.write('{"step": 5, "lo')
     (Path(settings["corpora"][0]["file"])).rename(f"{settings['out']}.rows")  # it is not read again
     advanced = list[int]()

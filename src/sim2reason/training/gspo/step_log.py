@@ -1,12 +1,10 @@
-"""One line of JSON for each step, on disk before the next begins."""
+"""What is told of each step of a run."""
 
-import json
-import os
 from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, FiniteFloat
 
-from sim2reason.datasets.atomic_files import put_text
+from sim2reason.training.step_lines import StepLines
 
 __all__ = ["StepLog", "StepRecord", "StepSeconds"]
 
@@ -73,28 +71,16 @@ class StepLog:
 
     def __init__(self, folder: Path) -> None:
         """It stands in the folder of the run."""
-        self.path = folder / NAME
+        self._lines = StepLines(folder / NAME)
 
     def rewind(self, step: int) -> None:
-        """Forget what came after a step, and a line that a kill cut: the run goes on from there."""
-        kept = [line for line, number in self._lines() if number <= step]
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        put_text(self.path, "".join(kept), self.path.parent)
-
-    def _lines(self) -> list[tuple[str, int]]:
-        """The whole lines, each with its step."""
-        if not self.path.is_file():
-            return []
-        whole = [line for line in self.path.read_text("utf-8").splitlines(keepends=True) if line.endswith("\n")]
-        return [(line, int(json.loads(line)["step"])) for line in whole]
+        """Forget what came after a step: the run goes on from there."""
+        self._lines.rewind(step)
 
     def add(self, record: StepRecord) -> None:
         """Write a step; it is on disk when this returns."""
-        with self.path.open("a", encoding="utf-8", newline="\n") as file:
-            file.write(record.model_dump_json() + "\n")
-            file.flush()
-            os.fsync(file.fileno())
+        self._lines.add(record.model_dump_json())
 
     def read(self) -> list[StepRecord]:
         """All steps so far."""
-        return [StepRecord.model_validate_json(line) for line, _ in self._lines()]
+        return [StepRecord.model_validate_json(line) for line in self._lines.read()]

@@ -11,9 +11,7 @@ OUT/result.json    what came of it; written last
 """
 
 import json
-import os
 import shutil
-from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
 
@@ -26,6 +24,7 @@ from sim2reason.training.corpora.parts.lines import rows_in
 from sim2reason.training.corpora.parts.mix import mixed
 from sim2reason.training.run_plan import claim, finish, result_in
 from sim2reason.training.sft.config import FineTuning
+from sim2reason.training.step_lines import StepLines
 
 __all__ = ["FineTuned", "SftFolder"]
 
@@ -56,7 +55,7 @@ class SftFolder:
     def __init__(self, path: Path) -> None:
         """At `path`, which need not be there yet."""
         self.path = path
-        self.initial, self.checkpoints, self.log = path / "initial", path / "checkpoints", path / LOG
+        self.initial, self.checkpoints, self.log = path / "initial", path / "checkpoints", StepLines(path / LOG)
         self.model, self.adapter = path / "model", path / "adapter"
 
     def claim(self, config: FineTuning) -> None:
@@ -107,9 +106,7 @@ class SftFolder:
         for path in self.checkpoints.glob(f"{CHECKPOINT}*"):
             if not (path / WHOLE).is_file():
                 shutil.rmtree(path)
-        lines = self.log.read_bytes().splitlines(keepends=True) if self.log.is_file() else []
-        held = [line for line in lines if line.endswith(b"\n") and json.loads(line)["step"] <= step]
-        put_text(self.log, b"".join(held).decode(), self.path)
+        self.log.rewind(step)
         return step
 
     def whole(self, step: int) -> None:
@@ -118,10 +115,3 @@ class SftFolder:
         for path in folder.rglob("*"):
             sync(path)
         put_text(folder / WHOLE, f"{step}\n", folder)
-
-    def append(self, line: Mapping[str, float]) -> None:
-        """Add a line to the log."""
-        with self.log.open("a", encoding="utf-8", newline="\n") as file:
-            file.write(f"{json.dumps(line)}\n")
-            file.flush()
-            os.fsync(file.fileno())

@@ -9,6 +9,7 @@ fit in memory, and only those of completions are looked at. TRL's own loss stays
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 # pyright: reportUntypedBaseClass=false
 
+import json
 import time
 from collections.abc import Callable
 from functools import cache
@@ -173,7 +174,7 @@ def _callback() -> External:
                 now, tokens = time.perf_counter(), int(self.owner.tokens) * args.world_size
                 line = {name: logs[name] for name in ("loss", "learning_rate", "grad_norm")}
                 speed = round(tokens / max(now - self.since, 1e-9), 1)
-                self.folder.append({"step": state.global_step, **line, "tokens_per_second": speed})
+                self.folder.log.add(json.dumps({"step": state.global_step, **line, "tokens_per_second": speed}))
                 self.owner.tokens, self.since = 0, now
 
         def on_save(self, _: External, state: External, *__: External, **___: External) -> None:
