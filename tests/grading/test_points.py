@@ -115,3 +115,18 @@ def test_behind_the_items_own_points_no_side_needs_a_value(before: str) -> None:
     assert not graded(f"a = 2g = {answer}", "g", own, symbols={"g", "h"}).reward
     outside = [{**point, "h": point["h"] - 2} for point in own]
     assert not graded(answer, "g", outside, symbols={"g", "h"}).reward
+
+
+def test_angles_stay_within_their_quadrant() -> None:
+    """What nobody needs bars for, as θ is between 90° and 180°, is paid without them."""
+    bindings = [{"g": 9.8, "theta": 1.7 + 0.15 * count} for count in range(POINTS + 1)]
+    assert graded(r"g\sin\theta", r"|g\sin\theta|", bindings, symbols=["g", "theta"]).reward
+    assert not graded(r"g\cos\theta", r"|g\cos\theta|", bindings, symbols=["g", "theta"]).reward
+
+
+@pytest.mark.parametrize(
+    "answer", [r"v\cos\alpha\sqrt{2gh}", r"\cos\alpha v\sqrt{2gh}", r"v\cos\alpha\sqrt{2g}\sqrt{h}"]
+)
+def test_an_angle_ends_an_argument(answer: str) -> None:
+    bindings = [{"g": 9.8, "h": 1.0 + 0.1 * count, "v": 2.0, "alpha": 0.5} for count in range(POINTS + 1)]
+    assert graded(answer, r"v \sqrt{2\,g h} \cos\alpha", bindings, symbols=["g", "h", "v", "alpha"]).reward

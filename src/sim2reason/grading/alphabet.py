@@ -4,6 +4,7 @@ import re
 from typing import Final
 
 __all__ = [
+    "ANGLES",
     "CLOSES",
     "COMMANDS",
     "FUNCTIONS",
@@ -18,6 +19,7 @@ __all__ = [
     "SWITCHES",
     "VARIANTS",
     "either",
+    "is_angle",
 ]
 
 _ELEMENTARY: Final = """
@@ -117,7 +119,13 @@ SPACES: Final = tuple(_PASSED.split())  # what the tokenizer passes over
 LAYOUT: Final = (*_LAID_OUT.split(), *(name for name in SWITCHES if name not in SPACES))  # rarer: taken out before
 HEDGES: Final = frozenset({"or", "either", "versus", "vs"})
 SOFT_HEDGES: Final = frozenset({"and", "to", "between", "through"})  # a list between numbers, harmless in words
+ANGLES: Final = frozenset({"theta", "alpha", "beta", "gamma", "phi", "psi", "delta"})
 CLOSES: Final = {"(": ")", "[": "]", "{": "}", "\\{": "\\}"}
+
+
+def is_angle(name: str) -> bool:
+    """Whether a symbol of this name, in its one spelling, is that of an angle."""
+    return name.partition("_")[0] in ANGLES
 
 
 def either(kind: str, text: str = "") -> str:

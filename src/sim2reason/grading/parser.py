@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from sim2reason.grading import arithmetic
-from sim2reason.grading.alphabet import CLOSES
+from sim2reason.grading.alphabet import CLOSES, is_angle
 from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
@@ -268,7 +268,7 @@ class _Parser:
         return arithmetic.power(value, exponent) if exponent else value
 
     def operand(self) -> Node:
-        r"""What a function applies to: a group, or numbers and names side by side up to a space such as ``\,``."""
+        r"""What a function applies to: a group, or numbers and names side by side, to an angle or space like ``\,``."""
         if self.next.kind == "open":
             return self.group()
         if self.next.kind == "function" or (self.next.kind == "bar" and not self.in_bars):
@@ -278,7 +278,10 @@ class _Parser:
         while self.next.kind in {"symbol", "constant", "fraction", "root"} or (not factors and start == "number"):
             if factors and self.next.apart:
                 break
+            complete = is_angle(self.next.text)  # in \cos\alpha\sqrt{x} the root is a factor of its own
             factors.append((self.power(), False))
+            if complete:
+                break
         if not factors:
             raise _unreadable("a function has no argument")
         if len(factors) == 1 and start == "number" and self.next.kind == "open" and not self.next.upright:

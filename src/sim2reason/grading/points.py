@@ -7,6 +7,7 @@ from itertools import islice
 from typing import Final
 
 from sim2reason.grading import arithmetic
+from sim2reason.grading.alphabet import is_angle
 from sim2reason.grading.arithmetic import Node
 
 __all__ = ["POINTS", "Bindings", "Ranges", "drawn", "sound", "turned"]
@@ -19,10 +20,9 @@ AROUND: Final = 3.0  # the largest factor by which a given value is moved
 AFAR: Final = 20.0  # where a sign is looked for that the given values do not have
 FAR_TRIES, TURNED = 24, 2
 RIGHT_ANGLE: Final = math.pi / 2
+MARGIN: Final = 0.01  # of it, that angles keep from its multiples
 STEP: Final = 1e-9
 STEEPEST: Final = 1e4  # of the relative change of a value to that of its symbols: beyond, its digits are lost
-
-_ANGLES: Final = frozenset({"theta", "alpha", "beta", "gamma", "phi", "psi", "delta"})
 
 Bindings = Mapping[str, float]
 Ranges = Mapping[str, tuple[float, float]]
@@ -62,11 +62,7 @@ def _valued(node: Node, points: Iterator[Bindings]) -> Iterator[Bindings]:
 def _ends(name: str, ranges: Ranges, low: float, high: float) -> tuple[float, float]:
     if name in ranges:
         return ranges[name]
-    return (low, min(high, USUAL[1])) if _is_angle(name) else (low, high)
-
-
-def _is_angle(name: str) -> bool:
-    return name.partition("_")[0] in _ANGLES
+    return (low, min(high, USUAL[1])) if is_angle(name) else (low, high)
 
 
 def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
@@ -80,13 +76,15 @@ def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
 
 
 def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = AROUND) -> Bindings:
-    """All of a point moved at once, each by a factor; an acute angle up to a right one, and zero to something."""
+    """All of a point moved at once, each by a factor; an angle within its quadrant, and zero to something."""
     point: dict[str, float] = {}
     for name in names:
         value, share = given[name], _share(seed, attempt, name)
-        acute = _is_angle(name) and 0 < value < RIGHT_ANGLE
-        most = 0.99 * RIGHT_ANGLE / value if acute else far
-        point[name] = value / far * (most * far) ** share if value else share
+        low, high = value / far, value * far
+        if is_angle(name) and value > 0:
+            quadrant = value // RIGHT_ANGLE
+            low, high = max(low, (quadrant + MARGIN) * RIGHT_ANGLE), (quadrant + 1 - MARGIN) * RIGHT_ANGLE
+        point[name] = low * (high / low) ** share if value else share
     return point
 
 
