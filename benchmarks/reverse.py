@@ -68,7 +68,7 @@ def of_time(read: ParsedPrompt, moment: Reached) -> tuple[Function, np.ndarray]:
 
 def hits(result: Function, values: np.ndarray, given: StatedResult) -> Iterator[float]:
     """Where the result is what is given: between two values, or at one of them as far as its digits tell."""
-    found = [(float(value), result(float(value))) for value in values]
+    found = list(sampled(result, values))
     for value, here in found:
         if here is not None and abs(here - given.value) <= given.half:
             yield value
@@ -79,6 +79,26 @@ def hits(result: Function, values: np.ndarray, given: StatedResult) -> Iterator[
         there = result(inside)
         if there is not None and abs(there - given.value) <= given.half:  # else it jumps
             yield inside
+
+
+def sampled(result: Function, values: np.ndarray) -> Iterator[tuple[float, float | None]]:
+    """The result at all values, and at the last ones that have one before others have none."""
+    before: tuple[float, float | None] | None = None
+    for value in map(float, values):
+        here = value, result(value)
+        if before is not None and (before[1] is None) != (here[1] is None):
+            edge = last_with_one(result, *(before[0], value) if here[1] is None else (value, before[0]))
+            yield edge, result(edge)
+        yield here
+        before = here
+
+
+def last_with_one(result: Function, there: float, beyond: float) -> float:
+    """How far from a value that has a result towards another that has none there is one."""
+    for _ in range(HALVINGS):
+        middle = 0.5 * (there + beyond)
+        there, beyond = (there, middle) if result(middle) is None else (middle, beyond)
+    return there
 
 
 def bisected(result: Function, low: float, high: float, given: float) -> float:

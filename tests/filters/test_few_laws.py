@@ -43,8 +43,8 @@ KNOWN = {
     "Find the tension in the string after release.": (half_atwood(), 2, 8),  # m_B (g - a)
     "What is the speed of block B after it has moved 1.0 m?": (half_atwood(), 3, 7),  # two blocks on one string
     "Find the kinetic energy of block A after it has moved 1.3 m.": (half_atwood(), 4, 8),
-    "By how much has the block's gravitational potential energy changed from its initial value when it comes to rest "
-    "for the first time?": (ROUGH, 3, 8),  # how far, and how high that is
+    "Find the magnitude of the change in the block's gravitational potential energy since the start when it comes to "
+    "rest for the first time.": (ROUGH, 3, 8),  # how far, and how high that is
     "Find the x component of the displacement of the ball from its starting point just before it reaches the ground.": (
         thrown(),
         2,
@@ -88,7 +88,9 @@ def rolling(said: str, start: Rolling | None = None) -> Candidate:
 
 def test_what_rolls_by_its_weight_is_kept_by_both_filters() -> None:
     """½ ½ m (v² + g d sin θ), as two laws hold together; without weight, L = m v R is a definition."""
-    asked_about = rolling("What is the rotational kinetic energy of the tube after it has moved 0.40 m?", DOWN)
+    asked_about = rolling(
+        "What is the rotational kinetic energy of the tube about its centre of mass after it has moved 0.40 m?", DOWN
+    )
     assert [*FILTER.findings(asked_about)][-1] == TURNS
     assert FILTER.reason(asked_about) == FILTERS["one line"].reason(asked_about) == ""
 

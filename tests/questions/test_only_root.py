@@ -98,6 +98,19 @@ def test_a_function_that_only_rises_has_one_root() -> None:
     assert found(lambda value: value**3) is None
 
 
+@pytest.mark.parametrize(("depth", "other"), [(0.7, False), (1.1, True)])
+def test_where_the_answer_swings_it_is_looked_at_more_closely(depth: float, *, other: bool) -> None:
+    """From 8 on it rises, but swings once in 1.5 steps of the scan, down to what is given if the swings are deep."""
+    step = np.log(VALUES[1] / VALUES[0])
+
+    def result(value: float) -> float:
+        phase = np.pi * np.log(value / VALUES[0]) / (1.5 * step)
+        return value / ROOT * (1.0 if value < 8.0 else 1.0 - depth * np.sin(phase) ** 8)
+
+    assert all(result(value) > 1.0 for value in VALUES if value > ROOT)
+    assert (found(result) is not None) is other
+
+
 @dataclass
 class Wayward(Known):
     """A magnitude: beyond 4 it falls to zero at 11.6 and rises again; from 11.7 on there is none for a while."""

@@ -49,7 +49,7 @@ def test_a_block_on_a_ramp() -> None:
     normal = next(phrase for phrase in offered(scene) if phrase.startswith("the magnitude of the normal force"))
     assert normal.endswith(("by the plane", "by the incline", "by the slope", "by the inclined plane")), normal
     assert answer(scene, normal, 0.5) == pytest.approx(press)
-    drop = f"the magnitude of the change in {block}'s gravitational potential energy from its initial value"
+    drop = f"the magnitude of the change in {block}'s gravitational potential energy since the start"
     assert answer(scene, drop, 0.5) == pytest.approx(2.0 * G * 0.5 * a * 0.25 * sin(radians(30)))
 
 

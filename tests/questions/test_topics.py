@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 from sim2reason.bodies.ball import Ball, FixedBall
+from sim2reason.bodies.block import Block
 from sim2reason.bodies.hanger import Cord
 from sim2reason.bodies.sphere import Sphere
+from sim2reason.bodies.spring import NailedSpring
 from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
@@ -16,6 +18,7 @@ from sim2reason.entities.parts.pieces import BallPiece, RoundPiece
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.errors import TextError
 from sim2reason.parsing import parse_scene
 from sim2reason.prose.description import describe
@@ -167,3 +170,19 @@ def test_no_other_text_may_leave_out_its_start() -> None:
         parse_prompt(found.prompt.replace(said, "", 1))
     with pytest.raises(TextError):
         parse_scene(found.description.text.replace(said, "", 1))
+
+
+def test_where_a_block_on_springs_starts_matters_only_to_what_is_measured_from_there() -> None:
+    springs = (
+        NailedSpring(stiffness=80.0, length=0.3, x=0.6, y=0.2),
+        NailedSpring(stiffness=50.0, length=0.4, x=-0.5, y=0.0),
+    )
+    table = SpringBlock(block=Block(mass=2.0), springs=springs, x=0.1, y=0.2)
+    scene = Scene(entities=(Named(name="table", entity=table),))
+    held, beside = (
+        asked(Query("equilibrium", Target(*pair)))
+        for pair in (("spring length", "table.springs.0"), ("displacement", "table.block"))
+    )
+    assert "start" in irrelevant(held, study(scene))
+    assert "start" not in irrelevant(beside, study(scene))
+    assert "0.1" not in describe(scene, without=("start",)).text

@@ -77,6 +77,8 @@ class Symbolic(QuestionMode):
         if spoken is None or whole is None:
             return None
         symbols = _symbols(study, spoken)
+        if not {held.symbol for held in symbols}.issuperset(whole.symbols()):
+            return None  # it goes by where the motion starts, which the text does not tell
         varied = _Varied(Variations(study, query, symbols), factor(question.unit))
         if not varied.of_scene(whole):
             return None

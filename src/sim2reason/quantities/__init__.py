@@ -37,6 +37,7 @@ class Quantity(ABC):
         given: whether the text gives it at the start.
         immediate: whether it can differ from zero at once, and hangs on more than what the text gives.
         timeless: whether it never changes, so that no question names a moment.
+        from_start: whether it is measured from where the motion starts.
 
     How small is nothing:
         floor: the certificate's smallest scale, in SI units; with `heavy` it is that times the largest mass in kg.
@@ -64,6 +65,7 @@ class Quantity(ABC):
     given: ClassVar[bool] = False
     immediate: ClassVar[bool] = False
     timeless: ClassVar[bool] = False
+    from_start: ClassVar[bool] = False
     floor: ClassVar[float]
     heavy: ClassVar[bool] = False
     least: ClassVar[float] = 1e-3

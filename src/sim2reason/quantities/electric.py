@@ -18,9 +18,8 @@ class ElectricPotentialEnergy(Quantity):
 
     name, unit, symbol = "electric potential energy", "J", "U"
     of = Bodies()
-    magnitude = "the magnitude of the change in {body}'s electric potential energy from its initial value"
-    how = "by how much has {body}'s electric potential energy changed from its initial value {when}?"
-    indirect = "by how much {body}'s electric potential energy has changed from its initial value"
+    magnitude = "the magnitude of the change in {body}'s electric potential energy since the start"
+    from_start = True
     needs = ("charge",)
     floor, heavy = 0.1, True
     panel, pooled, order = "energy", True, 9

@@ -72,7 +72,7 @@ class RotationalEnergy(EnergyOfTurning):
     """The kinetic energy of turning about the centre of mass."""
 
     name, symbol = "rotational kinetic energy", "K"
-    magnitude = "the rotational kinetic energy of {body}"
+    magnitude = "the rotational kinetic energy of {body} about its centre of mass"
     order = 7
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
@@ -91,9 +91,8 @@ class PotentialEnergy(Energy):
     """The gravitational potential energy of a body less that at the start, in a uniform field or near what is fixed."""
 
     name, symbol = "potential energy", "U"
-    magnitude = "the magnitude of the change in {body}'s gravitational potential energy from its initial value"
-    how = "by how much has {body}'s gravitational potential energy changed from its initial value {when}?"
-    indirect = "by how much {body}'s gravitational potential energy has changed from its initial value"
+    magnitude = "the magnitude of the change in {body}'s gravitational potential energy since the start"
+    from_start = True
     panel, pooled, order = "energy", True, 8
 
     @staticmethod

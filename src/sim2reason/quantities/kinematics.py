@@ -17,7 +17,7 @@ class Displacement(Quantity):
     signed = "the {component}displacement of {body} from its starting point{ground}"
     how = "how far{aside} is {body} from its starting point {when}?"
     indirect = "how far{aside} {body} is from its starting point"
-    center = True
+    center = from_start = True
     weight = 2.0
     floor = 0.1
     panel, order = "displacement", 0

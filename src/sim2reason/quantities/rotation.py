@@ -81,6 +81,7 @@ class AngleTurned(Angle):
     how = "by what angle is {body} turned from its starting position {when}?"
     weight = 2.0
     floor, least = 1.0, 0.1
+    from_start = True
     panel, order = "angle turned", 0
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
@@ -101,6 +102,7 @@ class AngleRolled(Angle):
     magnitude = "the angle through which {body} has turned since the start"
     how = "through what angle has {body} turned {when}?"
     floor, least = 0.1, 1e-2
+    from_start = True
     panel, order = "angle turned", 0
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:

@@ -15,6 +15,8 @@ NEARLY = 10.0  # margins: unless it is as low as this already; then halving find
 KINK = 10  # halvings
 EDGE = 0.01  # relative: where there is no answer this close to the root, who looks for it may pass it by
 BEHIND = 3.0  # steps of the scan: how far behind an end of the range another root is foreseen
+UNEVEN = 0.3  # of the least distance from what is given: by how much a line may miss the answer where it runs evenly
+FINER = 3  # times that more numbers are tried where it does not
 CLOSER = 5  # halvings between numbers for which different things happen
 
 
@@ -37,7 +39,8 @@ class Scan:
         """A number at which the answer could be what is given, or for which it is on the wrong side; None if none is.
 
         One that has its answer later than its motion is followed, if it has any, could be, too.
-        Looked for at all `values`, towards the borders of where there is an answer, and at the bottom of each dip.
+        Looked for at all `values`, towards the borders of where there is an answer, at the bottom of each dip, and
+        between values over which the answer swings.
         """
         return next((at for at in self._tried(values) if self._could_be(at)), None)
 
@@ -64,6 +67,7 @@ class Scan:
         yield from self._borders()
         yield from filter(self._is_apart, self._turning_points())
         yield from self._dips()
+        yield from filter(self._is_apart, self._swings())
 
     def _between(self, values: Sequence[float]) -> Iterator[float]:
         """The values that are left, but for those where the answer is seen to run smoothly between known ones."""
@@ -174,6 +178,21 @@ class Scan:
                 low, middle, high = (low, bottom, middle) if bottom < middle else (middle, bottom, high)
             else:
                 low, high = (bottom, high) if bottom < middle else (low, bottom)
+
+    def _swings(self) -> Iterator[float]:
+        """Numbers halfway between neighbours beside which the answer runs unevenly: it may go to and fro in between."""
+        for _ in range(FINER):
+            known = [(at, clear) for at, clear in sorted(self._known.items()) if clear is not None and isfinite(clear)]
+            uneven = (each for each in zip(known, known[1:], known[2:], strict=False) if _is_uneven(*each))
+            finer = {0.5 * (one[0] + other[0]) for each in uneven for one, other in pairwise(each)}
+            yield from sorted(finer)
+
+
+def _is_uneven(low: tuple[float, float], middle: tuple[float, float], high: tuple[float, float]) -> bool:
+    """Whether a line from the outer ones of three points (x, y) misses the middle one by far."""
+    share = (middle[0] - low[0]) / (high[0] - low[0])
+    line = (1.0 - share) * low[1] + share * high[1]
+    return abs(middle[1] - line) > UNEVEN * min(low[1], middle[1], high[1])
 
 
 def _lowest(*points: tuple[float, float]) -> tuple[float, float]:

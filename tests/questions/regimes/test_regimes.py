@@ -52,6 +52,11 @@ def test_a_block_slides_down_what_is_steep_enough() -> None:
     assert said(ramp(friction=0.7), 0.5) == {"the block does not slide on the plane"}
 
 
+def test_what_slides_up_and_down_again_is_told_to() -> None:
+    """It comes to rest after 2.0/(9.8 (0.5 + 0.3·0.866)) = 0.27 s."""
+    assert "the block first slides up the plane, and down it by then" in said(ramp(friction=0.3, speed=2.0), 0.6)
+
+
 def hoop(start: Sliding | Spinning) -> Scene:
     """On a slope of 20° whose friction does not hold it at once."""
     plane, body = Incline(angle=20.0), Hoop(mass=2.0, radius=0.1)
@@ -142,9 +147,15 @@ def rocket(rate: float) -> Scene:
 
 def test_what_is_too_heavy_waits() -> None:
     """At 9.0 kg/s until 918 kg are left, at 9.1 s; at 2.0 kg/s even the 300 kg without fuel are too heavy."""
-    waits = next(clause for clause in said(rocket(9.0), 20.0) if "lifts off" in clause)  # whatever this text calls it
-    assert waits.endswith("lifts off only some time after its engine starts, before its fuel is used up")
-    assert not any("lifts off" in clause for rate in (2.0, 11.0) for clause in said(rocket(rate), 20.0))
+
+    def lift_off(rate: float) -> list[str]:
+        found = [clause for clause in said(rocket(rate), 20.0) if "lifts off" in clause]
+        return [clause.partition(" lifts off ")[2] for clause in found]  # whatever this text calls the rocket
+
+    assert lift_off(9.0) == ["only some time after its engine starts, before its fuel is used up"]
+    assert lift_off(11.0) == ["as soon as its engine starts"]
+    assert lift_off(2.0) == []
+    assert {clause.rpartition(" ")[2] for clause in said(rocket(9.0), 20.0) if "moves" in clause} == {"up"}
 
 
 @pytest.mark.parametrize(("until", "clause"), [(0.0, ""), (40.0, "still has fuel then"), (80.0, "used up its fuel by")])

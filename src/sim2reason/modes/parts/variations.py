@@ -14,6 +14,7 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES
 
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
+LATEST = 4.0  # times that, before nothing is said to come at all
 SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, since each turn has its price
 STEEPEST = 89.0  # degrees
 EQUAL = 1e-9  # relative
@@ -126,7 +127,8 @@ class Variations:
             scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
             if scene.mechanism.routes != self.study.mechanism.routes:
                 return None  # the text tells another course of a string
-            for end in ends or self._ends(query):
+            ends = ends or self._ends(query)
+            for end in ends if barren is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
                 seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])))
                 found = _answered(query, seen)
                 if found is not None:
@@ -144,15 +146,19 @@ class Variations:
         moment = self.query.moment
         return replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
 
+    @staticmethod
+    def _waits(query: Query) -> bool:
+        """Whether the motion brings about what is asked about."""
+        return query.moment is not None and bool(query.moment.event or query.moment.channels)
+
     def _ends(self, query: Query) -> tuple[float, ...]:
         """How long to follow a motion, s: to a stated time, else some times as long as it took in the known one."""
         here, least = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
         moment = query.moment
         times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []
-        waits = moment is not None and bool(moment.event or moment.channels)
-        if times and not waits:
+        if times and not self._waits(query):
             return (max(BEYOND * times[0], least),)
-        comes = waits or KINDS[query.kind].name == "period"
+        comes = self._waits(query) or KINDS[query.kind].name == "period"
         sooner = SOONER if comes and self.study.mechanism.attractions and LATER * here > least else ()
         return tuple(max(factor * here, least) for factor in (*sooner, LATER))
 

@@ -31,8 +31,16 @@ class EquilibriumKind(Kind):
     name = "equilibrium"
     share = 0.3
 
+    def of_motion(self, query: Query) -> bool:
+        """Not of one, but for what is measured from its start: there is one stable equilibrium alone."""
+        assert query.target is not None
+        return QUANTITIES[query.target.quantity].from_start
+
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A magnitude at the only stable equilibrium, which is not where the motion starts, and not a body's weight."""
+        """A magnitude at the only stable equilibrium, which is not where the motion starts, and not a body's weight.
+
+        Nor is it an energy less that at the start.
+        """
         del words
         mechanism = study.mechanism
         if not _worth(mechanism):
@@ -44,8 +52,8 @@ class EquilibriumKind(Kind):
         weights = [body.mass * float(np.linalg.norm(mechanism.gravity)) for body in mechanism.bodies]
 
         def differs(target: Target) -> bool:
-            value = target.value(there)
-            if not abs(value) > QUANTITIES[target.quantity].least:
+            value, quantity = target.value(there), QUANTITIES[target.quantity]
+            if not abs(value) > quantity.least or (quantity.from_start and quantity.unit == "J"):
                 return False
             told = [target.value(start), *(weights if target.unit == "N" else ())]
             return all(abs(value - other) > SAME * abs(value) for other in told)

@@ -65,7 +65,7 @@ def _senses(study: Study, name: str) -> list[Sense]:
 
 
 def _side(study: Study, name: str, way: Vector, until: float) -> int:
-    """1 or -1 if the velocity is along or against a way throughout, 0 if it is both, none, or none for a while.
+    """1 or -1 if the velocity is along or against a way once it moves, 0 if it is both, or none for a while later.
 
     What starts from rest moves the way in which it is accelerated.
     """
@@ -77,7 +77,8 @@ def _side(study: Study, name: str, way: Vector, until: float) -> int:
         begins = float((Acceleration.evaluate(at(study.trace, 0.0), name) @ np.array(way))[0])
         return int(begins > STILL) - int(begins < -STILL)
     idle = np.abs(speeds) <= STILL * fastest
-    if (idle[1:] & idle[:-1] & (np.diff(scan.times[within]) > LASTING * until)).any():
+    rests = idle[1:] & idle[:-1] & (np.diff(scan.times[within]) > LASTING * until)
+    if rests[int(np.argmin(idle)) :].any():
         return 0
     ahead, back = bool((speeds[~idle] > 0.0).any()), bool((speeds[~idle] < 0.0).any())
     return int(ahead) - int(back)

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from typing import Self
 
 import numpy as np
@@ -19,41 +20,55 @@ from sim2reason.questions.words import Words
 STILL = 1e-9  # m/s
 LEVEL = 1e-9  # of a way's steepness: less is rounding
 LASTING = 1e-9  # of that time
+Course = tuple[int, ...]
+"""1 and -1: a stretch of the one way and of the other, as the slip counts."""
+COURSES: tuple[Course, ...] = ((1,), (-1,), (1, -1), (-1, 1))
 SOON = 1e-3  # of the time that is asked about, or s: by when what is released has begun to slide
 
 
 @REGIMES.register("sliding")
 @dataclass(frozen=True, slots=True)
 class SlidesThroughout(Regime):
-    """A body slides on a rough face from the start on, or never does."""
+    """A body slides on a rough face from the start on, or never does.
+
+    Where words tell its way, it turns back at most once.
+    """
 
     of = Contacts()
 
     slides: bool
-    way: int = 0  # 1 and -1: one way all the time, as its slip counts; 0: to and fro, or no words tell which way
+    course: Course = ()  # its ways one after the other, where words tell them
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Either, of every body on a rough face, and if it slides, each way that there are words for."""
+        """Either, of every body on a rough face, and if it slides, each course that there are words for."""
         mechanism = study.mechanism
         rough = [name for name in words.called(cls.of) if mechanism.contacts[name].friction > 0.0]
-        slides = [cls(name, True, way) for name in rough for way in (0, *_ways(mechanism, name))]  # noqa: FBT003
+        slides = [
+            cls(name, slides=True, course=course)
+            for name in rough
+            for course in (COURSES if _ways(mechanism, name) else [()])
+        ]
         return [*slides, *(cls(name, slides=False) for name in rough)]
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is so there."""
         found = _slides(study, self.name, until)
-        return found[0] is self.slides and (found[1] == self.way or not _ways(study.mechanism, self.name))
+        return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
 
     def clause(self, words: Words) -> str:
-        """As in: block A slides to the right on the plank; what may roll does so where it touches its face."""
+        """As in: block A slides to the right on the plank; what may roll does so where it touches its face.
+
+        One that turns back: block A first slides up the slope, and down it by then.
+        """
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
         rolls = len(words.mechanism.contacts[self.name].slip) > 1
         if not self.slides:
             return f"{called} rolls without slipping" if rolls else f"{called} does not slide on {surface}"
-        way = _ways(words.mechanism, self.name).get(self.way, "")
-        where = f"{way or 'on'} {surface}{' at the point of contact' * bool(rolls and way)}"
-        return f"{called} {'slips' if rolls else 'slides'} {where}"
+        ways = [_ways(words.mechanism, self.name)[way] for way in self.course]
+        where = f"{ways[0] if ways else 'on'} {surface}{' at the point of contact' * bool(rolls and ways)}"
+        back = f", and {ways[-1]} it by then" if len(ways) > 1 else ""
+        return f"{called} {'first ' * bool(back)}{'slips' if rolls else 'slides'} {where}{back}"
 
 
 def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
@@ -75,16 +90,16 @@ def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
     return {1: ahead, -1: back} if factor > 0.0 else {1: back, -1: ahead}
 
 
-def _slides(study: Study, name: str, until: float) -> tuple[bool | None, int]:
-    """Whether it slides throughout, if only to and fro; None if it does for a while. And which way, 0 if both."""
+def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]:
+    """Whether it slides throughout, if only to and fro; None if it does for a while. And its course."""
     soon = min(SOON * (until or 1.0), float(study.trace.state.times[-1]))
     scan = study.trace.scan
     within = (scan.times > soon) & (scan.times < until)
     times = np.concatenate([[soon], scan.times[within]])
     slips = np.concatenate([slip(at(study.trace, soon), name), slip(scan, name)[within]])
     still = np.abs(slips) <= STILL
-    way = int((slips > STILL).any()) - int((slips < -STILL).any())
     if still.all():
-        return False, 0
+        return False, ()
+    course = tuple(sense for sense, _ in groupby(np.sign(slips[~still]).astype(int).tolist()))
     stays = still[1:] & still[:-1] & (np.diff(times) > LASTING * until)  # what turns back is still for no time
-    return (None if still[0] or stays.any() else True), way
+    return (None if still[0] or stays.any() else True), course

@@ -1,4 +1,4 @@
-"""Whether what burns fuel is too heavy to lift off at once."""
+"""Whether what burns fuel lifts off at once, or is too heavy at first."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -20,9 +20,11 @@ STILL = 1e-9  # m/s², m/s
 @REGIMES.register("waits")
 @dataclass(frozen=True, slots=True)
 class Waits(Regime):
-    """A rocket on the ground burns some of its fuel, and not all, before its thrust can lift it."""
+    """A rocket on the ground burns some of its fuel, and not all, before its thrust can lift it, or none."""
 
     of = Bodies()
+
+    waits: bool
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
@@ -30,18 +32,22 @@ class Waits(Regime):
         if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
             return []
         named = words.called(cls.of)
-        return [cls(burn.body) for burn in study.mechanism.burns if burn.body in named]
+        found = [burn.body for burn in study.mechanism.burns if burn.body in named]
+        return [cls(body, waits) for body in found for waits in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is not accelerated as the engine starts, but moves when that stops."""
+        """Whether it is accelerated as the engine starts; or it is not, but moves when that stops."""
         del until
         trace = study.trace
         burnt = min(*(burn.until for burn in trace.mechanism.burns if burn.body == self.name), trace.stable_until)
         pushed = Acceleration.evaluate(at(trace, 0.0), self.name)
         moves = Velocity.evaluate(at(trace, burnt), self.name)
-        return float(np.linalg.norm(pushed)) <= STILL < float(np.linalg.norm(moves))
+        lifted = float(np.linalg.norm(pushed)) > STILL
+        return (not lifted and float(np.linalg.norm(moves)) > STILL) if self.waits else lifted
 
     def clause(self, words: Words) -> str:
-        """As in: the rocket lifts off only some time after its engine starts, before its fuel is used up."""
+        """As in: the rocket lifts off as soon as its engine starts."""
         called = words.called(self.of)[self.name]
+        if not self.waits:
+            return f"{called} lifts off as soon as its engine starts"
         return f"{called} lifts off only some time after its engine starts, before its fuel is used up"

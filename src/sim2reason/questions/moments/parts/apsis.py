@@ -21,7 +21,7 @@ class Apsis(Peak):
 
     of = Pairs()
     hangs_on = "distance"
-    pronoun = "they"
+    pronoun = ""  # of several bodies it does not tell which
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
