@@ -35,11 +35,11 @@ class PolygonalPrism(Shape):
     nouns = ("prism",)
     lone = (
         "a uniform regular {shape} {noun} of height {height} and mass {mass} with its edges {radius} from its axis",
-        "a regular {shape} {noun} (height {height}, mass {mass}) whose edges are {radius} from its axis",
+        "a uniform regular {shape} {noun} (height {height}, mass {mass}) whose edges are {radius} from its axis",
     )
     named = (
         "a uniform regular {shape} {noun} {letter} of height {height} and mass {mass} with its edges {radius} from its axis",
-        "a regular {shape} {noun} {letter} (height {height}, mass {mass}) whose edges are {radius} from its axis",
+        "a uniform regular {shape} {noun} {letter} (height {height}, mass {mass}) whose edges are {radius} from its axis",
     )
 
     @property
@@ -68,11 +68,11 @@ class LongPrism(Shape):
     nouns = ("prism",)
     lone = (
         "a long uniform {noun} of mass {mass} with a regular {shape} cross-section and its edges {radius} from its axis",
-        "a long regular {shape} {noun} of mass {mass} whose edges are {radius} from its axis",
+        "a long uniform regular {shape} {noun} of mass {mass} whose edges are {radius} from its axis",
     )
     named = (
         "a long uniform {noun} {letter} of mass {mass} with a regular {shape} cross-section and its edges {radius} from its axis",
-        "a long regular {shape} {noun} {letter} of mass {mass} whose edges are {radius} from its axis",
+        "a long uniform regular {shape} {noun} {letter} of mass {mass} whose edges are {radius} from its axis",
     )
 
     @property

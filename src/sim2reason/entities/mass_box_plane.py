@@ -36,13 +36,13 @@ class MassBoxPlane(Entity):
             "static and kinetic friction on the top have the same coefficient, {box.friction}.",
         ),
         either(
-            "a light string from {blocks.first} runs to the left, over a light pulley at the edge and down to {left}, which slides in a smooth vertical guide on that side.",
-            "over a light pulley at the left edge a light string joins {blocks.first} to {left}, which can only slide in a smooth vertical guide on that side.",
+            "a light string from {blocks.first} runs to the left, over a light pulley at the edge and down to {left}, which slides in a smooth vertical guide on that side of {box}.",
+            "over a light pulley at the left edge a light string joins {blocks.first} to {left}, which can only slide in a smooth vertical guide on that side of {box}.",
             "{left} slides in a smooth vertical guide on the left side of {box}; from it a light string runs up and over a light pulley at the edge to {blocks.first}.",
         ),
         either(
-            "a light string from {blocks.last} runs to the right, over a light pulley at the edge and down to {right}, which slides in a smooth vertical guide on that side.",
-            "over a light pulley at the right edge a light string joins {blocks.last} to {right}, which can only slide in a smooth vertical guide on that side.",
+            "a light string from {blocks.last} runs to the right, over a light pulley at the edge and down to {right}, which slides in a smooth vertical guide on that side of {box}.",
+            "over a light pulley at the right edge a light string joins {blocks.last} to {right}, which can only slide in a smooth vertical guide on that side of {box}.",
             "{right} slides in a smooth vertical guide on the right side of {box}; from it a light string runs up and over a light pulley at the edge to {blocks.last}.",
         ),
     )

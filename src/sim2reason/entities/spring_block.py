@@ -21,6 +21,7 @@ from sim2reason.authoring import (
     each,
     either,
     entity,
+    placing,
     starting,
 )
 from sim2reason.bodies.block import Block
@@ -71,7 +72,7 @@ class SpringBlock(Entity):
             ),
         ),
         DASHPOTS,
-        either(
+        placing(
             "at first {block} is at the point ({x}, {y}).",
             "the starting point of {block} is ({x}, {y}).",
             "at the start {block} is at ({x}, {y}).",
@@ -80,6 +81,7 @@ class SpringBlock(Entity):
             "from there it is launched with the velocity ({launch.x}, {launch.y}).",
             "it starts from there with the velocity ({launch.x}, {launch.y}).",
             "it leaves this point with the velocity ({launch.x}, {launch.y}).",
+            topic="start",
         ),
     )
 

@@ -23,9 +23,9 @@ class TumblingPrism(Entity):
 
     says = (
         either(
-            "{prism} lies on {plane} with its axis horizontal.",
-            "on {plane}, its axis horizontal, lies {prism}.",
-            "{plane} carries {prism}, whose axis is horizontal.",
+            "{prism} lies with one face on {plane}, its axis horizontal.",
+            "on {plane}, on one face and with its axis horizontal, lies {prism}.",
+            "{plane} carries {prism}, which lies on one face, its axis horizontal.",
         ),
         either(
             "its edges never slip on the plane, and an edge that lands on it does not rebound.",
@@ -33,9 +33,9 @@ class TumblingPrism(Entity):
             "whenever an edge lands on the plane it neither rebounds nor slips.",
         ),
         either(
-            "at t = 0 it is tipping over its {plane.edge} at {rate}.",
+            "at t = 0 it begins to tip over its {plane.edge} with an angular velocity of {rate}.",
             "it starts with an angular velocity of {rate} about its {plane.edge}, over which it tips.",
-            "a sudden push makes it tip over its {plane.edge}, at first at {rate}.",
+            "a sudden push makes it tip over its {plane.edge}, at first with an angular velocity of {rate}.",
         ),
     )
 

@@ -86,9 +86,6 @@ class WeldedArm(Entity):
             raise ValueError(
                 "pieces.0: it is on the other side of the axle; begin with a piece on the side to which the arm points"
             )
-        for i, piece in enumerate(self.pieces):
-            if holds_axle(piece):
-                raise ValueError(f"pieces.{i}: the axle would be inside it; make it smaller, or put it farther out")
         for (i, one), (j, other) in combinations(enumerate(self.pieces), 2):
             if overlap(one, other):
                 raise ValueError(f"pieces.{i} and pieces.{j} overlap; put them farther apart on the arm")

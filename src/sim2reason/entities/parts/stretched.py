@@ -2,10 +2,10 @@
 
 from typing import Annotated
 
-from sim2reason.authoring import Length, Range, either
+from sim2reason.authoring import Length, Range, placing
 
 StartLength = Annotated[Length, Range(0.2, 1.0)]
-AT_FIRST = either(
+AT_FIRST = placing(
     "at first {spring} is {start} long.",
     "the length of {spring} at the start is {start}.",
     "the initial length of {spring} is {start}.",
