@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from sim2reason.datasets.ask import ask
     from sim2reason.datasets.dataset import Dataset
+    from sim2reason.datasets.dataset import Dataset as open  # noqa: A004, N813 - as gzip.open
     from sim2reason.datasets.explain import explain
     from sim2reason.datasets.generate import generate
     from sim2reason.datasets.grade import grade
@@ -60,6 +61,7 @@ _HOMES = {
     "item": "datasets.items",
     "list": "registries:members",
     "load": "scene_files",
+    "open": "datasets.dataset:Dataset",
     "parse_scene": "parsing",
     "plot": "figures.scenes",
     "sample": "datasets.items",
@@ -97,6 +99,7 @@ __all__ = [
     "item",
     "list",
     "load",
+    "open",
     "parse_scene",
     "plot",
     "sample",

@@ -224,5 +224,6 @@ def test_verify_and_show_take_what_generate_gave(tmp_path: Path) -> None:
     order = {"items": 6, "recipe": ("incline", "pulley"), "difficulty": "easy", "maker": "fake_makers:steady"}
     made = sim2reason.generate(tmp_path / "data", workers=1, **order)
     assert sim2reason.verify(made.path).faults == ()
+    assert [item.id for item in sim2reason.open(made.path)] == [item.id for item in made]
     assert len(list(sim2reason.show(made, items=6))) == len(made) == sim2reason.stats(made).items
     assert sim2reason.show(made, id="pulley-easy-numeric-0-1").__next__().recipe == "pulley"

@@ -6,8 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
+import polars as pl
 import pyarrow.parquet as pq
 import pytest
+from datasets import load_dataset
 
 from sim2reason.datasets import store
 from sim2reason.datasets.grade import grade
@@ -62,36 +65,33 @@ def by_empty_groups(path: Path) -> Iterable[Any]:
 
 
 def by_pandas(path: Path) -> Iterable[Any]:
-    pandas = pytest.importorskip("pandas")
-    return [row for _, row in pandas.read_parquet(path).iterrows()]
+    return [row for _, row in pd.read_parquet(path).iterrows()]
 
 
 def by_pandas_records(path: Path) -> Iterable[Any]:
-    pandas = pytest.importorskip("pandas")
-    return pandas.read_parquet(path).to_dict("records")
+    return pd.read_parquet(path).to_dict("records")
 
 
 def by_pandas_of_arrow(path: Path) -> Iterable[Any]:
-    pandas = pytest.importorskip("pandas")
-    return [row for _, row in pandas.read_parquet(path, dtype_backend="pyarrow").iterrows()]
+    return [row for _, row in pd.read_parquet(path, dtype_backend="pyarrow").iterrows()]
 
 
 def by_polars(path: Path) -> Iterable[Any]:
-    return pytest.importorskip("polars").read_parquet(path).iter_rows(named=True)
+    return pl.read_parquet(path).iter_rows(named=True)
 
 
 def by_polars_columns(path: Path) -> Iterable[Any]:
-    frame = pytest.importorskip("polars").read_parquet(path)
+    frame = pl.read_parquet(path)
     return [{name: frame[name][row] for name in frame.columns} for row in range(len(frame))]
 
 
 def by_datasets(path: Path) -> Iterable[Any]:
-    loaded = pytest.importorskip("datasets").load_dataset("parquet", data_files=str(path), split="train")
+    loaded = load_dataset("parquet", data_files=str(path), split="train")
     return list(loaded)
 
 
 def by_datasets_of_numpy(path: Path) -> Iterable[Any]:
-    loaded = pytest.importorskip("datasets").load_dataset("parquet", data_files=str(path), split="train")
+    loaded = load_dataset("parquet", data_files=str(path), split="train")
     return list(loaded.with_format("numpy"))
 
 

@@ -63,7 +63,7 @@ A response is graded by its last box, within the tolerance of the answer and in 
 ```python
 import sim2reason
 
-for item in sim2reason.Dataset("OUT"):
+for item in sim2reason.open("OUT"):
     response = "… so the answer is \\\\boxed{{1.0}}."  # what a model says to item.prompt
     print(item.id, sim2reason.grade(item, response).reward)
 ```"""
