@@ -28,6 +28,11 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.assembly import WeldedArm, holds_axle
 from sim2reason.entities.parts.pieces import (
+    FIRST,
+    LIKE_FIRST,
+    OTHER,
+    SAME,
+    UNLIKE_FIRST,
     AnyPiece,
     AxialPiece,
     BallPiece,
@@ -305,3 +310,17 @@ def test_no_piece_that_is_drawn_holds_the_axle() -> None:
         scene = sim2reason.sample("rotation", "hard", seed=3, index=index)
         arms = [named.entity for named in scene.entities if isinstance(named.entity, WeldedArm)]
         assert not any(holds_axle(piece) for arm in arms for piece in arm.pieces)
+
+
+def test_once_a_piece_is_on_the_other_side_the_next_is_told_from_the_first() -> None:
+    """*The other side* would be that of either of two pieces that are opposite each other."""
+
+    def sides(*opposite: bool) -> list[str]:
+        balls = (
+            BallPiece(body=FixedBall(mass=1.0), distance=0.2 + 0.1 * n, side=OTHER if beyond else SAME)
+            for n, beyond in enumerate(opposite)
+        )
+        return [piece.side for piece in RotationEntity(pieces=tuple(balls), angle=40.0).pieces]
+
+    assert sides(False, False, True) == [FIRST, SAME, OTHER]
+    assert sides(False, True, True, False) == [FIRST, OTHER, UNLIKE_FIRST, LIKE_FIRST]

@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, half_atwood, ramp, swing
-from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.ball import Ball, FixedBall
+from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.hanger import Cord
-from sim2reason.bodies.track import Track
+from sim2reason.bodies.spring import Coil
+from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.datasets import item_search
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Request
@@ -20,13 +22,17 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.entities.parts.pieces import OTHER, BallPiece
+from sim2reason.entities.parts.springs import Strained
 from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.rotation_entity import RotationEntity
+from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.errors import SceneError
 from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
 from sim2reason.filters.few_symbols import FewSymbols
 from sim2reason.grading import formula
-from sim2reason.modes.parts.variations import ProblemSymbol, Variations
+from sim2reason.modes.parts.variations import EACH, ProblemSymbol, Variations
 from sim2reason.prose.formula_numbers import said_in
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions import MODES, Query, Question, Study, Target
@@ -39,6 +45,7 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
+from sim2reason.solutions.expressions import Symbol
 
 SYMBOLIC = MODES["symbolic"]
 BLOCK = "ramp.blocks.0"
@@ -284,3 +291,57 @@ def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: s
     assert found is not None
     counted = radians(found) if item.answer.unit == "deg" else found
     assert counted == pytest.approx(held.bindings[0].answer, rel=1e-6)
+
+
+def test_a_small_corner_where_a_sum_turns_its_sign_is_not_missed() -> None:
+    """V = d √(2 g S (1 − cos θ)/I), S = m_A d₁ − m_B d₂, only if A's side sinks: numbers near these hardly turn S."""
+    balls = (
+        BallPiece(body=FixedBall(mass=2.0), distance=0.8),
+        BallPiece(body=FixedBall(mass=0.4), distance=0.3, side=OTHER),
+    )
+    scene = Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=50.0)),))
+    first = "arm.pieces.0.body"
+    for seed in range(5):
+        found = completed(scene, StretchQuery("extremum", None, Stopped(first), "greatest speed", first), "m/s", seed)
+        assert found is not None
+        assert "the centre of mass of all that turns is on the same side of the axle as ball A" in found.text
+        assert paid(
+            found,
+            r"d_1 \sqrt{\frac{2 g (m_A d_1 - m_B d_2)(1 - \cos\theta)}{m_A d_1^2 + m_B d_2^2}}",
+        )
+
+
+def test_numbers_that_turn_a_sum_are_found_by_the_formula_alone() -> None:
+    """A sum of masses never turns its sign; a difference does where the lighter one is the heavier."""
+    scene = atwood()
+    block = next(name for name in scene.mechanism.body if name.endswith("blocks.0"))
+    search = QuestionSearch(scene, 0)
+    query = Query("event", Target("velocity", block), Moved(block, 0.5))
+    masses = [p for p in scene.parameters if p.path.endswith("mass") and p.value]
+    symbols = [ProblemSymbol(name, "kg", p.value, p.path) for name, p in zip("ab", masses, strict=False)]
+    symbols.append(ProblemSymbol("d", "m", 0.5))
+    varied = Variations(search.study, query, symbols)
+    rng, barren = np.random.default_rng(0), list[Study]()
+    assert list(varied.turned(rng, Symbol("a") + Symbol("b"), 1.1, barren)) == []
+    turned = list(varied.turned(rng, Symbol("a") - Symbol("b"), 1.1, barren))
+    assert len(turned) + len(barren) == EACH
+    signs = {each.values["a"] > each.values["b"] for each in turned}
+    assert signs <= {masses[0].value < masses[1].value}
+
+
+def test_a_root_of_a_square_is_what_is_squared() -> None:
+    """A cart from the compression d, rough track: m v²/2 = (k d − µ m g)²/2k; who writes no bars is right, too."""
+    chain = SpringMassChain(
+        track=RoughTrack(friction=0.3),
+        carts=(Cart(mass=2.0),),
+        ends="left",
+        springs=(Coil(stiffness=90.0),),
+        strain=Strained(way="compressed", by=0.2),
+    )
+    scene, cart = Scene(entities=(Named(name="row", entity=chain),)), "row.carts.0"
+    found = completed(scene, StretchQuery("extremum", None, Stopped(cart), "greatest speed", cart), "m/s")
+    assert found is not None
+    assert found.formula is not None
+    assert "|" not in found.formula.latex
+    assert "^{2}" not in found.formula.latex
+    assert paid(found, r"\left(d - \frac{\mu m g}{k}\right) \sqrt{\frac{k}{m}}")

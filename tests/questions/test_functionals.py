@@ -11,15 +11,20 @@ import pytest
 
 import motions
 from plain_scenes import atwood, ramp, squeezed, swing, table
+from sim2reason.bodies.star import HeavyPlanet, Star
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.dsl.builder import Builder
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.fields import Resistance
 from sim2reason.dsl.mechanism import ZERO, X, Z
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.filters import FILTERS, Candidate
 from sim2reason.prose.description import describe
+from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
 from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.functionals.area_swept import AreaSwept
 from sim2reason.questions.functionals.parts.whole import ALL
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
@@ -418,3 +423,17 @@ def test_a_count_is_asked_as_a_whole_number_and_read_back() -> None:
         assert "whole number" in certified.prompt
         assert "significant" not in certified.prompt
         assert parse_prompt(certified.prompt).answer == certified.question.answer
+
+
+@pytest.mark.parametrize(("turns", "worth"), [(True, False), (False, True)])
+def test_areas_are_asked_for_where_the_line_turns_in_one_sense(*, turns: bool, worth: bool) -> None:
+    """A heavy planet that passes close by turns another one back about their star."""
+    far = HeavyPlanet(mass=0.56, x=-1.14, y=1.97 if turns else 9.0, vx=-3.53, vy=-2.96)
+    near = HeavyPlanet(mass=0.44, x=0.57, y=-0.54, vx=5.18, vy=7.13)
+    system = SolarSystem(star=Star(mass=1.5), planets=(near, far))
+    scene = Scene(entities=(Named(name="system", entity=system),))
+    study = Study.of(scene, np.linspace(0.0, 0.36, 50))
+    pair = next(
+        name for name in Pairs().names(study.mechanism) if {"system.star", "system.planets.0"} == {*members(name)}
+    )
+    assert AreaSwept().worth(study, pair, 0.343) is worth

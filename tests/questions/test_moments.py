@@ -1,7 +1,7 @@
 """When things happen, against closed forms."""
 
 from dataclasses import replace
-from math import cos, inf, nan, radians, sin, sqrt
+from math import cos, inf, nan, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
@@ -19,6 +19,7 @@ from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.parts.spring_turn import SpringTurn
 from sim2reason.questions.moments.stopped import Stopped
@@ -27,6 +28,7 @@ from sim2reason.questions.prompt import words_of
 from sim2reason.questions.spoken import said, say, spoken, two_digits
 from sim2reason.questions.targets import targets
 from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.trace import ENGINES
 
 BLOCK = "ramp.blocks.0"
 PUCKS = "table.pucks.0 & table.pucks.1"
@@ -206,3 +208,13 @@ def test_a_spring_is_not_asked_about_where_it_is_stretched_or_compressed_the_mos
         assert query.target is not None
         assert isinstance(query.moment, SpringTurn)
         assert query.target.subject != query.moment.name
+
+
+def test_who_finds_an_unknown_may_count_from_a_start_that_is_the_greatest_already() -> None:
+    """As in: a spring let go when stretched first reaches its maximum extension after a period, 2π √(m/k)."""
+    scene = row((2.0,), (80.0,), "left", strain=0.1)
+    spring = scene.mechanism.lines[0].name
+    trace = ENGINES["exact"](scene.mechanism, np.linspace(0.0, 3.0, 61))
+    moment = MostStretched(spring)
+    assert moment.time(trace) is None
+    assert moment.first().time(trace) == pytest.approx(2.0 * pi * sqrt(2.0 / 80.0), rel=1e-9)

@@ -1,37 +1,32 @@
 """The symbolic mode: every number of the text is a symbol, and a formula is asked for."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import chain, combinations
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
+from sim2reason.modes.parts.variations import ProblemSymbol, Variations
+from sim2reason.modes.parts.varied_scenes import VariedScenes
 from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.prose.symbol_names import with_names
 from sim2reason.prose.voices import symbolic_but_zero
-from sim2reason.questions import KINDS, MODES, Formula, Query, Question, QuestionMode, Reading, Study, Words, mode
+from sim2reason.questions import KINDS, MODES, Query, Question, QuestionMode, Reading, Study, Words, mode
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
-from sim2reason.questions.regimes import FEW, Regime, possible, regimes
+from sim2reason.questions.regimes import Regime, possible
 from sim2reason.questions.spoken import OwnSymbol, symbol_for
 from sim2reason.questions.targets import targets
 from sim2reason.solutions import STRATEGIES, Setting
-from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, put_together, shortened
+from sim2reason.solutions.closed_forms import ClosedFormError, put_together
 from sim2reason.solutions.derivation import derivation
 from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.strategies import Strategy
 
-POINTS = 8  # beside the scene's own
-NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
-WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
-TRIES, WIDELY, ACROSS = 16, 24, 4
 DRAWS = 3  # of questions of one kind
 BARREN = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
-SAME = 1e-6  # relative: how well the formula agrees with the engine
 ASSUME, JOINT = "Assume that ", " and that "
 
 
@@ -79,19 +74,13 @@ class Symbolic(QuestionMode):
         symbols = _symbols(study, spoken)
         if not {held.symbol for held in symbols}.issuperset(whole.symbols()):
             return None  # it goes by where the motion starts, which the text does not tell
-        varied = _Varied(Variations(study, query, symbols), factor(question.unit))
+        varied = VariedScenes(Variations(study, query, symbols), factor(question.unit))
         if not varied.of_scene(whole):
             return None
-        try:
-            found = shortened(whole)
-        except ClosedFormError:
+        held = varied.told(whole, rng, spoken, signed=bool(question.sign))
+        if held is None:
             return None
-        assumed = varied.assumed(found, rng, spoken) if varied.near(found, rng) else None
-        if assumed is None and varied.beyond and not question.sign:
-            found = found.of_sizes(varied.beyond)
-            assumed = varied.assumed(found, rng, spoken)
-        if assumed is None or len(found.latex) > LONGEST:
-            return None
+        found, assumed = held
         noun = targets(words)[query.target] if query.target is not None else None
         asked = sentence(chosen(KINDS[query.kind].shapes(query, spoken, noun), rng))
         text = f"{asked} {_assuming(assumed, spoken)}" if assumed else asked
@@ -156,117 +145,6 @@ def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
         return put_together(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
     except ClosedFormError:
         return None
-
-
-class _Varied:
-    """The scenes in which a formula must hold; each is simulated when it is first needed."""
-
-    def __init__(self, variations: Variations, factor: float) -> None:
-        """`factor` makes the engine's answers those of formulas: radians of degrees."""
-        self._variations, self._factor = variations, factor
-        self._near: list[Variation] = []
-        self._wide: list[Variation] = []
-        self._more: Iterator[Variation] | None = None
-        self._barren: list[Study] = []  # motions far from the scene's own in which there is no answer
-
-    def of_scene(self, whole: Expression) -> bool:
-        """Whether a formula holds with the scene's own numbers, which are those that cost least."""
-        own = self._variations.own()
-        self._near = [own] if own is not None and self._agrees(whole, own) else []
-        return bool(self._near)
-
-    def near(self, formula: ClosedForm, rng: np.random.Generator) -> bool:
-        """Whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
-        own = self._near[0]
-        for width in NEAR:
-            found = [own]
-            for other in self._variations.drawn(rng, width, TRIES):
-                if other.story == own.story and self._agrees(formula.expression, other):
-                    found.append(other)
-                if len(found) > POINTS:
-                    self._near = found
-                    return True
-        return False
-
-    def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
-        """As a question has it."""
-        own = [held.symbol for held in symbols if not held.of_world]
-        return Formula(
-            found.latex,
-            tuple(held.symbol for held in symbols),
-            tuple(held.unit for held in symbols),
-            tuple(tuple(each.values[held.symbol] for held in symbols) for each in self._near),
-            tuple(each.answer * self._factor for each in self._near),
-            tuple(symbol for symbol in own if symbol in found.symbols),
-            tuple(symbol for symbol in own if symbol not in found.symbols),
-        )
-
-    def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
-        """The fewest regimes that leave no scene in which the formula does not hold; None if no few do.
-
-        And those that are told always, first of all. Where some few do, they also leave none that begins in another way
-        or loses one, and then has no answer: a text that does not exclude that seems to ask for it, too.
-        """
-        kept = self._shared(words)
-        told = {held for held in kept if held.always_told(self._near[0].study)}
-        excluding: list[set[Regime]] = []
-        for other in self._widely(rng):
-            if self._agrees(formula.expression, other):
-                continue
-            excluding.append({held for held in kept if not held.holds(other.study, other.until)})
-            if not excluding[-1]:
-                return None
-        begun = [*excluding, *self._begun_otherwise(kept)]
-        fitting = [some for some in _some(kept) if told.issubset(some)]
-        for left in (begun, excluding):
-            if not left and not told:
-                return ()
-            chosen = next((some for some in fitting if all(not held.isdisjoint(some) for held in left)), None)
-            if chosen is not None:
-                return chosen
-        return None
-
-    @property
-    def beyond(self) -> list[Mapping[str, float]]:
-        """Numbers far from the scene's own for which something may be as it is not there."""
-        return [other.values for other in self._wide]
-
-    def _widely(self, rng: np.random.Generator) -> Iterator[Variation]:
-        """With numbers far from the scene's own."""
-        yield from self._wide
-        self._more = self._more or chain(
-            self._variations.across(rng, NEAR[-1], ACROSS),
-            self._variations.drawn(rng, WIDE, WIDELY, self._barren),
-        )
-        for other in self._more:
-            self._wide.append(other)
-            yield other
-
-    def _shared(self, words: Words) -> list[Regime]:
-        """The regimes of all scenes that are near."""
-        own, *others = self._near
-        found = regimes(own.study, words, own.until)
-        return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
-
-    def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
-        """For each scene without an answer, the regimes that it is not in from the very start on, or loses, if any."""
-        own = self._near[0].study
-        first = [held for held in kept if held.holds(own, 0.0)]
-        found = ({h for h in first if not h.holds(other, 0.0) or h.is_lost(other)} for other in self._barren)
-        yield from filter(None, found)
-
-    def _agrees(self, formula: Expression, other: Variation) -> bool:
-        try:
-            found = formula.value(other.values)
-        except (ValueError, ZeroDivisionError, OverflowError):
-            return False
-        return abs(found - other.answer * self._factor) <= SAME * abs(other.answer * self._factor)
-
-
-def _some(found: Sequence[Regime]) -> Iterator[tuple[Regime, ...]]:
-    """One of them, or a few."""
-    for count in range(1, FEW + 1):
-        yield from combinations(found, count)
 
 
 def _assuming(assumed: Sequence[Regime], words: Words) -> str:

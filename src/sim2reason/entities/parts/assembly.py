@@ -29,7 +29,7 @@ from sim2reason.bodies.arm import Arm
 from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.solids import Axes, composed
 from sim2reason.dsl.template import Saying
-from sim2reason.entities.parts.pieces import FIRST, OTHER, SAME, AnyPiece, WeldedPiece
+from sim2reason.entities.parts.pieces import AnyPiece, WeldedPiece
 
 Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
 TurnRate = Annotated[AngularVelocity, Range(0.5, 4.0)]
@@ -73,10 +73,7 @@ class WeldedArm(Entity):
     @classmethod
     def _sided(cls, pieces: tuple[AnyPiece, ...]) -> tuple[AnyPiece, ...]:
         """On which side those after the first one are is always said."""
-        sides = [
-            piece.side if piece.side == OTHER else SAME if number else FIRST for number, piece in enumerate(pieces)
-        ]
-        return tuple(piece.model_copy(update={"side": side}) for piece, side in zip(pieces, sides, strict=True))
+        return tuple(piece.told_after(pieces[:number]) for number, piece in enumerate(pieces))
 
     @model_validator(mode="after")
     def _swings(self) -> Self:

@@ -3,6 +3,7 @@
 In an arm's own axes x points along the arm, away from the axle, y along the axle, and z at right angles to both.
 """
 
+from collections.abc import Sequence
 from math import cos, radians, sin
 from typing import Annotated, Literal, Self
 
@@ -26,10 +27,18 @@ from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.solids import Axes, axes_along, seen
 
 Distance = Annotated[float, LEAST, Le(1e3), Measure("distance", "m", "d"), Range(0.15, 1.2)]
-Side = Literal["from the axle", "from the axle, on the same side", "from the axle, on the other side"]
+Side = Literal[
+    "from the axle",
+    "from the axle, on the same side",
+    "from the axle, on the other side",
+    "from the axle, on the side of the first body",
+    "from the axle, on the side opposite to the first body",
+]
 FIRST: Side = "from the axle"
 SAME: Side = "from the axle, on the same side"
 OTHER: Side = "from the axle, on the other side"
+LIKE_FIRST: Side = "from the axle, on the side of the first body"
+UNLIKE_FIRST: Side = "from the axle, on the side opposite to the first body"
 Tilt = Annotated[float, Gt(0), Lt(90), Measure("tilt", "deg", r"\beta", decimals=0), Range(15.0, 75.0)]
 Edge = Literal["length", "width", "thickness"]
 Axial = UniformRod | Cylinder | Disc | Hoop | PolygonalPrism
@@ -56,7 +65,16 @@ class WeldedPiece(Part):
     @property
     def place(self) -> float:
         """Where it is along the arm, m; negative on the other side of the axle."""
-        return -self.distance if self.side == OTHER else self.distance
+        return -self.distance if self.side in (OTHER, UNLIKE_FIRST) else self.distance
+
+    def told_after(self, earlier: Sequence["WeldedPiece"]) -> Self:
+        """With its side in the words that say it: once a piece is on the other side, *same* and *other* do not."""
+        opposite = self.place < 0.0
+        if any(piece.place < 0.0 for piece in earlier):
+            side = UNLIKE_FIRST if opposite else LIKE_FIRST
+        else:
+            side = OTHER if opposite else SAME if earlier else FIRST
+        return self.model_copy(update={"side": side})
 
     @property
     def span(self) -> tuple[float, float]:

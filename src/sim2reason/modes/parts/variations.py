@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import isfinite
+from math import copysign, isfinite
 
 import numpy as np
 
@@ -12,9 +12,11 @@ from sim2reason.questions import KINDS, Query, Study
 from sim2reason.questions.study import BEYOND, SHORTEST
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES
+from sim2reason.solutions.expressions import Expression, Sum
 
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
 LATEST = 4.0  # times that, before nothing is said to come at all
+LOOKED, EACH = 240, 2  # numbers for which the signs of a formula's sums are looked at; how often each is turned
 SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, since each turn has its price
 STEEPEST = 89.0  # degrees
 EQUAL = 1e-9  # relative
@@ -103,6 +105,26 @@ class Variations:
             if found is not None:
                 yield found
 
+    def turned(
+        self, rng: np.random.Generator, formula: Expression, width: float, barren: list[Study]
+    ) -> Iterator[Variation]:
+        """With numbers for which a sum in a formula has another sign than in the scene, or none.
+
+        There a formula is likely not to hold, and numbers drawn at random may all miss a small such corner.
+        """
+        here, sums = [held.value for held in self.symbols], [*dict.fromkeys((formula, *_sums(formula)))]
+        signs, left = [_sign(each, self._counted(here)) for each in sums], [EACH] * len(sums)
+        for values in self._around(here, rng, width, LOOKED):
+            if not any(left):
+                return
+            at = self._counted(values)
+            other = [n for n, each in enumerate(sums) if left[n] and _sign(each, at) != signs[n]]
+            if other:
+                left = [count - (n in other) for n, count in enumerate(left)]
+                found = self._at(values, barren)
+                if found is not None:
+                    yield found
+
     def _around(
         self, middle: Sequence[float], rng: np.random.Generator, width: float, tries: int
     ) -> Iterator[list[float]]:
@@ -170,3 +192,19 @@ def _answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:
     if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:
         return None
     return study, query, answer
+
+
+def _sums(held: Expression) -> Iterator[Sum]:
+    """All sums in a formula."""
+    if isinstance(held, Sum):
+        yield held
+    for part in held.parts:
+        yield from _sums(part)
+
+
+def _sign(held: Expression, at: Mapping[str, float]) -> float | None:
+    """1 or -1; None where a formula has no value."""
+    try:
+        return copysign(1.0, held.value(at).real)
+    except (ValueError, ArithmeticError):
+        return None

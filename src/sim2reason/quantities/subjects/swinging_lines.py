@@ -95,7 +95,7 @@ def body_pointer(mechanism: Mechanism, body: RigidBody) -> Pointer | None:
     if len(body.coordinates) != 1 or body.coordinates[0].kind != "hinge":
         return None
     axis = body.coordinates[0].axis
-    center = body.center if body.mass > 0.0 else _load_center(mechanism, body)
+    center = body.center if body.mass > 0.0 else load_center(mechanism, body)
     arm = add(center, scale(-inner(center, axis), axis))  # square to the axle
     tilts = hypot(axis[0], axis[1]) > EVEN
     return Pointer((body.name, ZERO), (body.name, arm)) if tilts and hypot(*arm) > EVEN else None
@@ -118,7 +118,7 @@ def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
     return "the axle" if any(body.inertia) or not body.mass else "the hinge"
 
 
-def _load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
+def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
     """The centre of mass of what is fixed to a light rod, or else of where things hang from it, in its frame."""
     fixed = [b for b in carried_by(mechanism, rod.name) if b.parent == rod.name]
     heavy = [(b.mass, add(b.at, b.center)) for b in fixed if b.mass > 0.0 and not b.coordinates]

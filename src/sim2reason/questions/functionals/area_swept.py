@@ -13,6 +13,7 @@ from sim2reason.questions.functionals.parts.integral import Integral
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.questions.moments.parts.apsis import Apsis
+from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 
@@ -29,10 +30,13 @@ class AreaSwept(Integral):
 
     def rate(self, state: State, name: str) -> Array:
         """½|r × v|, (n,)."""
-        a, b = members(name)
-        apart = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
-        parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
-        return 0.5 * np.linalg.norm(np.cross(apart, parting), axis=1)
+        return np.linalg.norm(_areal_velocity(state, name), axis=1)
+
+    def worth(self, study: Study, name: str, end: float) -> bool:
+        """Only where the line turns in one sense: of one that turns back nobody says whether areas cancel."""
+        scan = study.trace.scan
+        swept = _areal_velocity(scan, name)[scan.times <= end]
+        return super().worth(study, name, end) and bool((swept @ swept.mean(axis=0) >= 0.0).all())
 
     def present(self, words: Words, name: str) -> bool:
         """One that is fixed, and one that it attracts."""
@@ -48,3 +52,11 @@ class AreaSwept(Integral):
         del mechanism
         velocities = (Channel(body, Velocity.name) for body in members(name))
         return (Channel(name, DistanceBetween.name), *velocities)
+
+
+def _areal_velocity(state: State, name: str) -> Array:
+    """½ r × v, (n, 3)."""
+    a, b = members(name)
+    apart = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
+    parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
+    return 0.5 * np.cross(apart, parting)

@@ -9,8 +9,8 @@ from sim2reason.solutions.closed_forms.gathering import gathered
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.digits import simple_fraction
-from sim2reason.solutions.expressions import Expression, Number, Symbol
-from sim2reason.solutions.functions import Absolute, Pi, Root, plain
+from sim2reason.solutions.expressions import ONE, Expression, Number, Product, Quotient, Symbol, multiplied, ratio
+from sim2reason.solutions.functions import Absolute, Pi, Power, Root, plain
 from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.worked import Worked
 
@@ -34,6 +34,11 @@ class ClosedForm:
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
         """Its absolute value, and under each root that what stands there, if it is negative at one of the points."""
         found = tidied(_of_size(_rooted_in_sizes(self.expression, points), points))
+        return ClosedForm(found, found.latex(), self.symbols)
+
+    def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
+        """What is squared under a root stands before it, between bars, or with the sign that it has at a point."""
+        found = tidied(_out_of_roots(self.expression, at))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def value(self, at: Mapping[str, float]) -> float:
@@ -115,6 +120,39 @@ def _negative(held: Expression, at: Mapping[str, float]) -> bool:
         return held.value(at).real < 0.0
     except (ValueError, ArithmeticError):
         return False
+
+
+def _out_of_roots(held: Expression, at: Mapping[str, float] | None) -> Expression:
+    if not held.parts:
+        return held
+    found = held.built_of([_out_of_roots(part, at) for part in held.parts])
+    if not isinstance(found, Root):
+        return found
+    inside = found.inside
+    above, below = (inside.above, inside.below) if isinstance(inside, Quotient) else (inside, ONE)
+    (outer, inner), (under, left) = _squares_apart(above), _squares_apart(below)
+    if outer == under == ONE:
+        return found
+    size = ratio(outer, under)
+    if at is None:
+        size = Absolute(size)
+    elif _negative(size, at):
+        size = -size
+    if inner == ONE:
+        return size if left == ONE else ratio(size, Root(left))
+    return multiplied(size, Root(ratio(inner, left)))
+
+
+def _squares_apart(product: Expression) -> tuple[Expression, Expression]:
+    """The product of all that is squared in a product, and what is left of it."""
+    squared, left = ONE, ONE
+    for factor in product.factors if isinstance(product, Product) else (product,):
+        if isinstance(factor, Power) and factor.exponent % 2 == 0:
+            half = factor.exponent // 2
+            squared = multiplied(squared, factor.base if half == 1 else Power(factor.base, half))
+        else:
+            left = multiplied(left, factor)
+    return squared, left
 
 
 class Substitution:

@@ -29,7 +29,7 @@ class Peak(Passage):
     exceeded: bool = False  # whether it may be, later
 
     def first(self) -> Self:
-        """The first time that it turns back, even if it gets beyond that later."""
+        """The first time that it turns back, even if it gets beyond that later, and if the motion begins so."""
         return replace(self, exceeded=True)
 
     @abstractmethod
@@ -38,7 +38,7 @@ class Peak(Passage):
 
     def time(self, trace: Trace) -> float | None:
         """When it first turns back, if it never gets beyond."""
-        if begins_beyond(trace, self.excess):
+        if begins_beyond(trace, self.excess) and not self.exceeded:
             return None
         reached = ((time, float(self.extent(at(trace, time))[0])) for time in crossings(trace, self.excess))
         first = next(((time, value) for time, value in reached if value > self.above), None)

@@ -1,0 +1,163 @@
+"""Where a formula must hold: scenes with other numbers, and what a text must assume to leave out the rest."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain, combinations
+
+import numpy as np
+
+from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
+from sim2reason.questions import Formula, Study, Words
+from sim2reason.questions.regimes import FEW, Regime, regimes
+from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, shortened
+from sim2reason.solutions.expressions import Expression
+
+POINTS = 8  # beside the scene's own
+NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
+WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
+TRIES, WIDELY, ACROSS = 16, 24, 4
+SAME = 1e-6  # relative: how well the formula agrees with the engine
+
+
+class VariedScenes:
+    """Scenes with other numbers, each simulated when it is first needed."""
+
+    def __init__(self, variations: Variations, factor: float) -> None:
+        """`factor` makes the engine's answers those of formulas: radians of degrees."""
+        self._variations, self._factor = variations, factor
+        self._near: list[Variation] = []
+        self._wide: list[Variation] = []
+        self._more: Iterator[Variation] | None = None
+        self._barren: list[Study] = []  # motions far from the scene's own in which there is no answer
+
+    def of_scene(self, whole: Expression) -> bool:
+        """Whether a formula holds with the scene's own numbers, which are those that cost least."""
+        own = self._variations.own()
+        self._near = [own] if own is not None and self._agrees(whole, own) else []
+        return bool(self._near)
+
+    def told(
+        self, whole: Expression, rng: np.random.Generator, words: Words, *, signed: bool
+    ) -> tuple[ClosedForm, tuple[Regime, ...]] | None:
+        """The formula as a text asks for it, and what that must assume; None if none agrees with the engine.
+
+        Where no sign is asked for, sizes stand between bars if no few regimes fix their signs.
+        """
+        try:
+            found = shortened(whole)
+        except ClosedFormError:
+            return None
+        if not self.near(found, rng):
+            return None
+        assumed = self.assumed(found, rng, words)
+        if assumed is None and self.beyond and not signed:
+            found = found.of_sizes(self.beyond)
+            assumed = self.assumed(found, rng, words)
+        if assumed is None:
+            return None
+        found = self._plainer(found, assumed, rng, words)
+        return (found, assumed) if len(found.latex) <= LONGEST else None
+
+    def near(self, formula: ClosedForm, rng: np.random.Generator) -> bool:
+        """Whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
+        own = self._near[0]
+        for width in NEAR:
+            found = [own]
+            for other in self._variations.drawn(rng, width, TRIES):
+                if other.story == own.story and self._agrees(formula.expression, other):
+                    found.append(other)
+                if len(found) > POINTS:
+                    self._near = found
+                    return True
+        return False
+
+    def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
+        """As a question has it."""
+        own = [held.symbol for held in symbols if not held.of_world]
+        return Formula(
+            found.latex,
+            tuple(held.symbol for held in symbols),
+            tuple(held.unit for held in symbols),
+            tuple(tuple(each.values[held.symbol] for held in symbols) for each in self._near),
+            tuple(each.answer * self._factor for each in self._near),
+            tuple(symbol for symbol in own if symbol in found.symbols),
+            tuple(symbol for symbol in own if symbol not in found.symbols),
+        )
+
+    def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
+        """The fewest regimes that leave no scene in which the formula does not hold; None if no few do.
+
+        And those that are told always, first of all. Where some few do, they also leave none that begins in another way
+        or loses one, and then has no answer: a text that does not exclude that seems to ask for it, too.
+        """
+        kept = self._shared(words)
+        told = {held for held in kept if held.always_told(self._near[0].study)}
+        excluding: list[set[Regime]] = []
+        for other in self._widely(formula.expression, rng):
+            if self._agrees(formula.expression, other):
+                continue
+            excluding.append({held for held in kept if not held.holds(other.study, other.until)})
+            if not excluding[-1]:
+                return None
+        begun = [*excluding, *self._begun_otherwise(kept)]
+        fitting = [some for some in _some(kept) if told.issubset(some)]
+        for left in (begun, excluding):
+            if not left and not told:
+                return ()
+            chosen = next((some for some in fitting if all(not held.isdisjoint(some) for held in left)), None)
+            if chosen is not None:
+                return chosen
+        return None
+
+    def _plainer(
+        self, formula: ClosedForm, assumed: tuple[Regime, ...], rng: np.random.Generator, words: Words
+    ) -> ClosedForm:
+        """Without roots of squares: with what is squared as it is where that needs no more regimes, or its size."""
+        sized = formula.without_roots_of_squares()
+        if sized == formula:
+            return formula
+        signed = formula.without_roots_of_squares(self._near[0].values)
+        fits = all(self._agrees(signed.expression, other) for other in self._near)
+        return signed if fits and self.assumed(signed, rng, words) == assumed else sized
+
+    @property
+    def beyond(self) -> list[Mapping[str, float]]:
+        """Numbers far from the scene's own for which something may be as it is not there."""
+        return [other.values for other in self._wide]
+
+    def _widely(self, formula: Expression, rng: np.random.Generator) -> Iterator[Variation]:
+        """With numbers far from the scene's own."""
+        yield from self._wide
+        self._more = self._more or chain(
+            self._variations.across(rng, NEAR[-1], ACROSS),
+            self._variations.turned(rng, formula, WIDE, self._barren),
+            self._variations.drawn(rng, WIDE, WIDELY, self._barren),
+        )
+        for other in self._more:
+            self._wide.append(other)
+            yield other
+
+    def _shared(self, words: Words) -> list[Regime]:
+        """The regimes of all scenes that are near."""
+        own, *others = self._near
+        found = regimes(own.study, words, own.until)
+        return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
+
+    def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
+        """For each scene without an answer, the regimes that it is not in from the very start on, or loses, if any."""
+        own = self._near[0].study
+        first = [held for held in kept if held.holds(own, 0.0)]
+        found = ({h for h in first if not h.holds(other, 0.0) or h.is_lost(other)} for other in self._barren)
+        yield from filter(None, found)
+
+    def _agrees(self, formula: Expression, other: Variation) -> bool:
+        try:
+            found = formula.value(other.values)
+        except (ValueError, ZeroDivisionError, OverflowError):
+            return False
+        return abs(found - other.answer * self._factor) <= SAME * abs(other.answer * self._factor)
+
+
+def _some(found: Sequence[Regime]) -> Iterator[tuple[Regime, ...]]:
+    """One of them, or a few."""
+    for count in range(1, FEW + 1):
+        yield from combinations(found, count)

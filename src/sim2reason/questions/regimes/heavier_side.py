@@ -1,0 +1,53 @@
+"""On which side of its axle an arm is heavier that carries something on both."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.vectors import inner
+from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import carried_by
+from sim2reason.quantities.subjects.swinging_lines import is_light_rod, load_center
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+
+
+@REGIMES.register("heavier_side")
+@dataclass(frozen=True, slots=True)
+class OnHeavierSide(Regime):
+    """The first body on a light arm is on the side on which the centre of mass of all of them is."""
+
+    of = Bodies()
+
+    @classmethod
+    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+        """Of arms that carry something on both sides of the axle."""
+        mechanism, named = study.mechanism, words.called(cls.of)
+        rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
+        fixed = [_fixed(mechanism, rod) for rod in rods]
+        firsts = [each[0] for each in fixed if any(_beyond(mechanism, each[0], other) for other in each[1:])]
+        return [cls(name) for name in firsts if name in named]
+
+    def holds(self, study: Study, until: float) -> bool:
+        """Whether it is so in another motion."""
+        del until
+        body = study.mechanism.body[self.name]
+        return inner(load_center(study.mechanism, study.mechanism.body[body.parent or ""]), body.at) > 0.0
+
+    def clause(self, words: Words) -> str:
+        """As in: the centre of mass of all that turns is on the same side of the axle as disc A."""
+        called = words.called(self.of)[self.name]
+        return f"the centre of mass of all that turns is on the same side of the axle as {called}"
+
+
+def _fixed(mechanism: Mechanism, rod: str) -> list[str]:
+    """What is welded to an arm and has a mass."""
+    carried = carried_by(mechanism, rod)
+    return [body.name for body in carried if body.parent == rod and body.mass > 0.0 and not body.coordinates]
+
+
+def _beyond(mechanism: Mechanism, one: str, other: str) -> bool:
+    """Whether two bodies are on different sides of the axle."""
+    return inner(mechanism.body[one].at, mechanism.body[other].at) < 0.0
