@@ -18,7 +18,7 @@ class Ball(Body):
 
     nouns = ("ball", "bead")
     lone = ("a small {noun} of mass {mass}", "a small {noun} ({mass})")
-    named = ("small {noun} {letter} of mass {mass}", "small {noun} {letter} ({mass})")
+    named = ("a small {noun} {letter} of mass {mass}", "a small {noun} {letter} ({mass})")
     listed = "{letter} ({mass})"
 
     @property

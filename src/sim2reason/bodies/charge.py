@@ -37,8 +37,8 @@ class ChargedBead(Body):
         "a small {noun} ({mass}) that carries {charged}",
     )
     named = (
-        "small {noun} {letter} of mass {mass} with {charged}",
-        "small {noun} {letter} ({mass}), which carries {charged},",
+        "a small {noun} {letter} of mass {mass} with {charged}",
+        "a small {noun} {letter} ({mass}), which carries {charged},",
     )
 
     @property

@@ -25,7 +25,7 @@ class Rocket(Body):
     nouns = ("rocket", "probe")
     lone = (
         "a {noun} of mass {mass} ({dry} without its fuel)",
-        "a {noun} whose mass is {mass} with its fuel and {dry} without",
+        "a {noun}, whose mass is {mass} with its fuel and {dry} without,",
     )
     named = (
         "{noun} {letter} of mass {mass} ({dry} without its fuel)",

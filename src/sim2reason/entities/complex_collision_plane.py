@@ -67,8 +67,8 @@ class ComplexCollisionPlane(Entity):
         ),
         "they": Word(
             "restitution",
-            {1.0: "rebounds elastically", 0.0: "sticks together"},
-            "rebounds with the coefficient of restitution {restitution}",
+            {1.0: "conserve kinetic energy", 0.0: "are perfectly inelastic"},
+            "have the coefficient of restitution {restitution}",
         ),
         "there": Word(
             "restitution",
@@ -100,7 +100,7 @@ class ComplexCollisionPlane(Entity):
         PAIRS,
         assuming(
             "{hits}.",
-            "whatever {pairs?/else }collides {they}.",
+            "all {pairs?/other }collisions {they}.",
             "in every {pairs?/other }collision {there}.",
         ),
     )

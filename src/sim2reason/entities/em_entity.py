@@ -34,7 +34,7 @@ class EmEntity(Entity):
     says = (
         either(
             "outside {region} there is no field.",
-            "fields exist only in {region}.",
+            "there is a field only in {region}.",
             "there is no field except inside {region}.",
         ),
         either(

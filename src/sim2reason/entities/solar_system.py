@@ -55,7 +55,7 @@ class SolarSystem(Entity):
         ),
         assuming(
             "{planets:{planets.first} is attracted by the star alone/the {planets:s} are attracted by the star and {planets.first.among} one another}.",
-            "the star attracts {planets:{planets.first}, and nothing else does/the {planets:s}, which {planets.first.among} one another}.",
+            "{planets:the only force on {planets.first} is the attraction of the star/the star attracts the {planets:s}, which {planets.first.among} one another}.",
             "{planets:no force but the attraction of the star acts on {planets.first}/the star attracts each of the {planets:s}, and they {planets.first.among} one another}.",
         ),
     )

@@ -26,15 +26,22 @@ _ELEMENTARY: Final = """
     sin cos tan cot sec csc arcsin arccos arctan arccot arcsec arccsc asin acos atan
     sinh cosh tanh coth arsinh arcosh artanh arcsinh arccosh arctanh asinh acosh atanh exp ln log abs
 """
-_LETTERS: Final = "αβγδεζηθικλμνξορστυφχψωΓΔΘΛΞΠΣΦΨΩϕϵϑµ"
+_LETTERS: Final = "αβγδεζηθικλμνξορστυφχψωΓΔΘΛΞΠΣΦΨΩϕϵϑµℓ"
 _LETTER_NAMES: Final = """
     alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron rho sigma tau upsilon phi chi psi
-    omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi epsilon theta mu
+    omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi epsilon theta mu ell
 """
 FUNCTIONS: Final = frozenset(_ELEMENTARY.split())
 GREEK: Final = dict(zip(_LETTERS, _LETTER_NAMES.split(), strict=True))
 GREEK_NAMES: Final = frozenset(GREEK.values()) | {"ell", "hbar"}
-VARIANTS: Final = {"varphi": "phi", "varepsilon": "epsilon", "vartheta": "theta", "varrho": "rho", "varsigma": "sigma"}
+VARIANTS: Final = {
+    "varphi": "phi",
+    "varepsilon": "epsilon",
+    "vartheta": "theta",
+    "varrho": "rho",
+    "varsigma": "sigma",
+    "Abs": "abs",
+}
 SCRIPTS: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "01234567890123456789+-")
 VULGAR: Final = {
     sign: str(int(above) / int(below)) for sign, above, below in zip("½⅓⅔¼¾⅕⅛", "1121311", "2334458", strict=True)

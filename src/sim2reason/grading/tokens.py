@@ -81,6 +81,8 @@ class _Lexer:
         self.tokens: list[Token] = []
         self.upright: list[bool] = []
         self.apart = 0
+        firsts = {name.partition("_")[0] for name in self.symbols or ()}
+        self.l_is_ell = "ell" in firsts and "l" not in firsts  # then an l can mean nothing else
 
     def add(self, kind: str, text: str, begin: int, finish: int) -> None:
         upright = bool(self.upright) and self.upright[-1]
@@ -172,6 +174,8 @@ class _Lexer:
         base = VARIANTS.get(run, GREEK.get(run, run))
         end = finish
         pieces, finish = self.subscripted(base, finish)
+        if pieces is None and self.l_is_ell and "l" in base:
+            pieces, finish = self.subscripted(base.replace("l", "ell"), end)
         if upright:
             pieces = pieces if base in FUNCTIONS or (base == "e" and pieces) else None
         if pieces is None:
@@ -209,7 +213,7 @@ class _Lexer:
         """`run` with a subscript on the whole of it, or on its last letter."""
         if run in FUNCTIONS:
             return (("function", f"{run}_{label}"),) if run == "log" else None
-        for cut in (0, len(run) - 1):
+        for cut in (0, len(run) - 1, len(run) - 3 if run.endswith("ell") else 0):
             name = f"{run[cut:]}_{label}"
             whole = cut == len(run) - 1 or run in GREEK_NAMES
             head = self.split(run[:cut])

@@ -47,7 +47,8 @@ class CollideInTurn(Regime):
         if not said:
             return "there is no earlier collision"
         if len(said) == 1:
-            return f"the only earlier collision is {said[0]}"
+            lone = words.called(Pairs()).get(AND.join(self.order[0])) if len(_meetings(words.mechanism)) == 1 else None
+            return f"{lone} have collided by then" if lone else f"the only earlier collision is {said[0]}"
         return f"the only earlier collisions are first {', then '.join(said)}"
 
 

@@ -1,0 +1,24 @@
+"""How symbols are spelled in formulas."""
+
+import pytest
+
+from sim2reason.grading import formula
+
+REFERENCE = r"m g \ell \sin\theta + k \ell_0^2"
+POINT = {"m": 1.2, "g": 9.8, r"\theta": 0.4, r"\ell": 1.3, r"\ell_0": 0.7, "k": 3.0}
+WITH_L = (r"mgl\sin\theta+kl_0^2", "m*g*l*sin(theta)+k*l0**2", r"mg l \sin\theta+k l_{0} l_0")
+
+
+@pytest.mark.parametrize("answer", [*WITH_L, "m g ℓ sin(θ) + k ℓ₀²", "Abs(m*g*ell*sin(theta)) + k*ell_0**2"])
+def test_an_l_is_an_ell_where_it_can_mean_nothing_else(answer: str) -> None:
+    assert formula(rf"\boxed{{{answer}}}", REFERENCE, [POINT]).reward == 1.0
+
+
+@pytest.mark.parametrize("answer", [r"mgL\sin\theta+kL_0^2", r"mgl\sin\theta+kl_1^2"])
+def test_no_other_name_is(answer: str) -> None:
+    assert formula(rf"\boxed{{{answer}}}", REFERENCE, [POINT]).reward == 0.0
+
+
+@pytest.mark.parametrize("answer", WITH_L)
+def test_an_l_of_the_problem_is_itself(answer: str) -> None:
+    assert formula(rf"\boxed{{{answer}}}", REFERENCE, [{**POINT, "l": 2.0}]).reward == 0.0
