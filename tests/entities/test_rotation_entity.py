@@ -23,6 +23,7 @@ from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.connections.pivot import Pivot
 from sim2reason.connections.weld import Weld
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.connection import Link
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
@@ -307,7 +308,7 @@ def test_how_a_hemisphere_is_turned_is_told(faces: str) -> None:
 def test_no_piece_that_is_drawn_holds_the_axle() -> None:
     """Though one may: a number that the text leaves open may be such that it does."""
     for index in range(100):
-        scene = sim2reason.sample("rotation", "hard", seed=3, index=index)
+        scene = sample("rotation", "hard", seed=3, index=index)
         arms = [named.entity for named in scene.entities if isinstance(named.entity, WeldedArm)]
         assert not any(holds_axle(piece) for arm in arms for piece in arm.pieces)
 
