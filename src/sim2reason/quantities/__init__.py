@@ -27,6 +27,7 @@ class Quantity(ABC):
         signed: that with a sign; of a vector it is a component, named by ``{component}``.
         how: a question of its own, with ``{when}``: *how fast is … 2 s after release?* It asks for the size, or for
             what has a sign where there is no phrase for the size.
+        over: the noun phrase of its size over a stretch, where that reads better than *since the start* at a moment.
         indirect: the same as a clause: *how fast … is moving*.
         sense: what is positive, where that is not a matter of the subject's directions, as in an increase.
         center: whether it belongs to one point of its subject, the centre of mass of what has a size.
@@ -55,6 +56,7 @@ class Quantity(ABC):
     of: ClassVar[Subject]
     vector: ClassVar[bool] = False
     magnitude: ClassVar[str] = ""
+    over: ClassVar[str] = ""
     signed: ClassVar[str] = ""
     how: ClassVar[str] = ""
     indirect: ClassVar[str] = ""

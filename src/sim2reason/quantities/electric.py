@@ -18,7 +18,8 @@ class ElectricPotentialEnergy(Quantity):
 
     name, unit, symbol = "electric potential energy", "J", "U"
     of = Bodies()
-    magnitude = "the magnitude of the change in {body}'s electric potential energy since the start"
+    over = "the magnitude of the change in {body}'s electric potential energy"
+    magnitude = f"{over} since the start"
     from_start = True
     needs = ("charge",)
     floor, heavy = 0.1, True

@@ -91,7 +91,8 @@ class PotentialEnergy(Energy):
     """The gravitational potential energy of a body less that at the start, in a uniform field or near what is fixed."""
 
     name, symbol = "potential energy", "U"
-    magnitude = "the magnitude of the change in {body}'s gravitational potential energy since the start"
+    over = "the magnitude of the change in {body}'s gravitational potential energy"
+    magnitude = f"{over} since the start"
     from_start = True
     panel, pooled, order = "energy", True, 8
 

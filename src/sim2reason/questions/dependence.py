@@ -104,7 +104,7 @@ class Dependence:
         kind = KINDS[self._query.kind]
         for until in stages:
             other = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, until]), self._error))
-            found = kind.answer(self._query, other)
+            found = kind.loose_answer(self._query, other)
             self._late.discard(value)
             if found is not None:
                 self._note(value, other)

@@ -1,6 +1,7 @@
 """The sentences that ask for a noun phrase at a moment; the verbs are drawn by quota, not by chance alone."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
@@ -55,9 +56,10 @@ def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     """All ways to ask for a quantity, in every phrase for its moment."""
     assert query.target is not None
     assert query.moment is not None
+    noun, whens = spanning(query.moment, words, noun)
     shapes = (
         shape
-        for when in query.moment.phrases(words)
+        for when in whens
         for shape in asking(query.target, noun, when, again(query.moment, noun.phrase, when, words))
     )
     return tuple(dict.fromkeys(shapes))
@@ -68,8 +70,14 @@ def naming_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
     assert query.moment is not None
     if noun.timeless:
         return (noun.phrase,)
-    whens = query.moment.phrases(words)
+    noun, whens = spanning(query.moment, words, noun)
     return tuple(f"{noun.phrase} {again(query.moment, noun.phrase, when, words)}" for when in whens)
+
+
+def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str, ...]]:
+    """A noun with the phrases for its moment, or for the stretch up to that, if it is called something over one."""
+    stretches = moment.stretches(words) if noun.over else ()
+    return (replace(noun, phrase=noun.over), stretches) if stretches else (noun, moment.phrases(words))
 
 
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:

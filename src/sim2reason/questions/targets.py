@@ -65,17 +65,19 @@ class Target:
 class Noun:
     """How a question calls a target: a noun phrase, and where English has them a question and a clause of its own.
 
-    `how` keeps its placeholder ``{when}``; what is `timeless` is asked without a moment.
+    `how` keeps its placeholder ``{when}``; what is `timeless` is asked without a moment, and
+    what is called something `over` a stretch is asked from the start to the moment.
     """
 
     phrase: str
     how: str = ""
     indirect: str = ""
     timeless: bool = False
+    over: str = ""
 
     def heard(self, text: str) -> bool:
         """Whether a sentence can ask for it."""
-        if self.phrase in text or (self.indirect and self.indirect in text):
+        if self.phrase in text or any(words and words in text for words in (self.indirect, self.over)):
             return True
         return self.how != "" and self.how.partition("{when}")[0].lower() in text.lower()
 
@@ -118,7 +120,8 @@ def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tupl
     for quantity in asked:
         if quantity.magnitude:
             how, indirect = filler.of(quantity, quantity.how), filler.of(quantity, quantity.indirect)
-            noun = Noun(filler.of(quantity, quantity.magnitude), how, indirect, quantity.timeless)
+            over = filler.of(quantity, quantity.over)
+            noun = Noun(filler.of(quantity, quantity.magnitude), how, indirect, quantity.timeless, over)
             yield Target(quantity.name, name), noun
     signed = [quantity for quantity in asked if quantity.signed]
     senses = signed[0].of.senses(words.mechanism, name) if signed else []

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import copysign, isfinite
+from math import copysign, exp, inf, isfinite
 
 import numpy as np
 
@@ -110,20 +110,55 @@ class Variations:
     ) -> Iterator[Variation]:
         """With numbers for which a sum in a formula has another sign than in the scene, or none.
 
-        There a formula is likely not to hold, and numbers drawn at random may all miss a small such corner.
+        There a formula is likely not to hold, and numbers drawn at random may all miss a small such corner. A sum that
+        they miss is turned on purpose, if it can be.
         """
         here, sums = [held.value for held in self.symbols], [*dict.fromkeys((formula, *_sums(formula)))]
         signs, left = [_sign(each, self._counted(here)) for each in sums], [EACH] * len(sums)
         for values in self._around(here, rng, width, LOOKED):
-            if not any(left):
-                return
             at = self._counted(values)
             other = [n for n, each in enumerate(sums) if left[n] and _sign(each, at) != signs[n]]
             if other:
                 left = [count - (n in other) for n, count in enumerate(left)]
-                found = self._at(values, barren)
-                if found is not None:
-                    yield found
+                yield from self._moving(values, barren)
+        corners = (self._corner(sums[n], width) for n, count in enumerate(left) if count == EACH)
+        for values in dict.fromkeys(corner for corner in corners if corner is not None):
+            yield from self._moving(values, barren)
+
+    def one_by_one(self, width: float, barren: list[Study]) -> Iterator[Variation]:
+        """With one number alone far smaller, and far larger, than in the scene."""
+        here = [held.value for held in self.symbols]
+        for n in range(len(here)):
+            for times in (exp(-width), exp(width)):
+                yield from self._moving([*here[:n], here[n] * times, *here[n + 1 :]], barren)
+
+    def _moving(self, values: Sequence[float], barren: list[Study]) -> Iterator[Variation]:
+        found = None if self._is_steep(values) else self._at(values, barren)
+        if found is not None:
+            yield found
+
+    def _corner(self, held: Expression, width: float) -> tuple[float, ...] | None:
+        """Numbers, each at an end of its range, for which a sum has another sign; None if it keeps its sign there."""
+        values = [held.value for held in self.symbols]
+        sign = _sign(held, self._counted(values))
+        for n in range(len(values)):
+            ends = ([*values[:n], values[n] * times, *values[n + 1 :]] for times in (exp(-width), exp(width)))
+            values = min((end for end in ends if not self._is_steep(end)), key=lambda end: self._size(held, end, sign))
+        return tuple(values) if _sign(held, self._counted(values)) != sign else None
+
+    def _size(self, held: Expression, values: Sequence[float], sign: float | None) -> float:
+        """How far a sum is from turning its sign."""
+        try:
+            return held.value(self._counted(values)).real * (sign or 1.0)
+        except (ValueError, ArithmeticError):
+            return -inf
+
+    def _is_steep(self, values: Sequence[float]) -> bool:
+        """Whether an angle would be as good as a right one, where the text's is not."""
+        return any(
+            held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < 180.0 - STEEPEST
+            for held, value in zip(self.symbols, values, strict=True)
+        )
 
     def _around(
         self, middle: Sequence[float], rng: np.random.Generator, width: float, tries: int
@@ -132,11 +167,7 @@ class Variations:
         for _ in range(tries):
             factors = np.exp(rng.uniform(-width, width, len(self.symbols))).tolist()
             values = [number * factor for number, factor in zip(middle, factors, strict=True)]
-            steep = (
-                held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < 180.0 - STEEPEST
-                for held, value in zip(self.symbols, values, strict=True)
-            )
-            if not any(steep):
+            if not self._is_steep(values):
                 yield values
 
     def _at(
@@ -187,7 +218,7 @@ class Variations:
 
 def _answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:
     """A motion with the answer in it; None if it has none as far as it is followed."""
-    answer = KINDS[query.kind].answer(query, study)
+    answer = KINDS[query.kind].loose_answer(query, study)
     time = KINDS[query.kind].time(query, study)
     if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:
         return None

@@ -14,7 +14,7 @@ from sim2reason.solutions.expressions import Expression
 POINTS = 8  # beside the scene's own
 NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
 WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
-TRIES, WIDELY, ACROSS = 16, 24, 4
+TRIES, WIDELY, ACROSS = 16, 12, 4
 SAME = 1e-6  # relative: how well the formula agrees with the engine
 
 
@@ -130,6 +130,7 @@ class VariedScenes:
         self._more = self._more or chain(
             self._variations.across(rng, NEAR[-1], ACROSS),
             self._variations.turned(rng, formula, WIDE, self._barren),
+            self._variations.one_by_one(WIDE, self._barren),
             self._variations.drawn(rng, WIDE, WIDELY, self._barren),
         )
         for other in self._more:

@@ -54,6 +54,10 @@ class Functional(ABC):
         What happens at that very instant belongs to it if `end` is an event's time, not if it is just before that.
         """
 
+    def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
+        """What a reader takes for it even where none would be asked for; by default the value."""
+        return self.value(trace, name, end)
+
     @abstractmethod
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """What both engines must agree on all the while."""

@@ -13,7 +13,7 @@ from sim2reason.questions.choices import at, bears_from, has_met, least
 from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.phrasing import asking_then, naming_then
+from sim2reason.questions.phrasing import asking_then, naming_then, spanning
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets
@@ -70,6 +70,10 @@ class Kind(ABC):
     @abstractmethod
     def answer(self, query: Query, study: Study) -> float | None:
         """The value in SI units; None if what is asked about does not come, NaN if the mechanism leaves it open."""
+
+    def loose_answer(self, query: Query, study: Study) -> float | None:
+        """What a reader may answer in another scene, even where this kind would not ask; by default the answer."""
+        return self.answer(query, study)
 
     @abstractmethod
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
@@ -161,7 +165,7 @@ class ValueKind(Kind):
         """Also with the moment first: *when B first stops, the speed of A is 2.1 m/s*."""
         assert query.moment is not None
         assert noun is not None
-        whens = () if noun.timeless else query.moment.phrases(words)
+        noun, whens = (noun, ()) if noun.timeless else spanning(query.moment, words, noun)
         first = (f"{when}, {noun.phrase} is {value}" for when in whens if when[0].isalpha())
         return (*super().told(query, words, noun, value), *first)
 

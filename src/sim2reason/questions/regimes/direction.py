@@ -70,14 +70,16 @@ def _side(study: Study, name: str, way: Vector, until: float) -> int:
     What starts from rest moves the way in which it is accelerated.
     """
     scan = study.trace.scan
-    within = scan.times <= until
-    speeds: Array = Velocity.evaluate(scan, name)[within] @ np.array(way)
+    within = scan.times < until
+    times = np.append(scan.times[within], until)
+    last = Velocity.evaluate(at(study.trace, until), name)
+    speeds: Array = np.concatenate([Velocity.evaluate(scan, name)[within], last]) @ np.array(way)
     fastest = float(np.abs(speeds).max(initial=0.0))
     if fastest <= STILL:
         begins = float((Acceleration.evaluate(at(study.trace, 0.0), name) @ np.array(way))[0])
         return int(begins > STILL) - int(begins < -STILL)
     idle = np.abs(speeds) <= STILL * fastest
-    rests = idle[1:] & idle[:-1] & (np.diff(scan.times[within]) > LASTING * until)
+    rests = idle[1:] & idle[:-1] & (np.diff(times) > LASTING * until)
     if rests[int(np.argmin(idle)) :].any():
         return 0
     ahead, back = bool((speeds[~idle] > 0.0).any()), bool((speeds[~idle] < 0.0).any())

@@ -95,8 +95,10 @@ def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]
     soon = min(SOON * (until or 1.0), float(study.trace.state.times[-1]))
     scan = study.trace.scan
     within = (scan.times > soon) & (scan.times < until)
-    times = np.concatenate([[soon], scan.times[within]])
-    slips = np.concatenate([slip(at(study.trace, soon), name), slip(scan, name)[within]])
+    end = max(soon, until)
+    times = np.concatenate([[soon], scan.times[within], [end]])
+    first, last = (slip(at(study.trace, time), name) for time in (soon, end))
+    slips = np.concatenate([first, slip(scan, name)[within], last])
     still = np.abs(slips) <= STILL
     if still.all():
         return False, ()

@@ -84,6 +84,11 @@ class Extreme(Functional):
         value = self.sign * top
         return value if value > 0.0 and not (jumps or flat or beyond or ends > top - CLEAR * size) else None
 
+    def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
+        """The greatest value, wherever in the stretch it is."""
+        _, heights = self._sampled(trace, name, end)
+        return self.sign * float(heights.max()) if np.isfinite(heights).all() else None
+
     def _sampled(self, trace: Trace, name: str, end: float) -> tuple[Array, Array]:
         """The function on the scan up to a time, s, and at that time."""
         scan = trace.scan

@@ -101,6 +101,14 @@ class StretchKind(Kind):
         assert isinstance(query, StretchQuery)
         return _value(query, study)
 
+    def loose_answer(self, query: Query, study: Study) -> float | None:
+        """Also where a greatest value is at an end of the stretch."""
+        assert isinstance(query, StretchQuery)
+        found, end = _value(query, study), _end(query, study)
+        if found is not None or end is None:
+            return found
+        return FUNCTIONALS[query.functional].loose_value(study.trace, query.name, end)
+
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: what is the greatest speed of A before the string first goes slack?"""
         del noun
