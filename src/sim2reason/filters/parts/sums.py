@@ -1,9 +1,9 @@
 """Answers that are sums of two products of stated numbers, or roots of such, as ½ k d² + ½ m v² or √(v² + 2 g h)."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product, takewhile
 from math import isclose, prod, sqrt
+from typing import NamedTuple
 
 from sim2reason.dsl.units import parse_unit
 from sim2reason.filters import Candidate
@@ -18,22 +18,22 @@ TRIED = 256  # ways to share out numbers, at most
 SIMPLE = (1.0, 2.0, 4.0, 0.5, 0.25, sqrt(2.0), sqrt(0.5))  # factors in front of a product
 
 
-@dataclass(frozen=True, slots=True)
-class _Place:
+class _Place(NamedTuple):
     """As what a number stands in the first term and in the second: a function of it, to two powers."""
 
     factor: Factor
     function: View
     powers: tuple[float, float]
+    value: tuple[float, float]  # what it is there
 
-    def at(self, turned: float = 0.0) -> tuple[float, float]:
-        """What it is there; an angle of the scene if it were turned, rad."""
+    def at(self, turned: float) -> tuple[float, float]:
+        """What it is there if an angle of the scene were turned, rad."""
         turn = turned if self.factor.unit == ANGLE and self.factor.path else 0.0
-        value = abs(self.function(self.factor.value + turn))
-        return value ** self.powers[0], value ** self.powers[1]
+        return _raised(self.function(self.factor.value + turn), self.powers)
 
 
 Terms = Sequence[_Place]
+_Way = tuple[View, float, float | None]
 
 
 def sum_of(candidate: Candidate) -> str:
@@ -53,13 +53,19 @@ def sum_of(candidate: Candidate) -> str:
 
 def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, float]]:
     """The simple factors, with their signs, with which two terms add up to a value; the first has about a share."""
-    found = list[list[float]]()
-    for term, part in zip(_multiplied(terms), (share * value, (1.0 - share) * value), strict=True):
-        sign = -1.0 if part < 0.0 else 1.0
-        found.append([sign * front for front in SIMPLE if isclose(front * term, abs(part), rel_tol=CLOSE)])
-    for one, other in product(*found):
-        if isclose(_added(terms, (one, other)), value, rel_tol=EXACT):
+    first, second = _multiplied(place.value for place in terms)
+    ones = _simple(first, share * value)
+    if not ones:  # as nearly always
+        return
+    for one, other in product(ones, _simple(second, (1.0 - share) * value)):
+        if isclose(one * first + other * second, value, rel_tol=EXACT):
             yield one, other
+
+
+def _simple(term: float, part: float) -> list[float]:
+    """The simple factors, with their sign, with which a term is about a part."""
+    size, sign = abs(part), -1.0 if part < 0.0 else 1.0
+    return [sign * front for front in SIMPLE if isclose(front * term, size, rel_tol=CLOSE)]
 
 
 def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[float, float]) -> bool:
@@ -69,7 +75,8 @@ def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[
         if found is None:
             return False
         turn, there = found
-        ratio = _added(terms, front, turn) / _added(terms, front)
+        here = _added((place.value for place in terms), front)
+        ratio = _added((place.at(turn) for place in terms), front) / here
         if not isclose((there / candidate.question.answer) ** root, ratio, rel_tol=TURNED):
             return False
     return True
@@ -80,40 +87,54 @@ def _terms(factors: Sequence[Factor], root: float) -> Iterator[tuple[float, Term
 
     In Z = A + B the power of x^q that stands in A is q A/Z, of one in B q (1 - A/Z), of one in both q.
     """
+    ways = [(factor, _ways(factor, root)) for factor in factors]
     for mixed in (factor for factor in factors if not _half(root * factor.power, NEAR)):
         for _, slope in _shapes(mixed):
             for halves in range(1, round(2.0 * HIGHEST) + 1):
                 for share in (2.0 * root * mixed.power / (sign * halves * slope) for sign in (1.0, -1.0)):
-                    places = [*takewhile(bool, (list(_places(factor, root, share)) for factor in factors))]
+                    places = [*takewhile(bool, (_places(*each, share) for each in ways))]
                     if len(places) == len(factors) and prod(map(len, places)) <= TRIED:
                         yield from ((share, each) for each in product(*places))
 
 
-def _multiplied(terms: Terms, turned: float = 0.0) -> tuple[float, float]:
-    each = [place.at(turned) for place in terms]
-    return prod(one for one, _ in each), prod(other for _, other in each)
+def _multiplied(values: Iterable[tuple[float, float]]) -> tuple[float, float]:
+    first = second = 1.0
+    for one, other in values:
+        first, second = first * one, second * other
+    return first, second
 
 
-def _added(terms: Terms, front: tuple[float, float], turned: float = 0.0) -> float:
-    return sum(factor * term for factor, term in zip(front, _multiplied(terms, turned), strict=True))
+def _added(values: Iterable[tuple[float, float]], front: tuple[float, float]) -> float:
+    return sum(factor * term for factor, term in zip(front, _multiplied(values), strict=True))
 
 
-def _places(factor: Factor, root: float, share: float) -> Iterator[_Place]:
-    """Where a number may stand, by the power with which the sum goes with it: in one term or both, or once more in one.
+def _ways(factor: Factor, root: float) -> list[_Way]:
+    """As what a number may stand there: with the power with which the sum goes with that, and the simple one near it."""
+    powers = [(function, root * factor.power / slope) for function, slope in _shapes(factor)]
+    return [(function, power, _half(power, NEAR)) for function, power in powers]
+
+
+def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
+    """Where a number may stand, by the share of the first term: in one term or both, or once more in one.
 
     As k does in √(k² d² + k m v²).
     """
-    for function, slope in _shapes(factor):
-        found = root * factor.power / slope
-        both = _half(found, NEAR)
+    found: list[tuple[View, tuple[float, float]]] = []
+    for function, power, both in ways:
         if both:
-            yield _Place(factor, function, (both, both))
+            found.append((function, (both, both)))
         for shared in (0.0, 1.0):
-            one, other = (_half((found - shared) / part, CLOSE) if part else None for part in (share, 1.0 - share))
+            one = _half((power - shared) / share, CLOSE) if share else None
+            other = _half((power - shared) / (1.0 - share), CLOSE) if share != 1.0 else None
             if one:
-                yield _Place(factor, function, (one + shared, shared))
+                found.append((function, (one + shared, shared)))
             if other:
-                yield _Place(factor, function, (shared, other + shared))
+                found.append((function, (shared, other + shared)))
+    return [_Place(factor, function, powers, _raised(function(factor.value), powers)) for function, powers in found]
+
+
+def _raised(value: float, powers: tuple[float, float]) -> tuple[float, float]:
+    return abs(value) ** powers[0], abs(value) ** powers[1]
 
 
 def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
@@ -127,4 +148,5 @@ def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
 def _half(power: float, near: float) -> float | None:
     """A power, which is a multiple of a half and not zero; None if it is not."""
     found = round(2.0 * power) / 2.0
-    return found if 0.0 < abs(found) <= HIGHEST and abs(power - found) <= near * max(1.0, abs(found)) else None
+    size = abs(found)
+    return found if 0.0 < size <= HIGHEST and abs(power - found) <= (near * size if size > 1.0 else near) else None
