@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 from math import dist
 
@@ -87,8 +88,9 @@ class Collector:
         """The body that a site is on; None for the room."""
         return self._sites[site].body
 
+    @cached_property
     def extent(self) -> tuple[float, float]:
-        """The least and greatest x of all sites and bodies."""
+        """The least and greatest x of all sites and bodies, once they are there."""
         across = [self.position(site)[0] for site in self._sites] + [at[0] for name, at in self._origin.items() if name]
         return (min(across), max(across)) if across else (0.0, 0.0)
 

@@ -1,13 +1,13 @@
 """Parts and entities: mechanisms made of bodies, with lines that tell them and ports that join them."""
 
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, cached_property
 from typing import Annotated, Any, ClassVar, TypeVar, cast
 
 from pydantic import ConfigDict, Field, SerializeAsAny
 
 from sim2reason.dsl.body import Body
-from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.builder import Builder, Frame
 from sim2reason.dsl.connection import Inside
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.ports import Attachment, Base, Chain, Mount, Pass, Port, SitePort, Stop, StringEnd
@@ -83,6 +83,13 @@ class Named(Model):
 
     name: Name
     entity: SerializeAsAny[Entity]
+
+    @cached_property
+    def alone(self) -> Builder:
+        """It built with nothing else, to be looked at: scenes that differ in another entity share that."""
+        builder = Builder()
+        self.entity.build(builder.room(self.name))
+        return builder
 
 
 E = TypeVar("E", bound=Entity)

@@ -53,11 +53,9 @@ def placed(
         else:
             pairs += _pairs(path, connection.spacing)
     free = [named for named in entities if named.name not in mounted]
-    offsets, alone, right = dict[str, Vector](), dict[str, Builder](), 0.0
+    offsets, alone, right = dict[str, Vector](), {named.name: named.alone for named in free}, 0.0
     for named in free:
-        scratch = alone[named.name] = Builder()
-        named.entity.build(scratch.room(named.name))
-        low, high = scratch.extent()
+        low, high = named.alone.extent
         offsets[named.name] = (right - low, 0.0, 0.0)
         right += high - low + GAP
     for _, path in paths:

@@ -224,8 +224,8 @@ class Scene(Model):
 
     def having_all(self, values: Mapping[str, object]) -> "Scene":
         """The same scene with other values at some addresses; each step on the way to it is validated too."""
-        world, entities = self.world, {named.name: named.entity for named in self.entities}
-        connections = self._named_connections()
+        world, connections = self.world, self._named_connections()
+        entities = {named.name: named for named in self.entities}  # those that stay share what is known of them
         for path, value in values.items():
             head, _, rest = path.partition(".")
             if head == "world":
@@ -233,11 +233,9 @@ class Scene(Model):
             elif head in connections:
                 connections[head] = changed(connections[head], rest, value)
             else:
-                entities[head] = changed(
-                    self.entity(head, path) if head not in entities else entities[head], rest, value
-                )
-        named = tuple(Named(name=name, entity=entity) for name, entity in entities.items())
-        return rebuilt(self, world=world, entities=named, connections=tuple(connections.values()))
+                held = entities[head].entity if head in entities else self.entity(head, path)
+                entities[head] = Named(name=head, entity=changed(held, rest, value))
+        return rebuilt(self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values()))
 
     def without(self, address: str) -> "Scene":
         """The scene without an entity, an optional part, or a member of a variable-length part.

@@ -206,7 +206,7 @@ class Grower:
         while closers:
             named = self._named(self._one_of(closers))
             end = next(iter(ends_for(named, kind, here)), None)
-            if end is not None and (moving or not stands_still(named.entity)):
+            if end is not None and (moving or not stands_still(named)):
                 self._enter(named)
                 return end
             del closers[type(named.entity).__name__]

@@ -2,9 +2,8 @@
 
 from dataclasses import dataclass
 
-from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection, Link
-from sim2reason.dsl.entity import ENTITIES, Entity, Named, outer_ports, stops_of
+from sim2reason.dsl.entity import ENTITIES, Named, outer_ports, stops_of
 from sim2reason.dsl.layout import opposite
 from sim2reason.dsl.ports import Attachment, Pass, Port, StringPort
 from sim2reason.dsl.vectors import Vector
@@ -25,9 +24,8 @@ class OpenPort:
     @property
     def direction(self) -> Vector | None:
         """Which way a connection must leave it; None for any."""
-        builder = _alone(self.owner.entity)
-        stop = stops_of(self.owner.entity, self.port.name, "alone")[-1]
-        return builder.faces.get(stop.sites[-1]) if stop.sites else None
+        stop = stops_of(self.owner.entity, self.port.name, self.owner.name)[-1]
+        return self.owner.alone.faces.get(stop.sites[-1]) if stop.sites else None
 
     def meets(self, other: "OpenPort", kind: type[Connection]) -> bool:
         """Whether a connection can run to another port: what must leave straight down meets what hangs there.
@@ -54,12 +52,12 @@ def _joins(kind: type[Connection], here: Port, end: Port) -> bool:
 
 def open_ports(named: Named) -> list[OpenPort]:
     """The ports that an entity offers: no place is taken or missing, no string tied to what starts with a speed."""
-    builder = _alone(named.entity)
+    builder = named.alone
     moves = any(coordinate.speed for coordinate in builder.finish().coordinates)
     ports = outer_ports(type(named.entity)).values()
     free = [port for port in ports if not port.unless or getattr(named.entity, port.unless) is None]
     free = [port for port in free if not (moves and isinstance(port, Attachment | StringPort))]
-    sites = {p: [site for stop in stops_of(named.entity, p.name, "alone") for site in stop.sites] for p in free}
+    sites = {p: [site for stop in stops_of(named.entity, p.name, named.name) for site in stop.sites] for p in free}
     return [OpenPort(named, port) for port in free if builder.faces.keys() >= set(sites[port])]
 
 
@@ -68,23 +66,15 @@ def ends_for(named: Named, kind: type[Connection], here: OpenPort) -> list[OpenP
     return [end for end in open_ports(named) if _joins(kind, here.port, end.port) and end.meets(here, kind)]
 
 
-def _alone(entity: Entity) -> Builder:
-    """The entity built with nothing else."""
-    builder = Builder()
-    entity.build(builder.room("alone"))
-    return builder
-
-
 def is_passed(name: str, kind: type[Connection]) -> bool:
     """Whether an entity must be passed by a connection, and so is never the end of another."""
     ports = outer_ports(ENTITIES[name]).values()
     return any(isinstance(port, Pass) and port.required and isinstance(port, kind.joins) for port in ports)
 
 
-def stands_still(entity: Entity) -> bool:
+def stands_still(named: Named) -> bool:
     """Whether nothing of it moves or pulls."""
-    builder = _alone(entity)
-    return not builder.drawing and not builder.finish().bodies
+    return not named.alone.drawing and not named.alone.finish().bodies
 
 
 def is_down(direction: Vector | None) -> bool:
