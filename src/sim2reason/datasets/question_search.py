@@ -9,6 +9,7 @@ from itertools import chain
 import numpy as np
 
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.template import Topic
 from sim2reason.filters import FILTERS, Candidate, Verdict, sift
 from sim2reason.filters.length import followed
 from sim2reason.prose.description import Description, describe
@@ -94,6 +95,7 @@ class QuestionSearch:
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
         self._vouched: tuple[Study, Certificate] | None = None
+        self._texts: dict[frozenset[Topic], Description] = {}  # by the topics that they leave out
         self.kinds: set[str] = set()  # of questions that were found in it
 
     @cached_property
@@ -174,11 +176,17 @@ class QuestionSearch:
     def _told(self, question: Question, mode: QuestionMode, rng: np.random.Generator) -> "_Told":
         """A question with its prompt, as filters look at it."""
         study = mode.study(question, self.study)
-        description = mode.described(question, self.description.leaving_out(irrelevant(question, study)))
+        description = mode.described(question, self._leaving_out(irrelevant(question, study)))
         prompt = shaped(description, question, rng)
         said, level = description.sentences, self._difficulty
         candidate = Candidate(study, question, prompt.text, said, self.words, difficulty=level)
         return _Told(candidate, description, prompt.shape)
+
+    def _leaving_out(self, topics: frozenset[Topic]) -> Description:
+        """The text without some topics, which many questions leave out."""
+        if topics not in self._texts:
+            self._texts[topics] = self.description.leaving_out(topics)
+        return self._texts[topics]
 
     def _wants(self, query: Query) -> bool:
         """Whether a quantity that may be asked about is asked about."""

@@ -202,7 +202,7 @@ class Scene(Model):
             found.update(joint.brings(self.builder))
         return found
 
-    @property
+    @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
         """Every declared number, with its address (``ramp.block.mass``)."""
         entities = [p for named in self.entities for p in parameters(named.entity, named.name)]

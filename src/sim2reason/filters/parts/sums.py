@@ -109,7 +109,7 @@ def _added(values: Iterable[tuple[float, float]], front: tuple[float, float]) ->
 
 
 def _ways(factor: Factor, root: float) -> list[_Way]:
-    """As what a number may stand there: with the power with which the sum goes with that, and the simple one near it."""
+    """As what a number may stand there, with the power with which the sum goes with it, and the simple one near it."""
     powers = [(function, root * factor.power / slope) for function, slope in _shapes(factor)]
     return [(function, power, _half(power, NEAR)) for function, power in powers]
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -69,13 +70,13 @@ class ThresholdKind(Kind):
             return None
         outcome = found[int(rng.integers(len(found)))]
         for unknown in some(words.unknowns, study.scene, rng):
-            trial = Trial(study, outcome, unknown.path)
-            critical = trial.usual_change()
-            if critical is not None and is_usual(study.scene, unknown.path, critical):
+            path = unknown.path
+            change = study.once(("usual change", outcome, path), partial(_usual_change, study, outcome, path))
+            if change is not None:
+                critical, beyond = change
                 happens = bool(rng.random() < 0.5)
-                greatest = trial(critical * (1.0 + SIDE)) is not happens
                 return ThresholdQuery(
-                    self.name, None, None, outcome, unknown.path, unknown.unit, greatest, happens, critical
+                    self.name, None, None, outcome, path, unknown.unit, beyond is not happens, happens, critical
                 )
         return None
 
@@ -145,6 +146,15 @@ class ThresholdKind(Kind):
         for outcome, unknown in product(outcomes, words.unknowns):
             for greatest, happens in product((False, True), repeat=2):
                 yield ThresholdQuery(self.name, None, None, outcome, unknown.path, unknown.unit, greatest, happens)
+
+
+def _usual_change(study: Study, outcome: PossibleOutcome, path: str) -> tuple[float, bool | None] | None:
+    """Where an outcome changes with a number, if that is near what is drawn, and whether it comes about beyond."""
+    trial = Trial(study, outcome, path)
+    critical = trial.usual_change()
+    if critical is None or not is_usual(study.scene, path, critical):
+        return None
+    return critical, trial(critical * (1.0 + SIDE))
 
 
 def _extreme(extreme: str, phrase: str) -> str:
