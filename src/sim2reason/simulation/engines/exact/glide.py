@@ -8,7 +8,7 @@ from math import hypot, inf
 
 from sim2reason.dsl.mechanism import Inextensible, Meeting
 from sim2reason.dsl.points import relative
-from sim2reason.dsl.triples import Triple, minus
+from sim2reason.dsl.triples import Number, Triple, minus
 from sim2reason.dsl.vectors import Vector, inner
 from sim2reason.simulation.engines.exact.approach import STILL, Approach, crossing, halt
 from sim2reason.simulation.engines.exact.assembly import Assembly
@@ -16,8 +16,8 @@ from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.lengths import Phase
 from sim2reason.simulation.engines.exact.linear import Row
 from sim2reason.simulation.engines.exact.margins import Margin, StopReason
-from sim2reason.simulation.engines.exact.problem import gradient
-from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System, spread
+from sim2reason.simulation.engines.exact.problem import Gradient
+from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
 
 Steps = tuple[tuple[int, Vector], ...]  # (number of a coordinate or face, direction)
 TIE = 1e-11  # s; events that are no further apart are simultaneous
@@ -76,7 +76,7 @@ class SteadyEquations:
         laws = [system.mechanism.line[kind.name].law for kind in system.kinds(system.phase)]
         self._reels = [law.reel if isinstance(law, Inextensible) else 0.0 for law in laws]
         self._pairs = tuple(self._pair(meeting) for meeting in system.mechanism.meetings)
-        self._runs = [(run.value, gradient(spread(run.along, self.size), [])) for run in system.runs.values()]
+        self._runs = [(run.value, _sparse(run.along)) for run in system.runs.values()]
 
     def _pair(self, meeting: Meeting) -> _Pair:
         other = self.system.frames.center(meeting.b)
@@ -159,6 +159,11 @@ class SteadyEquations:
             time = crossing(limit.room + sign * instant.q[k], sign * instant.v[k], sign * found.a[k])
             due.append((time, Margin("limit", number)))
         return due
+
+
+def _sparse(along: Mapping[int, Number]) -> Gradient:
+    """A gradient of which nothing but the rate is asked."""
+    return Gradient([], [], tuple([(number, float(part)) for number, part in sorted(along.items()) if part]))
 
 
 def _steps(one: Mapping[int, Triple], other: Mapping[int, Triple]) -> Steps:

@@ -44,7 +44,7 @@ def solve(rows: list[Row]) -> Solved:
         if best is None:
             free.append(column)
             continue
-        pending = _reduced(pending, best, column)
+        pending = [_freed(row, best, column) if row[column] else row for row in pending if row is not best]
         pivots.append((column, best))
     consistent = all(abs(row[size]) <= 100.0 * NEGLIGIBLE * (1.0 + abs(row[size + 1])) for row in pending)
     x = _substituted(pivots, [0.0] * size, 1.0)
@@ -54,25 +54,20 @@ def solve(rows: list[Row]) -> Solved:
 def _scaled(row: Row, size: int) -> Row:
     """Divide by the largest coefficient; a last entry keeps the right side for scale, as elimination shrinks it."""
     largest = max(map(abs, row[:size]))
-    factor = 1.0 / largest if largest > 0.0 else 1.0
+    if largest in (0.0, 1.0):  # as of a string's row
+        return [*row, row[size]]
+    factor = 1.0 / largest
     scaled = [factor * entry for entry in row]
     scaled.append(scaled[size])
     return scaled
 
 
-def _reduced(rows: list[Row], pivot: Row, column: int) -> list[Row]:
-    """All rows but the pivot, freed of the unknown that the pivot settles."""
-    reduced: list[Row] = []
-    for row in rows:
-        if row is pivot:
-            continue
-        if row[column]:
-            factor = row[column] / pivot[column]
-            scale, other = abs(row[-1]), abs(factor * pivot[-1])
-            row = [a - factor * b for a, b in zip(row, pivot, strict=True)]  # noqa: PLW2901 - of the same equation
-            row[column], row[-1] = 0.0, max(scale, other)
-        reduced.append(row)
-    return reduced
+def _freed(row: Row, pivot: Row, column: int) -> Row:
+    """A row freed of the unknown that the pivot settles."""
+    factor = row[column] / pivot[column]
+    freed = [a - factor * b for a, b in zip(row, pivot, strict=True)]
+    freed[column], freed[-1] = 0.0, max(abs(row[-1]), abs(factor * pivot[-1]))
+    return freed
 
 
 def _substituted(pivots: list[tuple[int, Row]], x: Row, load: float) -> Row:

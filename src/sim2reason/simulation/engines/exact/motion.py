@@ -98,9 +98,15 @@ class Motion:
 
     def state(self, times: Array) -> State:
         """The motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""
-        at = np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
+        at = self._belonging(times)
         kinematics = cache(lambda: self._kinematics(times, at))
         return State(self.mechanism, times, kinematics, lambda: self._dynamics(times, at, *kinematics()))
+
+    def _belonging(self, times: Array) -> NDArray[np.intp]:
+        """The number of the segment that each instant belongs to."""
+        if len(self.segments) == 1:
+            return np.zeros(len(times), np.intp)
+        return np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
 
     def _flows(self, at: NDArray[np.intp]) -> Iterator[tuple[Segment, Flow, NDArray[np.bool_]]]:
         """The integrated ones among the segments that instants belong to, with their flows, and which instants."""
@@ -110,7 +116,9 @@ class Motion:
 
     def _kinematics(self, times: Array, at: NDArray[np.intp]) -> tuple[Array, Array]:
         """Coordinates and their rates."""
-        n, table, since = self._widths[0], self._table[at], (times - self._starts[at])[:, None]
+        n, lone = self._widths[0], len(self.segments) == 1  # whose one row NumPy repeats by itself
+        table = self._table if lone else self._table[at]
+        since = (times - (self._starts if lone else self._starts[at]))[:, None]
         q0, v0 = table[:, :n], table[:, n : 2 * n]
         gained = since * table[:, 2 * n : 3 * n]
         q, v = q0 + since * (v0 + 0.5 * gained), v0 + gained
