@@ -1,6 +1,6 @@
 """Where entities stand: each is placed so that the strings from its neighbours run straight."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from math import hypot
 from typing import NamedTuple
@@ -39,14 +39,15 @@ class Mounted(NamedTuple):
 
 def placed(
     entities: Sequence[Named],
-    connections: Sequence[Connection],
-    stops: Callable[[Connection], list[Stop]],
+    paths: Sequence[tuple[Connection, Sequence[Stop]]],
     builder: Builder,
 ) -> Builder:
-    """The builder with all entities built in it, each where its connections want it, those that carry others first."""
+    """The builder with all entities built in it, each where its connections want it, those that carry others first.
+
+    `paths` are the connections, each with its stops in the order of travel.
+    """
     pairs: list[Neighbours] = []
     mounted: dict[str, Mounted] = {}
-    paths = [(connection, stops(connection)) for connection in connections]
     for connection, path in paths:
         if connection.carries:
             mounted[path[1].owner] = Mounted(path[1].owner, path[0].sites[0], connection.stiff)
@@ -92,7 +93,7 @@ def _owner(site: str) -> str:
     return site.split(".", maxsplit=1)[0]
 
 
-def _pairs(stops: list[Stop], spacing: float) -> list[Neighbours]:
+def _pairs(stops: Sequence[Stop], spacing: float) -> list[Neighbours]:
     """Neighbouring sites of different entities along a path: where it leaves one and reaches the next."""
     found: list[Neighbours] = []
     for one, other in pairwise(stops):

@@ -5,6 +5,7 @@ are listed from the inside out; where a string must go from the last one is said
 """
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -116,5 +117,10 @@ class Stop:
     @property
     def sites(self) -> tuple[str, ...]:
         """Full site addresses in the order of travel; an end is listed from the inside out."""
-        sites = tuple(f"{self.owner}.{site}" for site in self.port.sites)
-        return sites[::-1] if self.flipped else sites
+        return _addressed(self.owner, self.port.sites, self.flipped)
+
+
+@lru_cache(maxsize=1024)
+def _addressed(owner: str, names: tuple[str, ...], flipped: bool) -> tuple[str, ...]:  # noqa: FBT001 - a key
+    sites = tuple(f"{owner}.{site}" for site in names)
+    return sites[::-1] if flipped else sites

@@ -134,10 +134,6 @@ class Scene(Model):
             place, f"no entity is called {name!r}", f"there are: {', '.join(n.name for n in self.entities)}"
         )
 
-    def stops(self, connection: Connection) -> list[Stop]:
-        """The stops of a connection from its first end to its last, in the order of travel."""
-        return path_stops(self, connection.links)
-
     @cached_property
     def joints(self) -> dict[str, Joint]:
         """All connections by address, those inside entities included, at their places."""
@@ -147,14 +143,15 @@ class Scene(Model):
                 stops = [stop for port in inner.stops for stop in stops_of(named.entity, port, named.name)]
                 found.append(Joint(f"{named.name}.{name}", inner.made(), tuple(travelled(stops))))
         for number, connection in enumerate(self.connections, start=1):
-            found.append(Joint(f"{connection.key}_{number}", connection, tuple(self.stops(connection))))
+            found.append(Joint(f"{connection.key}_{number}", connection, tuple(path_stops(self, connection.links))))
         return {joint.name: joint for joint in found}
 
     @cached_property
     def builder(self) -> Builder:
         """The builder with everything in it: where sites are and which way strings must leave them."""
         builder = Builder((0.0, 0.0, -self.world.gravity), self.glued, self.units)
-        placed(self.entities, self.connections, self.stops, builder)
+        paths = [(connection, self.joints[name].stops) for name, connection in self._named_connections().items()]
+        placed(self.entities, paths, builder)
         for joint in self.joints.values():
             joint.build(builder)
         return builder
