@@ -35,7 +35,7 @@ class FewLaws(Filter):
     there. Only what hardly anybody need derive, as ⅓ m g sin θ of a cylinder, is not.
     """
 
-    order = 9
+    order = 3
 
     def ready(self, candidate: Candidate) -> bool:
         """Whether the derivation is made, as it is of what is asked for as a formula."""
