@@ -43,8 +43,8 @@ KNOWN = {
     "Find the tension in the string after release.": (half_atwood(), 2, 8),  # m_B (g - a)
     "What is the speed of block B after it has moved 1.0 m?": (half_atwood(), 3, 7),  # two blocks on one string
     "Find the kinetic energy of block A after it has moved 1.3 m.": (half_atwood(), 4, 8),
-    "Find the magnitude of the change in the block's gravitational potential energy since the start when it comes to "
-    "rest for the first time.": (ROUGH, 3, 8),  # how far, and how high that is
+    "Find the magnitude of the change in the block's gravitational potential energy from t = 0 until it first comes to "
+    "rest.": (ROUGH, 3, 8),  # how far, and how high that is
     "Find the x component of the displacement of the ball from its starting point just before it reaches the ground.": (
         thrown(),
         2,
