@@ -54,7 +54,7 @@ def test_a_block_slides_down_what_is_steep_enough() -> None:
 
 def test_what_slides_up_and_down_again_is_told_to() -> None:
     """It comes to rest after 2.0/(9.8 (0.5 + 0.3·0.866)) = 0.27 s."""
-    assert "the block first slides up the plane, and down it by then" in said(ramp(friction=0.3, speed=2.0), 0.6)
+    assert "the block first slides up the plane and later down it" in said(ramp(friction=0.3, speed=2.0), 0.6)
 
 
 def hoop(start: Sliding | Spinning) -> Scene:

@@ -59,7 +59,7 @@ class SlidesThroughout(Regime):
     def clause(self, words: Words) -> str:
         """As in: block A slides to the right on the plank; what may roll does so where it touches its face.
 
-        One that turns back: block A first slides up the slope, and down it by then.
+        One that turns back: block A first slides up the slope and later down it.
         """
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
         rolls = len(words.mechanism.contacts[self.name].slip) > 1
@@ -67,7 +67,7 @@ class SlidesThroughout(Regime):
             return f"{called} rolls without slipping" if rolls else f"{called} does not slide on {surface}"
         ways = [_ways(words.mechanism, self.name)[way] for way in self.course]
         where = f"{ways[0] if ways else 'on'} {surface}{' at the point of contact' * bool(rolls and ways)}"
-        back = f", and {ways[-1]} it by then" if len(ways) > 1 else ""
+        back = f" and later {ways[-1]} it" if len(ways) > 1 else ""
         return f"{called} {'first ' * bool(back)}{'slips' if rolls else 'slides'} {where}{back}"
 
 
