@@ -104,3 +104,22 @@ def test_no_model_is_one_line(tmp_path: Path) -> None:
     with pytest.raises(PolicyError, match="no model could be loaded") as raised:
         made(tmp_path / "none").complete(requests(1))
     assert "\n" not in str(raised.value)
+
+
+@installed
+@pytest.mark.parametrize("device", ["banana", "cuda:99", "meta", ""])
+def test_no_such_device_is_one_line_that_lists_what_there_is(folder: Path, device: str) -> None:
+    with pytest.raises(PolicyError, match=f"no device {device!r}; there are: cpu"):
+        made(folder, device=device).complete(requests(1))
+
+
+@installed
+def test_a_device_without_room_is_one_line(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import transformers
+
+    def full(*_: object) -> None:
+        raise RuntimeError("CUDA out of memory.\nTried to allocate 2 GiB")
+
+    monkeypatch.setattr(transformers.Qwen2ForCausalLM, "to", full)
+    with pytest.raises(PolicyError, match=r"can't be moved to cpu: CUDA out of memory\. Tried"):
+        made(folder).complete(requests(1))

@@ -57,7 +57,7 @@ class LocalModel(Policy):
     @cached_property
     def _loaded(self) -> _Loaded:
         torch, transformers = _module("torch"), _module("transformers")
-        device = self.device if self.device != "auto" else "cuda" if torch.cuda.is_available() else "cpu"
+        device = self._device(torch)
         try:
             tokenizer = transformers.AutoTokenizer.from_pretrained(
                 self.model, revision=self.revision, padding_side="left"
@@ -70,7 +70,24 @@ class LocalModel(Policy):
             raise PolicyError(f"policy {self.name!r}: no model could be loaded from {self.model!r}: {why}") from None
         if tokenizer.pad_token_id is None:
             tokenizer.pad_token = tokenizer.eos_token
-        return _Loaded(torch, transformers, model.to(device).eval(), tokenizer)
+        try:
+            model = model.to(device).eval()
+        except RuntimeError as error:  # it has not the memory, say
+            why = " ".join(str(error).split())[:200]
+            raise PolicyError(f"policy {self.name!r}: the model can't be moved to {device}: {why}") from None
+        return _Loaded(torch, transformers, model, tokenizer)
+
+    def _device(self, torch: Any) -> str:  # noqa: ANN401 - a module of an extra
+        """Where the model is put; PolicyError, which lists what there is, if there is no such device."""
+        kind = str(torch.accelerator.current_accelerator().type) if torch.accelerator.is_available() else ""
+        count = torch.accelerator.device_count() if kind else 0
+        there = ["cpu", *([kind] if kind else []), *(f"{kind}:{number}" for number in range(count))]
+        if self.device == "auto":
+            return "cuda" if "cuda" in there else "cpu"
+        if self.device not in there:
+            known = ", ".join(there)
+            raise PolicyError(f"policy {self.name!r}: there is no device {self.device!r}; there are: {known}")
+        return self.device
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
         """All at once. Each draws from a generator of its own: an answer hangs on its seed, not on the others."""

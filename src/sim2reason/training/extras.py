@@ -4,14 +4,16 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from typing import Any
 from warnings import catch_warnings, filterwarnings
 
 from sim2reason.errors import MissingExtraError
 
-__all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "versions"]
+__all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions"]
 
 EXTRA = "train"
+APART = "vllm", "wandb"  # each in an extra of its own: few runs want it
 LIBRARIES = "sim2reason", "torch", "transformers", "trl", "accelerate", "peft"
 External = Any
 """A value of a class of such a library: their types hold only where they are installed."""
@@ -23,6 +25,13 @@ def library(name: str) -> External:
         return import_module(name)
     except ModuleNotFoundError as error:
         raise MissingExtraError(error.name or name, EXTRA) from None
+
+
+def require(*names: str) -> None:
+    """Look, before anything else is done, whether all of these are installed; MissingExtraError if one is not."""
+    for name in names:
+        if find_spec(name) is None:
+            raise MissingExtraError(name, name if name in APART else EXTRA)
 
 
 def versions() -> dict[str, str]:

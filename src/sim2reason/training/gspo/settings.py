@@ -81,6 +81,12 @@ class GSPOSettings(_Settings):
     vllm: VllmSettings | None = None
     report_to: tuple[Literal["tensorboard", "wandb"], ...] = ()
 
+    @property
+    def libraries(self) -> tuple[str, ...]:
+        """Those that these settings need beside what every run does."""
+        chosen = {"peft": self.lora, "vllm": self.vllm}
+        return (*(name for name, settings in chosen.items() if settings is not None), *self.report_to)
+
     @model_validator(mode="after")
     def _divisible(self) -> Self:
         if self.prompts * self.generations % self.minibatches:

@@ -98,6 +98,11 @@ class ReinforcementLearning(_Settings):
             raise ValueError(f"held_out: the name {twice[0]!r} stands twice; give each set its own")
 
     @property
+    def libraries(self) -> tuple[str, ...]:
+        """Those that these settings need beside what every run does."""
+        return (*self.gspo.libraries, *(() if self.warm_start is None else self.warm_start.libraries))
+
+    @property
     def decisive(self) -> dict[str, Any]:
         """What decides the weights."""
         held = self.model_dump(

@@ -8,7 +8,7 @@ from datetime import timedelta
 from pathlib import Path
 
 from sim2reason.datasets.atomic_files import locked
-from sim2reason.training.extras import External, library, quiet
+from sim2reason.training.extras import External, library, quiet, require
 from sim2reason.training.gspo import make_trainer
 from sim2reason.training.models.pretrained import Pretrained
 from sim2reason.training.prefetch import prefetching
@@ -19,7 +19,7 @@ from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_l
 from sim2reason.training.rl.folder import Trained, TrainingFolder
 from sim2reason.training.sft.run import train_sft
 
-__all__ = ["train_rl"]
+__all__ = ["NEEDED", "train_rl"]
 
 NEEDED = "torch", "transformers", "accelerate", "datasets", "trl"
 PATIENCE = timedelta(days=1)  # that processes wait for the first one, which may have many problems to make
@@ -40,12 +40,11 @@ def train_rl(
 
     Raises:
         TrainingError: a configuration, corpus or folder that cannot be used.
-        MissingExtraError: a library of the extra [train] is missing.
+        MissingExtraError: a library of the extra [train], or one that the settings name, is missing.
         DatasetError: another run is writing in the folder, or a dataset is damaged.
     """
     settings = reinforcement_learning_from(config, out)
-    for name in (*NEEDED, "peft") if settings.gspo.lora else NEEDED:
-        library(name)
+    require(*NEEDED, *settings.libraries)
     if settings.processes > 1 and not launched():
         in_processes(settings.processes, _train, settings, begun, advance)
         found = TrainingFolder(settings.out).result()

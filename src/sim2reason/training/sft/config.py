@@ -96,6 +96,12 @@ class FineTuning(BaseModel):
         return self
 
     @property
+    def libraries(self) -> tuple[str, ...]:
+        """Those that these settings need beside what every run does."""
+        chosen = {"peft": self.lora is not None, "tensorboard": self.tensorboard}
+        return tuple(name for name, wanted in chosen.items() if wanted)
+
+    @property
     def decisive(self) -> dict[str, Any]:
         """What decides the weights, with the kinds of model and corpora."""
         held = self.model_dump(mode="json", exclude=set(self.operational))

@@ -12,7 +12,7 @@ from pathlib import Path
 from sim2reason.datasets.atomic_files import locked
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora.parts.encoding import EncodedRow, Limits, encoded
-from sim2reason.training.extras import External, library, quiet
+from sim2reason.training.extras import External, library, quiet, require
 from sim2reason.training.models import Loaded
 from sim2reason.training.sft.config import FineTuning, fine_tuning_from
 from sim2reason.training.sft.folder import FineTuned, SftFolder
@@ -44,8 +44,7 @@ def train_sft(
         DatasetError: another run is writing in the folder, or a dataset is damaged.
     """
     settings = fine_tuning_from(config, out)
-    for name in (*NEEDED, "peft") if settings.lora else NEEDED:
-        library(name)
+    require(*NEEDED, *settings.libraries)
     state = library("accelerate").PartialState(cpu=settings.device == "cpu")
     folder = SftFolder(settings.out)
     with _held(folder, settings, main=state.is_main_process), quiet():

@@ -14,8 +14,9 @@ from subprocess import STDOUT, Popen
 
 from sim2reason.datasets.atomic_files import canonical, locked, put_text
 from sim2reason.errors import TrainingError
-from sim2reason.training.extras import library
+from sim2reason.training.extras import require
 from sim2reason.training.rl.folder import Trained, TrainingFolder
+from sim2reason.training.rl.run import NEEDED
 from sim2reason.training.study.config import Arm, TrainingStudy, study_from
 
 __all__ = ["train_study"]
@@ -43,8 +44,7 @@ def train_study(
         DatasetError: another study is writing in the folder.
     """
     study = study_from(config, out)
-    for name in ("torch", "trl"):
-        library(name)
+    require(*NEEDED, *(name for each in study.configs.values() for name in each.libraries))
     study.out.mkdir(parents=True, exist_ok=True)
     with locked(study.out):
         begun("runs", len(study.runs))
