@@ -117,6 +117,7 @@ def test_the_hub_is_asked_through_its_own_library(tmp_path: Path, monkeypatch: p
     with pytest.raises(MissingExtraError, match=r"sim2reason\[eval\]"):
         items_of(benchmark_from(settings))
     hub, path = ModuleType("huggingface_hub"), written(tmp_path, "jsonl")
+    monkeypatch.setattr("sim2reason.benchmarks.parts.files.out_of_reach", lambda *_: False)
     hub.hf_hub_download = lambda *_, **__: str(path)  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "huggingface_hub", hub)
     assert len(items_of(benchmark_from(settings))) == 2

@@ -12,6 +12,7 @@ from annotated_types import Ge, Le
 
 from sim2reason.errors import MissingExtraError, PolicyError
 from sim2reason.policies import POLICIES, Completion, Finish, Policy, SampleRequest
+from sim2reason.policies.parts.hub import loading
 
 __all__ = ["LocalModel"]
 
@@ -59,12 +60,9 @@ class LocalModel(Policy):
         torch, transformers = _module("torch"), _module("transformers")
         device = self._device(torch)
         try:
-            tokenizer = transformers.AutoTokenizer.from_pretrained(
-                self.model, revision=self.revision, padding_side="left"
-            )
-            model = transformers.AutoModelForCausalLM.from_pretrained(
-                self.model, revision=self.revision, dtype=self.precision
-            )
+            source = {"revision": self.revision, **loading(self.model, self.revision)}
+            tokenizer = transformers.AutoTokenizer.from_pretrained(self.model, padding_side="left", **source)
+            model = transformers.AutoModelForCausalLM.from_pretrained(self.model, dtype=self.precision, **source)
         except (OSError, ValueError) as error:
             why = " ".join(str(error).split())[:200]
             raise PolicyError(f"policy {self.name!r}: no model could be loaded from {self.model!r}: {why}") from None

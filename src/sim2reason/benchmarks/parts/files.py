@@ -13,6 +13,7 @@ from pydantic import BaseModel, ConfigDict
 
 from sim2reason.datasets.atomic_files import checksum
 from sim2reason.errors import EvaluationError, MissingExtraError
+from sim2reason.policies.parts.hub import out_of_reach
 
 __all__ = ["HubFile", "Row", "fetched", "rows"]
 
@@ -42,7 +43,10 @@ def fetched(file: HubFile) -> Path:
     except ModuleNotFoundError:
         raise MissingExtraError("huggingface_hub", "eval") from None
     try:
-        found = hub.hf_hub_download(file.repository, file.path, repo_type="dataset", revision=file.revision)
+        kept = out_of_reach(file.repository, "dataset", file.revision)
+        found = hub.hf_hub_download(
+            file.repository, file.path, repo_type="dataset", revision=file.revision, local_files_only=kept
+        )
     except Exception as error:  # noqa: BLE001 - the library raises what its transport does
         why = type(error).__name__
         raise EvaluationError(f"hub: no {file.path} of {file.repository} at {file.revision} ({why})") from None

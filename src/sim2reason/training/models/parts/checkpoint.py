@@ -3,6 +3,7 @@
 from typing import Any, Literal
 
 from sim2reason.errors import TrainingError
+from sim2reason.policies.parts.hub import loading
 from sim2reason.training.extras import library
 from sim2reason.training.models import Loaded
 
@@ -23,8 +24,9 @@ def read(
     transformers = library("transformers")
     chosen: dict[str, Any] = {} if attention == "auto" else {"attn_implementation": attention}
     try:
-        tokenizer = transformers.AutoTokenizer.from_pretrained(path, revision=revision)
-        model = transformers.AutoModelForCausalLM.from_pretrained(path, revision=revision, dtype=precision, **chosen)
+        source = {"revision": revision, **loading(path, revision)}
+        tokenizer = transformers.AutoTokenizer.from_pretrained(path, **source)
+        model = transformers.AutoModelForCausalLM.from_pretrained(path, dtype=precision, **source, **chosen)
     except (OSError, ValueError, ImportError) as error:
         why = " ".join(str(error).split())[:SHOWN]
         raise TrainingError(f"no model could be loaded from {path!r}: {why}") from None

@@ -1,0 +1,45 @@
+"""The Hugging Face hub: whether it can be asked, before its library asks again and again, and tells of each time."""
+
+# huggingface_hub is an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
+from importlib import import_module
+from pathlib import Path
+from typing import Any, Literal
+
+__all__ = ["loading", "out_of_reach"]
+
+PATIENCE = 10.0  # s
+
+
+def out_of_reach(name: str, kind: Literal["model", "dataset"], revision: str | None = None) -> bool:
+    """Whether the hub gives no answer to one question about that name, so that only what this machine keeps is there.
+
+    What it answers does not matter: whoever loads from it hears the same. ValueError if it can have no such name.
+    """
+    hub: Any = import_module("huggingface_hub")
+    errors: Any = import_module("huggingface_hub.errors")
+    try:
+        hub.HfApi().repo_info(name, repo_type=kind, revision=revision, timeout=PATIENCE)
+    except errors.HfHubHTTPError:
+        return False
+    except errors.HFValidationError:
+        raise ValueError("no such folder, and no name that the hub could have") from None
+    except Exception:  # noqa: BLE001 - the library raises what its transport does
+        return True
+    return False
+
+
+def loading(path: str, revision: str | None = None) -> dict[str, Any]:
+    """What transformers' `from_pretrained` is told, so that it keeps to this machine where the hub is out of reach.
+
+    Raises:
+        ValueError: there is neither such a folder nor such a name.
+        FileNotFoundError: there is no such folder, the hub is out of reach, and the model is not kept here.
+    """
+    if Path(path).exists() or not out_of_reach(path, "model", revision):
+        return {}
+    hub: Any = import_module("huggingface_hub")
+    if not isinstance(hub.try_to_load_from_cache(path, "config.json", revision=revision), str):
+        raise FileNotFoundError("no such folder, and the hub cannot be reached")
+    return {"local_files_only": True}
