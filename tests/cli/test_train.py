@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
+from short_run import settings
 from sim2reason.cli import main
 from sim2reason.datasets.generate import generate
 
@@ -95,6 +96,17 @@ def test_a_missing_file_and_a_missing_method(tmp_path: Path) -> None:
         found = run(*args)
         assert found.exit_code == 2
         assert found.stderr.count("\n") == 1 or args == ("train",)
+
+
+def test_without_the_extra_it_is_one_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in NEEDED:
+        monkeypatch.setitem(sys.modules, name, None)
+    path = tmp_path / "config.yaml"
+    path.write_text(json.dumps(settings(tmp_path / "run")))
+    found = run("train", "rl", path)
+    assert found.exit_code == 2, found.output
+    assert "install it with: pip install 'sim2reason[train]'" in found.stderr
+    assert found.stderr.count("\n") == 1
 
 
 def test_subcommands_show_an_example() -> None:

@@ -107,6 +107,12 @@ def test_no_model_is_one_line(tmp_path: Path) -> None:
 
 
 @installed
+def test_a_model_is_loaded_without_a_bar(folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    made(folder, sampling={"max_tokens": 1}).complete(requests(1))
+    assert capfd.readouterr() == ("", "")
+
+
+@installed
 @pytest.mark.parametrize("device", ["banana", "cuda:99", "meta", ""])
 def test_no_such_device_is_one_line_that_lists_what_there_is(folder: Path, device: str) -> None:
     with pytest.raises(PolicyError, match=f"no device {device!r}; there are: cpu"):

@@ -13,6 +13,7 @@ from annotated_types import Ge, Le
 from sim2reason.errors import MissingExtraError, PolicyError
 from sim2reason.policies import POLICIES, Completion, Finish, Policy, SampleRequest
 from sim2reason.policies.parts.hub import loading
+from sim2reason.policies.parts.quiet import quiet
 
 __all__ = ["LocalModel"]
 
@@ -62,7 +63,8 @@ class LocalModel(Policy):
         try:
             source = {"revision": self.revision, **loading(self.model, self.revision)}
             tokenizer = transformers.AutoTokenizer.from_pretrained(self.model, padding_side="left", **source)
-            model = transformers.AutoModelForCausalLM.from_pretrained(self.model, dtype=self.precision, **source)
+            with quiet():
+                model = transformers.AutoModelForCausalLM.from_pretrained(self.model, dtype=self.precision, **source)
         except (OSError, ValueError) as error:
             why = " ".join(str(error).split())[:200]
             raise PolicyError(f"policy {self.name!r}: no model could be loaded from {self.model!r}: {why}") from None

@@ -1,14 +1,12 @@
 """The libraries of the extra [train], which core does without: loaded by name, when they are first needed."""
 
-from collections.abc import Generator
-from contextlib import contextmanager
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from typing import Any
-from warnings import catch_warnings, filterwarnings
 
 from sim2reason.errors import MissingExtraError
+from sim2reason.policies.parts.quiet import quiet
 
 __all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions"]
 
@@ -48,23 +46,3 @@ def versions() -> dict[str, str]:
 def is_main_process() -> bool:
     """Whether this is the only process of a run, or the first of several that accelerate or torchrun started."""
     return bool(library("accelerate").PartialState().is_main_process)
-
-
-@contextmanager
-def quiet() -> Generator[None, None, None]:
-    """Keep the library's bars and remarks from standard error while the block runs; errors are still raised.
-
-    So is what peft 0.21 provokes in transformers 5.23, an old name for a property.
-    """
-    logging = library("transformers").utils.logging
-    verbosity, bars = logging.get_verbosity(), logging.is_progress_bar_enabled()
-    logging.set_verbosity_error()
-    logging.disable_progress_bar()
-    try:
-        with catch_warnings():
-            filterwarnings("ignore", message="`is_gradient_checkpointing` is deprecated", category=FutureWarning)
-            yield
-    finally:
-        logging.set_verbosity(verbosity)
-        if bars:
-            logging.enable_progress_bar()
