@@ -99,7 +99,7 @@ def test_a_dataset_without_solutions_or_split_is_refused(tmp_path: Path) -> None
         (b'{"q": "b"}', "its field 'a' is no text"),
         (b"[" * 100_000, "a.jsonl:1: no JSON"),
         (b"\xff\xfe", "a.jsonl:1: no JSON"),
-        (b"", "corpora[0]: no row to learn from"),
+        (b"", "corpora[0]: no row to learn from in this jsonl; it is empty"),
     ],
 )
 def test_a_damaged_file_is_one_line_that_names_the_place(content: bytes, message: str, tmp_path: Path) -> None:

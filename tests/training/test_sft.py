@@ -278,9 +278,9 @@ def test_long_rows_are_counted_and_left_out(settings: Settings) -> None:
 @installed
 def test_a_folder_of_something_else_is_refused(settings: Settings, tmp_path: Path) -> None:
     train_sft({**settings, "steps": 1})
-    with pytest.raises(TrainingError, match="holds a run with another seed"):
+    with pytest.raises(TrainingError, match="holds a run with another setting of seed"):
         train_sft({**settings, "steps": 1, "seed": 1})
-    with pytest.raises(TrainingError, match="holds a run with another model"):
+    with pytest.raises(TrainingError, match="holds a run with another setting of model"):
         train_sft({**settings, "steps": 1, "model": {**TINY, "layers": 2}})
     with pytest.raises(TrainingError, match=r"holds rows\.jsonl and is no run"):
         train_sft({**settings, "out": str(tmp_path)})

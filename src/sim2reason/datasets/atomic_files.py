@@ -5,7 +5,7 @@ import hashlib
 import json
 import os
 from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from sim2reason.errors import DatasetError
@@ -81,3 +81,20 @@ def locked(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
         yield
     finally:
         os.close(handle)
+
+
+@contextmanager
+def working_in(place: Path) -> Generator[None, None, None]:
+    """Make a folder, and keep other runs out of it while the block runs; what is made here and stays empty goes again.
+
+    DatasetError if another run has it.
+    """
+    made = [folder for folder in (place, *place.parents) if not folder.exists()]
+    place.mkdir(parents=True, exist_ok=True)
+    try:
+        with locked(place):
+            yield
+    finally:
+        for folder in made:
+            with suppress(OSError):  # it holds something
+                folder.rmdir()

@@ -1,7 +1,7 @@
 """What every run of training leaves beside its model: what decides it, written first, and what came of it, last."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TypeVar
 
@@ -12,9 +12,9 @@ from sim2reason.datasets.item import Record
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import versions
 
-__all__ = ["RESULT", "claim", "finish", "result_in"]
+__all__ = ["RESULT", "RL_PLAN", "SFT_PLAN", "claim", "finish", "result_in"]
 
-RESULT = "result.json"
+RL_PLAN, SFT_PLAN, RESULT = "rl.json", "sft.json", "result.json"
 R = TypeVar("R", bound=Record)
 
 
@@ -27,8 +27,10 @@ class TrainingPlan(Record):
     """Of the libraries with which it was begun."""
 
 
-def claim(file: Path, decisive: Mapping[str, object]) -> None:
+def claim(file: Path, decisive: Mapping[str, object], check: Callable[[], object]) -> None:
     """Write the plan into an empty folder, or go on with the same one; the caller holds the lock.
+
+    `check` raises where the run could not begin; so it claims no folder. A plan from which nothing came is replaced.
 
     Raises:
         TrainingError: the folder holds something else, or a run of another configuration.
@@ -38,16 +40,30 @@ def claim(file: Path, decisive: Mapping[str, object]) -> None:
     if not file.is_file():
         if strangers := sorted(path.name for path in folder.iterdir()):
             raise TrainingError(f"{folder}: holds {strangers[0]} and is no run; choose a new folder")
-        plan = TrainingPlan(settings=settings, versions=versions())
-        put_text(file, canonical(plan.model_dump(mode="json")), folder)
-        return
+    else:
+        differs = _difference(file, settings)
+        if differs and not _only_planned(folder):
+            raise TrainingError(f"{folder}: holds a run with another setting of {differs}; choose a new folder")
+        if not differs:
+            return
+    check()
+    plan = TrainingPlan(settings=settings, versions=versions())
+    put_text(file, canonical(plan.model_dump(mode="json")), folder)
+
+
+def _difference(file: Path, settings: Mapping[str, JsonValue]) -> str:
+    """The first setting that a plan has otherwise; empty if there is none."""
     try:
         before = TrainingPlan.model_validate_json(file.read_bytes()).settings
     except ValidationError:
         raise TrainingError(f"{file}: damaged, or of another version; choose a new folder") from None
     names = sorted(before.keys() | settings.keys())
-    if differs := next((name for name in names if before.get(name) != settings.get(name)), ""):
-        raise TrainingError(f"{folder}: holds a run with another {differs}; choose a new folder")
+    return next((name for name in names if before.get(name) != settings.get(name)), "")
+
+
+def _only_planned(folder: Path) -> bool:
+    """Whether there are plans in a folder, and nothing that came of them."""
+    return all(path.name in {RL_PLAN, SFT_PLAN} for path in folder.rglob("*") if not path.is_dir())
 
 
 def result_in(folder: Path, kind: type[R]) -> R | None:

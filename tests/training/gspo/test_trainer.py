@@ -372,7 +372,7 @@ def test_a_stream_that_fails_says_why(model: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("changed", "said"), [({"microbatch": 4}, "in microbatches of 4"), ({"prompts": 5}, "a multiple of minibatches")]
+    ("changed", "said"), [({"microbatch": 4}, "into microbatches of 4"), ({"prompts": 5}, "into 2 minibatches")]
 )
 def test_settings_that_do_not_divide_are_refused(model: Path, tmp_path: Path, changed: Thing, said: str) -> None:
     with pytest.raises((TrainingError, ValueError), match=said):

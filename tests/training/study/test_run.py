@@ -83,7 +83,7 @@ def test_a_finished_study_is_not_run_again(whole: Path) -> None:
 
 
 def test_an_arm_that_means_something_else_now_is_refused(whole: Path) -> None:
-    with pytest.raises(TrainingError, match="ours-0: holds a run with another reward"):
+    with pytest.raises(TrainingError, match="ours-0: holds a run with another setting of reward"):
         train_study(study(whole, arms={"ours": {"reward": "format"}}, seeds=[0]))
 
 
@@ -93,7 +93,11 @@ def test_a_study_may_shrink_and_grow(whole: Path) -> None:
 
 def test_a_run_that_fails_is_named_and_the_others_are_made(tmp_path: Path) -> None:
     arms = {"ours": {}, "broken": {"warm_start": {"model": {"kind": "scratch", "layers": 1, "width": 32, "heads": 2}}}}
-    arms["broken"]["warm_start"]["corpora"] = [{"kind": "jsonl", "file": str(tmp_path / "nowhere.jsonl")}]
-    with pytest.raises(TrainingError, match=r"1 of 2 runs failed.*broken-0: .*nowhere\.jsonl"):
+    arms["broken"]["warm_start"]["corpora"] = [{"kind": "jsonl", "file": str(tmp_path / "rows.jsonl")}]
+    with pytest.raises(TrainingError, match=r"arms\.broken: .*rows\.jsonl: no such file"):
+        train_study(study(tmp_path / "study", arms=arms, seeds=[0]))
+    assert not (tmp_path / "study" / "runs" / "broken-0").exists()
+    (tmp_path / "rows.jsonl").write_text('{"prompt": "1?", "completion": "1"}\n{')
+    with pytest.raises(TrainingError, match=r"1 of 2 runs failed.*broken-0: .*rows\.jsonl:2: no JSON"):
         train_study(study(tmp_path / "study", arms=arms, seeds=[0]))
     assert (tmp_path / "study" / "runs" / "ours-0" / "result.json").is_file()

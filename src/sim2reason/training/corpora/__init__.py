@@ -46,6 +46,9 @@ class Corpus(BaseModel, ABC):
     operational: ClassVar[frozenset[str]] = frozenset({"workers"})
     """Settings that change no row."""
 
+    def check(self) -> None:
+        """Look whether what it reads is there, before anything is made; it raises what `rows` does."""
+
     @abstractmethod
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
         """All rows in order, the same each time; those that cannot be rows are counted by their reason.

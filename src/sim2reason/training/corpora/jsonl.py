@@ -24,3 +24,7 @@ class JsonLines(Corpus):
         """Those of the file."""
         del left_out
         return rows_in(self.file, self.prompt, self.completion)
+
+    def check(self) -> None:
+        """Read the first row."""
+        next(self.rows(Counter()), None)

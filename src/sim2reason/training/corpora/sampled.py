@@ -35,3 +35,7 @@ class SampledSolutions(Corpus):
         if checksum(self.folder / SOLUTIONS) != found.solutions:
             raise TrainingError(f"{self.folder / SOLUTIONS}: changed or missing; give the same sample-solutions again")
         return rows_in(self.folder / SOLUTIONS)
+
+    def check(self) -> None:
+        """Look at the folder and its hash."""
+        self.rows(Counter())

@@ -58,6 +58,11 @@ class Worked(Corpus):
             else:
                 yield _row(item, item.solution.text)
 
+    def check(self) -> None:
+        """Open the dataset."""
+        if self.dataset is not None:
+            self._items()
+
     def rows_of(self, request: Request) -> list[Row] | None:
         """Of one problem; None where there is no such problem."""
         certified = ItemSearch(request).found()

@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sim2reason.errors import TrainingError
 from sim2reason.training.extras import library
 from sim2reason.training.gspo.settings import GSPOSettings, VllmSettings
 from sim2reason.training.gspo.stream import PromptStream
@@ -64,6 +63,7 @@ def _arguments(settings: GSPOSettings, out: Path, weights: Sequence[float] | Non
     """TRL's configuration."""
     cpu = not library("torch").accelerator.is_available()  # or accelerate would leave two processes unconnected
     processes = int(library("accelerate").PartialState(cpu=cpu).num_processes)
+    micro, accumulation = settings.shares(processes)
     return library("trl").GRPOConfig(
         output_dir=str(out),
         reward_weights=None if weights is None else list(weights),
@@ -76,7 +76,7 @@ def _arguments(settings: GSPOSettings, out: Path, weights: Sequence[float] | Non
         disable_tqdm=True,
         **_objective(settings),
         **_rollouts(settings),
-        **_updates(settings, *_shares(settings, processes)),
+        **_updates(settings, micro, accumulation),
     )
 
 
@@ -115,20 +115,6 @@ def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str,
         "save_steps": settings.save_every * every,
         "save_total_limit": settings.keep,
     }
-
-
-def _shares(settings: GSPOSettings, processes: int) -> tuple[int, int]:
-    """Completions that a process takes through the model at once, and how often for one update."""
-    if settings.prompts % processes:
-        raise TrainingError(f"{settings.prompts} prompts a step cannot be shared by {processes} processes evenly")
-    rows, rest = divmod(settings.prompts * settings.generations, processes * settings.minibatches)
-    micro = settings.microbatch or rows
-    if rest or rows % micro:
-        raise TrainingError(
-            f"{settings.prompts * settings.generations} completions a step cannot be cut into {settings.minibatches} "
-            f"minibatches on {processes} processes" + (f" in microbatches of {micro}" if not rest else "")
-        )
-    return micro, rows // micro
 
 
 def _rollouts(settings: GSPOSettings) -> dict[str, Any]:

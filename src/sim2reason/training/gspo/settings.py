@@ -5,6 +5,7 @@ from typing import Annotated, Literal, Self
 from annotated_types import Ge, Gt, Le
 from pydantic import BaseModel, ConfigDict, FiniteFloat, model_validator
 
+from sim2reason.errors import TrainingError
 from sim2reason.training.lora import Lora
 
 __all__ = ["GSPOSettings", "VllmSettings"]
@@ -89,6 +90,26 @@ class GSPOSettings(_Settings):
 
     @model_validator(mode="after")
     def _divisible(self) -> Self:
-        if self.prompts * self.generations % self.minibatches:
-            raise ValueError("prompts times generations must be a multiple of minibatches")
+        self.shares(1)
         return self
+
+    def shares(self, processes: int) -> tuple[int, int]:
+        """Completions that each of so many processes takes through the model at once, and how often for one update.
+
+        TrainingError if they cannot be shared evenly.
+        """
+        all_of_them, on = self.prompts * self.generations, f" on {processes} processes" if processes > 1 else ""
+        if self.prompts % processes:
+            raise TrainingError(f"gspo.prompts: {self.prompts} cannot be shared evenly by {processes} processes")
+        rows, rest = divmod(all_of_them, processes * self.minibatches)
+        if rest:
+            raise TrainingError(
+                f"gspo.minibatches: {all_of_them} completions a step, prompts times generations, cannot be cut into "
+                f"{self.minibatches} minibatches{on}"
+            )
+        micro = self.microbatch or rows
+        if rows % micro:
+            raise TrainingError(
+                f"gspo.microbatch: the {rows} completions of a minibatch{on} cannot be cut into microbatches of {micro}"
+            )
+        return micro, rows // micro

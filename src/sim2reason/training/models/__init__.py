@@ -48,6 +48,9 @@ class ModelSettings(BaseModel, ABC):
             MissingExtraError: a library of the extra [train] is missing.
         """
 
+    def check(self) -> None:
+        """Look whether there is such a model, before anything is made; TrainingError if not. By default it is made."""
+
 
 MODELS: Registry[type[ModelSettings]] = Registry("training.models")
 

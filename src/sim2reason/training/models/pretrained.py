@@ -7,7 +7,7 @@ from typing import Annotated
 from annotated_types import MinLen
 
 from sim2reason.training.models import MODELS, Loaded, ModelSettings
-from sim2reason.training.models.parts.checkpoint import Attention, Precision, read
+from sim2reason.training.models.parts.checkpoint import Attention, Precision, check, read
 
 __all__ = ["Pretrained"]
 
@@ -28,3 +28,7 @@ class Pretrained(ModelSettings):
         """As it was saved; nothing is looked at, and nothing written."""
         del texts, out
         return read(self.model, self.revision, self.precision, self.attention)
+
+    def check(self) -> None:
+        """Read its configuration."""
+        check(self.model, self.revision)

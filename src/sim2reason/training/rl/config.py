@@ -12,6 +12,7 @@ from sim2reason.policies.parts.settings import configuration, each_of
 from sim2reason.training.curriculum import Curriculum
 from sim2reason.training.gspo.settings import GSPOSettings
 from sim2reason.training.models import MODELS, ModelSettings, model_given
+from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.rewards import REWARDS, Reward, reward_from
 from sim2reason.training.sft.config import FineTuning, fine_tuning_from
 from sim2reason.training.sources import SOURCES, ProblemSource, source_from
@@ -85,8 +86,18 @@ class ReinforcementLearning(_Settings):
     def _consistent(self) -> Self:
         if (self.model is None) == (self.warm_start is None):
             raise ValueError("give either model or warm_start")
+        self.check_shares(self.processes)
         self._check_held_out()
         return self
+
+    def check_shares(self, processes: int) -> None:
+        """TrainingError if so many processes cannot share the batches evenly."""
+        self.gspo.shares(processes)
+        if self.warm_start is not None:
+            try:
+                self.warm_start.accumulated(processes)
+            except TrainingError as error:
+                raise TrainingError(f"warm_start.{error}") from None
 
     def _check_held_out(self) -> None:
         """ValueError if what is kept for evaluation is trained on, or two sets have one name."""
@@ -101,6 +112,17 @@ class ReinforcementLearning(_Settings):
     def libraries(self) -> tuple[str, ...]:
         """Those that these settings need beside what every run does."""
         return (*self.gspo.libraries, *(() if self.warm_start is None else self.warm_start.libraries))
+
+    def check(self) -> None:
+        """Look for model, corpora and problems, before a folder is claimed.
+
+        Raises:
+            TrainingError, EvaluationError, DatasetError: one of them is not there, or not what it must be.
+        """
+        ProblemStream(self.problems)
+        for part in (self.model, self.warm_start):
+            if part is not None:
+                part.check()
 
     @property
     def decisive(self) -> dict[str, Any]:

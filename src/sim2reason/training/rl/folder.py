@@ -15,11 +15,11 @@ from sim2reason.training.prefetch import prefetching
 from sim2reason.training.problem import Problem
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.rl.config import WARM_START, HeldOut, ReinforcementLearning
-from sim2reason.training.run_plan import claim, finish, result_in
+from sim2reason.training.run_plan import RL_PLAN, claim, finish, result_in
 
 __all__ = ["Trained", "TrainingFolder"]
 
-PLAN, AVOIDED = "rl.json", "keys.json"
+AVOIDED = "keys.json"
 
 
 class Trained(Record):
@@ -49,7 +49,7 @@ class TrainingFolder:
 
     def claim(self, config: ReinforcementLearning) -> None:
         """As `run_plan.claim` does."""
-        claim(self.path / PLAN, config.decisive)
+        claim(self.path / RL_PLAN, config.decisive, config.check)
 
     def result(self) -> Trained | None:
         """What came of a run that is finished."""

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from datetime import timedelta
 from pathlib import Path
 
-from sim2reason.datasets.atomic_files import locked
+from sim2reason.datasets.atomic_files import working_in
 from sim2reason.training.extras import External, library, quiet, require
 from sim2reason.training.gspo import make_trainer
 from sim2reason.training.models.pretrained import Pretrained
@@ -57,12 +57,12 @@ def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> T
     """What one process does."""
     torch = library("torch")
     state = library("accelerate").PartialState(cpu=not torch.accelerator.is_available(), timeout=PATIENCE)
+    settings.check_shares(state.num_processes)
     folder = TrainingFolder(settings.out)
     if not state.is_main_process:
         with quiet():
             return _run(settings, folder, state, begun, advance)
-    folder.path.mkdir(parents=True, exist_ok=True)
-    with locked(folder.path), quiet():
+    with working_in(folder.path), quiet():
         folder.claim(settings)
         return _run(settings, folder, state, begun, advance)
 

@@ -101,6 +101,12 @@ class FineTuning(BaseModel):
         chosen = {"peft": self.lora is not None, "tensorboard": self.tensorboard}
         return tuple(name for name, wanted in chosen.items() if wanted)
 
+    def check(self) -> None:
+        """Look for the model and the corpora, before a folder is claimed; TrainingError or DatasetError without one."""
+        self.model.check()
+        for corpus in self.corpora:
+            corpus.check()
+
     @property
     def decisive(self) -> dict[str, Any]:
         """What decides the weights, with the kinds of model and corpora."""

@@ -22,13 +22,13 @@ from sim2reason.datasets.item import Record
 from sim2reason.training.corpora import Row
 from sim2reason.training.corpora.parts.lines import rows_in
 from sim2reason.training.corpora.parts.mix import mixed
-from sim2reason.training.run_plan import claim, finish, result_in
+from sim2reason.training.run_plan import SFT_PLAN, claim, finish, result_in
 from sim2reason.training.sft.config import FineTuning
 from sim2reason.training.step_lines import StepLines
 
 __all__ = ["FineTuned", "SftFolder"]
 
-PLAN, ROWS, CORPORA, LOG, WHOLE = "sft.json", "rows.jsonl", "corpora.json", "log.jsonl", "whole"
+ROWS, CORPORA, LOG, WHOLE = "rows.jsonl", "corpora.json", "log.jsonl", "whole"
 CHECKPOINT = "checkpoint-"
 
 
@@ -60,7 +60,7 @@ class SftFolder:
 
     def claim(self, config: FineTuning) -> None:
         """As `run_plan.claim` does."""
-        claim(self.path / PLAN, config.decisive)
+        claim(self.path / SFT_PLAN, config.decisive, config.check)
 
     def result(self) -> FineTuned | None:
         """What came of a run that is finished."""

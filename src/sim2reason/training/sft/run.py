@@ -9,9 +9,10 @@ from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
-from sim2reason.datasets.atomic_files import locked
+from sim2reason.datasets.atomic_files import working_in
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora.parts.encoding import EncodedRow, Limits, encoded
+from sim2reason.training.corpora.parts.mix import counted
 from sim2reason.training.extras import External, library, quiet, require
 from sim2reason.training.models import Loaded
 from sim2reason.training.sft.config import FineTuning, fine_tuning_from
@@ -46,6 +47,7 @@ def train_sft(
     settings = fine_tuning_from(config, out)
     require(*NEEDED, *settings.libraries)
     state = library("accelerate").PartialState(cpu=settings.device == "cpu")
+    settings.accumulated(state.num_processes)
     folder = SftFolder(settings.out)
     with _held(folder, settings, main=state.is_main_process), quiet():
         with state.main_process_first():
@@ -65,8 +67,7 @@ def _held(folder: SftFolder, config: FineTuning, *, main: bool) -> Generator[Non
     if not main:
         yield
         return
-    folder.path.mkdir(parents=True, exist_ok=True)
-    with locked(folder.path):
+    with working_in(folder.path):
         folder.claim(config)
         yield
 
@@ -86,7 +87,7 @@ def _trained(
         raise TrainingError(f"chat: the tokenizer of {loaded.path!r} has no chat template; set chat to false")
     held, left_out = _within(encoded(rows, loaded.tokenizer, chat=chat), _limits(config, loaded))
     if not held:
-        raise TrainingError(f"corpora: no row is within the limits of tokens ({dict(left_out)})")
+        raise TrainingError(f"corpora: no row is within the limits of tokens; left out: {counted(left_out)}")
     steps = config.steps_of(len(held))
     last = folder.checkpoint()
     if state.is_main_process:

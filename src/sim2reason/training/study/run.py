@@ -12,8 +12,8 @@ from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from pathlib import Path
 from subprocess import STDOUT, Popen
 
-from sim2reason.datasets.atomic_files import canonical, locked, put_text
-from sim2reason.errors import TrainingError
+from sim2reason.datasets.atomic_files import canonical, put_text, working_in
+from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.extras import require
 from sim2reason.training.rl.folder import Trained, TrainingFolder
 from sim2reason.training.rl.run import NEEDED
@@ -45,8 +45,7 @@ def train_study(
     """
     study = study_from(config, out)
     require(*NEEDED, *(name for each in study.configs.values() for name in each.libraries))
-    study.out.mkdir(parents=True, exist_ok=True)
-    with locked(study.out):
+    with working_in(study.out):
         begun("runs", len(study.runs))
         for arm in study.runs:
             _claim(study, arm)
@@ -66,17 +65,21 @@ def _folder(study: TrainingStudy, arm: Arm) -> TrainingFolder:
 
 
 def _claim(study: TrainingStudy, arm: Arm) -> None:
-    """Make the folder of a run; TrainingError if it holds one of another configuration."""
+    """Make the folder of a run; TrainingError if it could not begin, or the folder holds another configuration's."""
     folder = _folder(study, arm)
-    folder.path.mkdir(parents=True, exist_ok=True)
-    folder.claim(study.configs[arm])
+    try:
+        with working_in(folder.path):
+            folder.claim(study.configs[arm])
+    except Sim2ReasonError as error:
+        error.args = (f"arms.{arm.name}: {error}", *error.args[1:])
+        raise
     put_text(folder.path.with_name(f"{arm.run}.yaml"), canonical(study.settings[arm]), folder.path.parent)
 
 
 def _finished(study: TrainingStudy, arm: Arm) -> bool:
-    """Whether a run is trained, and evaluated where it is to be."""
+    """Whether a run is trained, and reported on."""
     folder = _folder(study, arm)
-    return folder.result() is not None and (folder.report.is_file() or not study.configs[arm].held_out)
+    return folder.result() is not None and folder.report.is_file()
 
 
 def _first_of_each_warm_start(study: TrainingStudy) -> dict[Arm, Arm]:

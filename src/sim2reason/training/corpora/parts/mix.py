@@ -1,7 +1,7 @@
 """Several corpora as one: each row as often as its corpus weighs, in a random order that a seed decides."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 
@@ -11,7 +11,7 @@ from sim2reason.datasets.random_scenes import generator
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 
-__all__ = ["MOST_ROWS", "Counted", "Mix", "mixed"]
+__all__ = ["MOST_ROWS", "Counted", "Mix", "counted", "mixed"]
 
 MOST_ROWS = 10_000_000
 
@@ -56,7 +56,8 @@ def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozense
             left_out["held out"] += len(found) - len(held)
         kind = CORPORA.name_of(corpus)
         if not held:
-            raise TrainingError(f"corpora[{number}]: no row to learn from ({kind}; left out: {dict(left_out)})")
+            why = f"left out: {counted(left_out)}" if left_out else "it is empty"
+            raise TrainingError(f"corpora[{number}]: no row to learn from in this {kind}; {why}")
         chosen = _weighted(held, corpus.weight, generator("corpus", seed, number))
         rows += chosen
         if len(rows) > MOST_ROWS:
@@ -65,6 +66,11 @@ def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozense
         counts.append(Counted(kind, len(held), len(chosen), wrong, dict(sorted(left_out.items()))))
     order = generator("mix", seed).permutation(len(rows))
     return Mix([rows[place] for place in order], counts)
+
+
+def counted(reasons: Mapping[str, int]) -> str:
+    """In words."""
+    return ", ".join(f"{count} ({reason})" for reason, count in sorted(reasons.items()))
 
 
 def _weighted(rows: list[Row], weight: float, rng: np.random.Generator) -> list[Row]:
