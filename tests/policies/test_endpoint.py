@@ -157,6 +157,11 @@ def test_no_more_requests_are_in_flight_than_allowed(tmp_path: Path) -> None:
     ("settings", "message"),
     [
         ({"url": "ftp://a/b"}, "url: is no address"),
+        ({"url": "http://a:99999/v1"}, "url: is no address"),
+        ({"url": "http://a:0/v1"}, "url: is no address"),
+        ({"url": "http://[::1/v1"}, "url: is no address"),
+        ({"url": "http://a/v1\r\nX-Key: sk-1"}, "url: is no address: it has blanks, line feeds"),
+        ({"url": "http://a/v1 "}, "url: is no address: it has blanks, line feeds"),
         ({"url": "http://user:sk-1@a/v1"}, "url: holds more than a plain address"),
         ({"key_from": "sk-live-abc"}, "key_from: is the name of an environment variable"),
         ({"api_key": "sk-live-abc"}, "api_key: no such setting"),
@@ -172,6 +177,29 @@ def test_settings_are_checked_in_one_line_that_repeats_no_value(settings: dict[s
     assert message in str(raised.value)
     assert "\n" not in str(raised.value)
     assert "sk-" not in "".join(traceback.format_exception(raised.value))
+
+
+@pytest.mark.parametrize(
+    ("where", "settings"),
+    [
+        ("model", {"model": KEY}),
+        ("system", {"system": f"Your key is {KEY}."}),
+        ("extra", {"extra": {"headers": [{"Authorization": f"Bearer {KEY}"}]}}),
+        ("extra", {"extra": {KEY: 1}}),
+        ("url", {"url": f"http://a/{KEY}/v1"}),
+    ],
+)
+def test_settings_that_hold_the_key_are_refused_without_showing_it(where: str, settings: dict[str, Any]) -> None:
+    with pytest.raises(PolicyError, match=f"{where} holds the key that is in the variable SOME_KEY") as raised:
+        policy(**{"url": "http://a/v1", **settings})
+    assert KEY not in "".join(traceback.format_exception(raised.value))
+    assert "\n" not in str(raised.value)
+
+
+def test_without_a_key_settings_may_hold_anything(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOME_KEY", " ")
+    assert policy("http://a/v1", system="Be brief.")[0].system == "Be brief."
+    assert policy("http://a/v1", key_from=None, system=KEY)[0].system == KEY
 
 
 @pytest.mark.parametrize("held", ["", "two words", "line\nfeed", "ключ"])

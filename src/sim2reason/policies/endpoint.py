@@ -5,6 +5,7 @@ one choice, since endpoints answer n = 3 with one; k samples are k requests with
 """
 
 import json
+import os
 import time
 from collections.abc import Callable, Sequence
 from functools import cached_property
@@ -19,7 +20,7 @@ from sim2reason.policies import POLICIES, Completion, Policy, SampleRequest
 from sim2reason.policies.parts.chat_answers import Fault, read
 from sim2reason.policies.parts.http import post
 from sim2reason.policies.parts.retries import delay
-from sim2reason.policies.parts.secret import VARIABLE, Secret, from_environment
+from sim2reason.policies.parts.secret import PRINTABLE, VARIABLE, Secret, from_environment
 from sim2reason.policies.samples import NoAnswerError
 
 __all__ = ["Endpoint"]
@@ -61,9 +62,15 @@ class Endpoint(Policy):
     @field_validator("url")
     @classmethod
     def _plain(cls, value: str) -> str:
-        parts = urlsplit(value)
-        if parts.scheme not in {"http", "https"} or not parts.hostname:
-            raise ValueError("is no address; give one that begins with http:// or https://")
+        if not PRINTABLE.fullmatch(value):  # urlsplit would take a line feed out in silence
+            raise ValueError("is no address: it has blanks, line feeds or letters beyond ASCII; write it without them")
+        try:
+            parts = urlsplit(value)
+            port = parts.port
+        except ValueError:  # brackets that do not match, or a port beyond 65535
+            parts, port = urlsplit(""), 0
+        if parts.scheme not in {"http", "https"} or not parts.hostname or port == 0:
+            raise ValueError("is no address; give one that begins with http:// or https://, with a port up to 65535")
         if "@" in parts.netloc or parts.query or parts.fragment:
             raise ValueError("holds more than a plain address; a key belongs into the variable that key_from names")
         return value.rstrip("/").removesuffix("/chat/completions")
@@ -81,6 +88,15 @@ class Endpoint(Policy):
             raise ValueError(f"extra.{twice[0]} has a setting of its own")
         return self
 
+    @model_validator(mode="after")
+    def _no_key(self) -> Self:
+        """Settings are written down and shown: one that holds the key itself would be, too."""
+        key = Secret() if self.key_from is None else Secret(os.environ.get(self.key_from, "").strip())
+        for name, value in self.model_dump(mode="json", exclude={"key_from"}).items():
+            if key.stands_in(value):
+                raise ValueError(f"{name} holds the key that is in the variable {self.key_from}; take it out there")
+        return self
+
     @property
     def in_flight(self) -> int:
         """As many as `requests_in_flight`."""
@@ -89,6 +105,10 @@ class Endpoint(Policy):
     @cached_property
     def _key(self) -> Secret:
         return from_environment(self.key_from)
+
+    def check(self) -> None:
+        """Read the key; the endpoint itself may still come."""
+        _ = self._key
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
         """One after the other; each is asked for again, ever later, while the endpoint gives no answer."""

@@ -6,13 +6,16 @@ from collections.abc import Mapping
 from typing import Final
 from urllib.parse import quote
 
+from pydantic import JsonValue
+
 from sim2reason.errors import PolicyError
 
-__all__ = ["VARIABLE", "Secret", "from_environment"]
+__all__ = ["PRINTABLE", "VARIABLE", "Secret", "from_environment"]
 
 VARIABLE: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,79}")
 HIDDEN: Final = "***"
-_PRINTABLE: Final = re.compile(r"[!-~]+")
+PRINTABLE: Final = re.compile(r"[!-~]+")
+"""What a header and an address may have: no blanks, and no letters beyond ASCII."""
 
 
 class Secret:
@@ -34,11 +37,26 @@ class Secret:
 
     def hidden(self, text: str) -> str:
         """`text` with the key made unreadable wherever it stands, also as an address would spell it."""
-        if not self._text:
-            return text
-        for spelling in {self._text, quote(self._text, safe="")}:
+        for spelling in self._spellings:
             text = text.replace(spelling, HIDDEN)
         return text
+
+    def stands_in(self, value: JsonValue) -> bool:
+        """Whether the key stands anywhere in a text, or in the texts and names of a list or an object."""
+        match value:
+            case str():
+                return any(spelling in value for spelling in self._spellings)
+            case list():
+                return any(map(self.stands_in, value))
+            case dict():
+                return any(self.stands_in(name) or self.stands_in(each) for name, each in value.items())
+            case _:
+                return False
+
+    @property
+    def _spellings(self) -> set[str]:
+        """As it is, and as an address would have it."""
+        return {self._text, quote(self._text, safe="")} - {""}
 
 
 def from_environment(variable: str | None, environment: Mapping[str, str] = os.environ) -> Secret:
@@ -48,6 +66,6 @@ def from_environment(variable: str | None, environment: Mapping[str, str] = os.e
     key = environment.get(variable, "").strip()
     if not key:
         raise PolicyError(f"the environment variable {variable} holds no key; set it, or leave key_from out")
-    if not _PRINTABLE.fullmatch(key):  # else http.client would show it in its complaint
+    if not PRINTABLE.fullmatch(key):  # else http.client would show it in its complaint
         raise PolicyError(f"the key in the environment variable {variable} has blanks or signs that no header may have")
     return Secret(key)
