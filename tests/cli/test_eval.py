@@ -72,6 +72,38 @@ def test_open_samples_end_with_one_and_a_refusal_with_two(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
+    "settings",
+    [
+        {"benchmarks": [{"kind": "jsonl", "name": "numbers", "file": "none.json"}]},
+        {"policies": [{"kind": "endpoint", "name": "p", "url": "http://a", "model": "m", "key_from": "NO_SUCH_KEY"}]},
+    ],
+)
+def test_a_run_that_cannot_begin_leaves_no_folder(tmp_path: Path, settings: dict[str, Any]) -> None:
+    found = run(config(tmp_path, "http://127.0.0.1:9/v1", out=str(tmp_path / "runs/first"), **settings))
+    assert found.exit_code == 2, found.output
+    assert found.stderr.count("\n") == 1
+    assert not (tmp_path / "runs").exists()
+
+
+def test_a_run_without_an_answer_is_replaced(tmp_path: Path) -> None:
+    with serving(lambda *_: Said({"error": "no such model"}, 404)) as server:
+        assert run(config(tmp_path, server.url)).exit_code == 2
+    with serving(lambda *_: Said(answer(r"\boxed{1}"))) as server:
+        policy = {"kind": "endpoint", "name": "p", "url": server.url, "model": "other"}
+        assert run(config(tmp_path, server.url, policies=[policy], seed=1)).exit_code == 0
+
+
+@pytest.mark.parametrize("items", [1, 7, 12])
+def test_nobody_there_ends_with_two_however_few_the_samples_are(tmp_path: Path, items: int) -> None:
+    path = config(tmp_path, "http://127.0.0.1:9/v1")
+    (tmp_path / "numbers.json").write_text(json.dumps([{"question": f"{n}?", "answer": n} for n in range(items)]))
+    found = run(path)
+    assert found.exit_code == 2, found.output
+    assert "no connection" in found.stderr
+    assert found.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
     ("text", "message"),
     [
         ("out: a", "policies: is missing"),

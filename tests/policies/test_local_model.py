@@ -103,6 +103,8 @@ def test_without_temperature_it_takes_the_likeliest(folder: Path) -> None:
 def test_no_model_is_one_line(tmp_path: Path) -> None:
     with pytest.raises(PolicyError, match=r"no model could be loaded.*no such folder") as raised:
         made(tmp_path / "none").complete(requests(1))
+    with pytest.raises(PolicyError, match=r"no model could be loaded.*no such folder"):
+        made(tmp_path / "none").check()
     assert "\n" not in str(raised.value)
 
 
@@ -115,8 +117,10 @@ def test_a_model_is_loaded_without_a_bar(folder: Path, capfd: pytest.CaptureFixt
 @installed
 @pytest.mark.parametrize("device", ["banana", "cuda:99", "meta", ""])
 def test_no_such_device_is_one_line_that_lists_what_there_is(folder: Path, device: str) -> None:
-    with pytest.raises(PolicyError, match=f"no device {device!r}; there are: cpu"):
-        made(folder, device=device).complete(requests(1))
+    for asked in (LocalModel.check, lambda policy: policy.complete(requests(1))):
+        with pytest.raises(PolicyError, match=f"no device {device!r}; there are: cpu"):
+            asked(made(folder, device=device))
+    made(folder).check()
 
 
 @installed

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from pydantic import JsonValue, ValidationError
 
-from sim2reason.datasets.atomic_files import canonical, checksum, locked, put_text
+from sim2reason.datasets.atomic_files import canonical, checksum, put_text, working_in
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item, Record
 from sim2reason.datasets.manifest import MANIFEST
@@ -63,9 +63,8 @@ def asked(
     plan = PolicyPass.model_validate(
         {"dataset": checksum(source.path / MANIFEST), "policy": held.decisive, "seed": seed}
     )
-    out.mkdir(parents=True, exist_ok=True)
-    with locked(out):
-        _claim(out, plan)
+    with working_in(out):
+        _claim(out, plan, held)
         with SampleJournal(out / SAMPLES) as journal:
             prompts = ((item.id, item.prompt) for item in items)
             done = ask(held, requests_for(prompts, k, seed), journal, advance=advance)
@@ -80,18 +79,25 @@ def _policy(given: PolicySource) -> Policy:
     return policy_from(given) if isinstance(given, Mapping) else policy_from(settings_in(Path(given)), str(given))
 
 
-def _claim(out: Path, plan: PolicyPass) -> None:
-    """Write the plan into an empty folder, or go on with the same one."""
+def _claim(out: Path, plan: PolicyPass, policy: Policy) -> None:
+    """Write the plan into an empty folder, or in place of one without any answer, or go on with the same one."""
     file = out / PLAN
     if not file.is_file():
         if strangers := sorted(path.name for path in out.iterdir()):
             raise EvaluationError(f"{out}: holds {strangers[0]} and is no pass of a policy; choose a new folder")
-        put_text(file, canonical(plan.model_dump(mode="json")), out)
-        return
+    else:
+        before = _plan_in(file)
+        if before == plan:
+            return
+        if (out / SAMPLES).is_file() and (out / SAMPLES).stat().st_size:
+            differs = next(name for name in PolicyPass.model_fields if getattr(before, name) != getattr(plan, name))
+            raise EvaluationError(f"{out}: holds a pass with another {differs}; choose a new folder")
+    policy.check()
+    put_text(file, canonical(plan.model_dump(mode="json")), out)
+
+
+def _plan_in(file: Path) -> PolicyPass:
     try:
-        before = PolicyPass.model_validate_json(file.read_bytes())
+        return PolicyPass.model_validate_json(file.read_bytes())
     except ValidationError:
         raise EvaluationError(f"{file}: damaged; choose a new folder") from None
-    if before != plan:
-        differs = next(name for name in PolicyPass.model_fields if getattr(before, name) != getattr(plan, name))
-        raise EvaluationError(f"{out}: holds a pass with another {differs}; choose a new folder")

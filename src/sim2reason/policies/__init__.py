@@ -112,6 +112,14 @@ class Policy(_Settings, ABC):
         """How many requests one call of `complete` takes."""
         return 1
 
+    def check(self) -> None:
+        """Look whether it can be asked, before a run is begun with it.
+
+        Raises:
+            PolicyError: there is no such model, device or key.
+            MissingExtraError: a library that it needs.
+        """
+
     @abstractmethod
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
         """A completion for each request, in their order.

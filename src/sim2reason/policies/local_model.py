@@ -3,7 +3,8 @@
 # transformers and torch are an extra, and are spoken to in this module alone:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
 from functools import cached_property
 from importlib import import_module
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
@@ -60,14 +61,10 @@ class LocalModel(Policy):
     def _loaded(self) -> _Loaded:
         torch, transformers = _module("torch"), _module("transformers")
         device = self._device(torch)
-        try:
-            source = {"revision": self.revision, **loading(self.model, self.revision)}
+        with self._explained(), quiet():
+            source = self._source
             tokenizer = transformers.AutoTokenizer.from_pretrained(self.model, padding_side="left", **source)
-            with quiet():
-                model = transformers.AutoModelForCausalLM.from_pretrained(self.model, dtype=self.precision, **source)
-        except (OSError, ValueError) as error:
-            why = " ".join(str(error).split())[:200]
-            raise PolicyError(f"policy {self.name!r}: no model could be loaded from {self.model!r}: {why}") from None
+            model = transformers.AutoModelForCausalLM.from_pretrained(self.model, dtype=self.precision, **source)
         if tokenizer.pad_token_id is None:
             tokenizer.pad_token = tokenizer.eos_token
         try:
@@ -76,6 +73,26 @@ class LocalModel(Policy):
             why = " ".join(str(error).split())[:200]
             raise PolicyError(f"policy {self.name!r}: the model can't be moved to {device}: {why}") from None
         return _Loaded(torch, transformers, model, tokenizer)
+
+    def check(self) -> None:
+        """Look for the libraries, the device and the model's configuration."""
+        torch, transformers = _module("torch"), _module("transformers")
+        self._device(torch)
+        with self._explained(), quiet():
+            transformers.AutoConfig.from_pretrained(self.model, **self._source)
+
+    @property
+    def _source(self) -> dict[str, Any]:
+        return {"revision": self.revision, **loading(self.model, self.revision)}
+
+    @contextmanager
+    def _explained(self) -> Generator[None]:
+        """Say in one line what the library could not load."""
+        try:
+            yield
+        except (OSError, ValueError) as error:
+            why = " ".join(str(error).split())[:200]
+            raise PolicyError(f"policy {self.name!r}: no model could be loaded from {self.model!r}: {why}") from None
 
     def _device(self, torch: Any) -> str:  # noqa: ANN401 - a module of an extra
         """Where the model is put; PolicyError, which lists what there is, if there is no such device."""

@@ -55,6 +55,11 @@ class Evaluation:
             if twice := sorted({name for name in held if held.count(name) > 1}):
                 raise EvaluationError(f"{what}: the name {twice[0]!r} stands twice; give each its own")
 
+    def check(self) -> None:
+        """Look whether all policies can be asked, before a run is begun; it raises what `Policy.check` does."""
+        for policy in (*self.policies, *(() if self.judge is None else (self.judge,))):
+            policy.check()
+
     def samples_of(self, benchmark: Benchmark) -> int:
         """How often each problem of a benchmark is asked."""
         return benchmark.samples or self.samples

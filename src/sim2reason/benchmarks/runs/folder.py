@@ -116,18 +116,24 @@ class RunFolder:
     def begun(cls, evaluation: Evaluation) -> "RunFolder":
         """The folder of an evaluation, new or gone on with; the caller holds its lock.
 
+        A run to whose problems no answer has come is replaced by another.
+
         Raises:
             EvaluationError: the folder holds something else, or a run with which this one can't go on.
+            PolicyError, MissingExtraError: the run would begin, and a policy can't be asked.
         """
         out = evaluation.out
         if not (out / RUN).is_file() and (strangers := sorted(path.name for path in out.iterdir())):
             raise EvaluationError(f"{out}: holds {strangers[0]} and is no run; choose a new folder")
         items = {each.name: _drawn_before(out, each) or items_of(each) for each in evaluation.benchmarks}
         record = _record(evaluation, items)
-        if (out / RUN).is_file():
-            before = cls(out).record
-            if why := before.difference(record):
-                raise EvaluationError(f"{out}: holds a run of another configuration ({why}); choose a new folder")
+        before = cls(out).record if (out / RUN).is_file() else None
+        why = "" if before is None else before.difference(record)
+        if why and any(path.stat().st_size for path in (out / SAMPLES).rglob("*.jsonl")):
+            raise EvaluationError(f"{out}: holds a run of another configuration ({why}); choose a new folder")
+        if before is None or why:
+            evaluation.check()
+        else:
             record = before.joined(record)
         for name, held in items.items():
             (out / PROBLEMS).mkdir(exist_ok=True)

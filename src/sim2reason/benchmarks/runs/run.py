@@ -7,7 +7,8 @@ from sim2reason.benchmarks import BenchmarkItem
 from sim2reason.benchmarks.runs.config import Evaluation
 from sim2reason.benchmarks.runs.folder import RunFolder
 from sim2reason.benchmarks.scoring import SCORINGS
-from sim2reason.datasets.atomic_files import locked
+from sim2reason.datasets.atomic_files import working_in
+from sim2reason.errors import PolicyError
 from sim2reason.policies import Policy, SampleRequest
 from sim2reason.policies.samples.ask import Asked, ask, requests_for, sample_seed
 from sim2reason.policies.samples.budget import Budget
@@ -41,8 +42,7 @@ def run(
         EvaluationError: a benchmark, or a folder, that can't be used.
         PolicyError: a policy that can't be asked, or whose limit is reached; what was finished is kept.
     """
-    evaluation.out.mkdir(parents=True, exist_ok=True)
-    with locked(evaluation.out):
+    with working_in(evaluation.out):
         folder = RunFolder.begun(evaluation)
         begun(total_samples(evaluation, folder))
         left = [why for policy in evaluation.policies for why in _answers(evaluation, folder, policy, advance)]
@@ -51,25 +51,31 @@ def run(
         return folder, left
 
 
-def _answers(evaluation: Evaluation, folder: RunFolder, policy: Policy, advance: Advance) -> Iterator[str]:
+def _answers(evaluation: Evaluation, folder: RunFolder, policy: Policy, advance: Advance) -> list[str]:
     """Ask one policy all problems; the reasons of those that got no answer."""
     wanted: list[tuple[Path, list[SampleRequest]]] = []
     for benchmark in evaluation.benchmarks:
         prompts = ((item.id, item.prompt) for item in folder.items(benchmark.name))
         requests = list(requests_for(prompts, evaluation.samples_of(benchmark), evaluation.seed))
         wanted.append((folder.samples(policy.name, benchmark.name), requests))
-    yield from _asked(policy, wanted, advance)
+    return _asked(policy, wanted, advance)
 
 
-def _asked(policy: Policy, wanted: list[tuple[Path, list[SampleRequest]]], advance: Advance) -> Iterator[str]:
-    """Ask for all requests, each list into a journal of its own, out of one budget."""
-    budget = Budget(policy)
+def _asked(policy: Policy, wanted: list[tuple[Path, list[SampleRequest]]], advance: Advance) -> list[str]:
+    """Ask for all requests, each list into a journal of its own, out of one budget; why those left open are.
+
+    PolicyError if none of them was answered: nobody is there, however few they were.
+    """
+    budget, found = Budget(policy), list[Asked]()
     for path, requests in wanted:
         budget.charge_finished(path, requests)
     for path, requests in wanted:
         with SampleJournal(path) as journal:
-            found: Asked = ask(policy, requests, journal, budget=budget, advance=advance)
-        yield from found.open
+            found.append(ask(policy, requests, journal, budget=budget, advance=advance))
+    left = [why for each in found for why in each.open]
+    if left and not any(each.finished_now for each in found):
+        raise PolicyError(f"{left[-1]}; not one request was answered; try again later")
+    return left
 
 
 def judged_id(item: str, sample: int) -> str:
@@ -85,7 +91,7 @@ def _judge(evaluation: Evaluation, folder: RunFolder, judge: Policy) -> list[str
         for benchmark in evaluation.benchmarks
         if (requests := list(_questions(evaluation, folder, policy.name, benchmark.name)))
     ]
-    return list(_asked(judge, wanted, lambda _: None))
+    return _asked(judge, wanted, lambda _: None)
 
 
 def _questions(evaluation: Evaluation, folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleRequest]:
