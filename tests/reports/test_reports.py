@@ -127,6 +127,11 @@ def test_two_runs_are_compared_problem_by_problem(made: Made, tmp_path: Path) ->
     assert 0.0 < found.difference.low < 0.3 < found.difference.high
     assert "| numbers | 20 | 50.0 | 80.0 | 30.0 [" in (tmp_path / "comparison/compare.md").read_text("utf-8")
     assert json.loads((tmp_path / "comparison/compare.json").read_text("utf-8"))["benchmarks"][0]["better"] == 6
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data/manifest.json").touch()
+    with pytest.raises(EvaluationError, match=r"data: holds manifest\.json and no compare\.json; choose a new folder"):
+        compare(tmp_path / "before", f"{tmp_path}/after:trained", tmp_path / "data")
+    assert len(list((tmp_path / "data").iterdir())) == 1
     with pytest.raises(EvaluationError, match=r"which policy.*base, trained"):
         compare(tmp_path / "before", tmp_path / "after")
     with pytest.raises(EvaluationError, match=r"no run\.json here"):
@@ -158,8 +163,17 @@ def test_models_are_correlated_across_benchmarks(made: Made, tmp_path: Path) -> 
         correlate(runs[:2], "ours")
     with pytest.raises(EvaluationError, match="which benchmark shall lie across"):
         correlate(runs)
-    with pytest.raises(EvaluationError, match="0 models have answered both"):
+    with pytest.raises(EvaluationError, match="no benchmark 'none' in these runs; there are: ours, theirs"):
         correlate(runs, "ours", ["none"])
+    with pytest.raises(EvaluationError, match="no benchmark 'none' in these runs; there are: ours, theirs"):
+        correlate(runs, "none")
+    with pytest.raises(EvaluationError, match="ours lies across; correlate it with others: ours, theirs"):
+        correlate(runs, "ours", ["theirs", "ours"])
+    with pytest.raises(EvaluationError, match="run-0: this run stands twice"):
+        correlate([*runs, tmp_path / "correlation" / ".." / "run-0"], "ours")
+    correlate(runs[1:], "ours", out=tmp_path / "correlation")
+    with pytest.raises(EvaluationError, match=r"run-0: holds .* and no correlate\.json; choose a new folder"):
+        correlate(runs, "ours", out=runs[0])
 
 
 def test_drawn_problems_are_not_drawn_again_by_a_run_that_goes_on(

@@ -101,7 +101,13 @@ def compare_command(first: str, second: str, out: Path | None, to_json: bool) ->
 @click.argument("runs", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--across", default=None, help="The benchmark that lies across. [default: the synthetic one]")
 @click.option("--up", default="", help="Those that it is correlated with, separated by commas. [default: all others]")
-@click.option("-o", "--out", type=FOLDER, default=None, help="Write correlate.json, correlate.md and plots there.")
+@click.option(
+    "-o",
+    "--out",
+    type=FOLDER,
+    default=None,
+    help="Write correlate.json, correlate.md and the scatter plots there; without it there are none.",
+)
 @click.option("--json", "to_json", is_flag=True, help="For a program to read.")
 def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: Path | None, to_json: bool) -> None:
     """Correlate, across the models of RUNS, accuracy on our problems with that on others: Spearman's ρ."""

@@ -6,10 +6,13 @@ from typing import NamedTuple
 from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.errors import EvaluationError
 from sim2reason.reports.markdown import table
+from sim2reason.reports.own_folder import own_folder
 from sim2reason.reports.scores import PolicyScores, scores_of
 from sim2reason.reports.statistics import Estimate, difference
 
 __all__ = ["PairedDifference", "compare"]
+
+RESULT = "compare.json"
 
 
 class PairedDifference(NamedTuple):
@@ -31,7 +34,8 @@ def compare(first: str | Path, second: str | Path, out: Path | None = None) -> l
     With `out`, a folder, the result is written there as ``compare.json`` and ``compare.md``.
 
     Raises:
-        EvaluationError: no such run or policy, no benchmark in common, or other problems under the same name.
+        EvaluationError: no such run or policy, no benchmark in common, other problems under the same name, or a folder
+            that holds something else.
     """
     mine, theirs = scores_of(str(first)), scores_of(str(second))
     common = [name for name in mine.points if name in theirs.points]
@@ -75,9 +79,9 @@ HEAD = "benchmark", "problems", "first", "second", "difference", "better", "wors
 
 
 def _write(out: Path, first: str, second: str, found: list[PairedDifference]) -> None:
-    out.mkdir(parents=True, exist_ok=True)
+    own_folder(out, RESULT)
     told = [{**one._asdict(), "difference": one.difference._asdict()} for one in found]
-    put_text(out / "compare.json", canonical({"first": first, "second": second, "benchmarks": told}), out)
+    put_text(out / RESULT, canonical({"first": first, "second": second, "benchmarks": told}), out)
     lines = [
         "# Paired comparison",
         "",

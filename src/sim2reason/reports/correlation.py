@@ -9,12 +9,14 @@ from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.errors import EvaluationError, MissingExtraError
 from sim2reason.figures.evaluation_plots import Bar, Point, scatter
 from sim2reason.reports.markdown import table
+from sim2reason.reports.own_folder import own_folder
 from sim2reason.reports.scores import PolicyScores, all_scores
 from sim2reason.reports.statistics import Estimate, mean_of_items, rank_correlation
 
 __all__ = ["RankCorrelation", "correlate"]
 
 FEWEST = 3  # models
+RESULT = "correlate.json"
 
 
 class RankCorrelation(NamedTuple):
@@ -38,11 +40,20 @@ def correlate(
     written there as ``correlate.json``, ``correlate.md`` and a scatter plot each.
 
     Raises:
-        EvaluationError: no such benchmark, fewer than three models, or other problems under the same name.
+        EvaluationError: a run that stands twice, no such benchmark, one with itself, fewer than three models, other
+            problems under the same name, or a folder that holds something else.
     """
+    places = [Path(run).resolve() for run in runs]
+    if twice := [run for run, place in zip(runs, places, strict=True) if places.count(place) > 1]:
+        raise EvaluationError(f"{twice[0]}: this run stands twice; give each once, its models count once")
     models = [scores for run in runs for scores in all_scores(run)]
     across = across or _synthetic(models)
-    others = list(up) or sorted({name for scores in models for name in scores.points} - {across})
+    there = sorted({name for scores in models for name in scores.points})
+    others = list(dict.fromkeys(up)) or [name for name in there if name != across]
+    if unknown := [name for name in (across, *others) if name not in there]:
+        raise EvaluationError(f"no benchmark {unknown[0]!r} in these runs; there are: {', '.join(there)}")
+    if across in others:
+        raise EvaluationError(f"{across} lies across; correlate it with others: {', '.join(there)}")
     if not others:
         raise EvaluationError(f"these runs have answered no benchmark but {across}")
     found = [_correlation(models, across, other) for other in others]
@@ -77,13 +88,13 @@ def told(found: RankCorrelation) -> str:
 
 
 def _write(out: Path, found: Sequence[RankCorrelation]) -> None:
-    out.mkdir(parents=True, exist_ok=True)
+    own_folder(out, RESULT)
     listed = [
         {**each._asdict(), "rho": each.rho and each.rho._asdict()}
         | {side: [one._asdict() for one in getattr(each, side)] for side in ("x", "y")}
         for each in found
     ]
-    put_text(out / "correlate.json", canonical(listed), out)
+    put_text(out / RESULT, canonical(listed), out)
     lines = [
         "# Rank correlation across models",
         "",
