@@ -6,13 +6,15 @@ from pathlib import Path
 from typing import Annotated, Self
 
 from annotated_types import Ge, Le
-from pydantic import JsonValue, model_validator
+from pydantic import JsonValue, field_validator, model_validator
 
 from sim2reason.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.items import stream
+from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.plan import LARGEST
+from sim2reason.policies.parts.words import held_to
 
 __all__ = ["SYNTHETIC", "Synthetic", "benchmark_item"]
 
@@ -58,6 +60,21 @@ class Synthetic(Benchmark):
         if self.split is not None and self.dataset is None:
             raise ValueError("split is one of a dataset")
         return self
+
+    @field_validator("recipe")
+    @classmethod
+    def _recipes(cls, value: str) -> str:
+        return held_to(recipes_named, value)
+
+    @field_validator("difficulty")
+    @classmethod
+    def _difficulties(cls, value: str) -> str:
+        return held_to(difficulties_named, value)
+
+    @field_validator("modes")
+    @classmethod
+    def _modes(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        return held_to(modes_named, value)
 
     @property
     def pure(self) -> bool:

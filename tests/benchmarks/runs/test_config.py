@@ -40,6 +40,10 @@ def test_a_name_stands_once_and_the_folder_may_be_given(tmp_path: Path) -> None:
 
 def test_an_error_names_file_and_place(tmp_path: Path) -> None:
     path = tmp_path / "c.yaml"
+    benchmark = {**BENCHMARK, "recipe": "puley"}
+    path.write_text(yaml.safe_dump({"out": "o", "policies": [POLICY], "benchmarks": [BENCHMARK, benchmark]}))
+    with pytest.raises(EvaluationError, match=r"c\.yaml: benchmarks\[1\]\.recipe: .*did you mean: pulley"):
+        evaluation_from(path)
     path.write_text("out: o\npolicies: [{kind: constant, name: p}]\nbenchmarks: [{kind: synthetic, name: b, seed: 1}]")
     with pytest.raises(PolicyError, match=r"c\.yaml: policies\[0\]\.text: is missing"):
         evaluation_from(path)

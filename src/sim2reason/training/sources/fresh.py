@@ -15,6 +15,7 @@ from sim2reason.datasets.names import difficulties_named, modes_named, recipes_n
 from sim2reason.datasets.plan import ALL, LARGEST, SI, Config, Request
 from sim2reason.datasets.variants import variant
 from sim2reason.datasets.weights import check
+from sim2reason.policies.parts.words import held_to
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS
 from sim2reason.questions.spoken_units import system_named
@@ -52,7 +53,27 @@ class Fresh(ProblemSource):
             raise ValueError("give either kinds or weights")
         if unknown := [kind for kind in self.kinds if kind not in KINDS]:
             raise ValueError(f"no such kind: {unknown[0]!r}; there are: {', '.join(KINDS)}")
-        return self
+        return held_to(lambda own: own.cells, self)
+
+    @field_validator("recipe")
+    @classmethod
+    def _recipes(cls, value: Names) -> Names:
+        return held_to(recipes_named, value)
+
+    @field_validator("difficulty")
+    @classmethod
+    def _difficulties(cls, value: Names) -> Names:
+        return held_to(difficulties_named, value)
+
+    @field_validator("modes")
+    @classmethod
+    def _modes(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        return held_to(modes_named, value)
+
+    @field_validator("units")
+    @classmethod
+    def _units(cls, value: str) -> str:
+        return held_to(system_named, value)
 
     @field_validator("quantities")
     @classmethod
