@@ -20,6 +20,8 @@ HOPELESS = 3  # one prompt of so many has no right completion
 class Numbers:
     """Prompts with a number each, without end or up to `length`."""
 
+    cpu_seconds = 0.0
+
     def __init__(self, length: int | None = None, *, mixed: bool = False, pause: float = 0.0) -> None:
         self.length, self.mixed, self.pause = length, mixed, pause
         self.next = 0

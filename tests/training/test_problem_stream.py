@@ -83,7 +83,9 @@ def test_prefetched_problems_are_the_same() -> None:
     with prefetching(2, 4) as store:
         stream = ProblemStream([source], store)
         stream.begin()
+        assert stream.cpu_seconds == 0.0
         assert ids(stream.next_prompts(6)) == alone
+        assert stream.cpu_seconds > 0.0
 
 
 def test_a_barren_source_is_an_error_that_names_it() -> None:

@@ -109,22 +109,22 @@ def rl_command(config: Path, out: Path | None, to_json: bool) -> None:
     remedy = f"what is finished stays in {settings.out}; give the same command again to go on"
     with console.resumable(remedy), console.Phases() as phases, quiet():
         found = train_rl(settings, begun=phases.begin, advance=phases.advance)
-        asked = bool(settings.held_out) and is_main_process()
-        report = report_training(settings, begun=phases.begin, advance=phases.advance) if asked else None
-    if not is_main_process():
+        main = is_main_process()
+        report = report_training(settings, begun=phases.begin, advance=phases.advance) if main else None
+    if report is None:
         return
     if to_json:
         console.as_json(found.model_dump(mode="json"))
         return
     console.table(["steps", "prompts", "seconds"], [[found.steps, found.prompts_consumed, round(found.seconds)]])
-    if report is not None:
-        rows = [
-            [name, each.benchmark, f"{100 * each.first:.1f}", f"{100 * each.second:.1f}", each.difference.shown]
-            for name, held in report.differences.items()
-            for each in held
-        ]
+    rows = [
+        [name, each.benchmark, f"{100 * each.first:.1f}", f"{100 * each.second:.1f}", each.difference.shown]
+        for name, held in report.differences.items()
+        for each in held
+    ]
+    if rows:
         console.table(["responses", "problems", "before (%)", "after (%)", "difference"], rows)
-        click.echo(f"The report: {report.folder / 'report.md'}")
+    click.echo(f"The report: {report.folder / 'report.md'}")
     click.echo(f"The model: {settings.out / found.model}")
 
 

@@ -47,7 +47,9 @@ class TrainingReport(NamedTuple):
     constants: dict[str, Estimate]
     """Of each set the accuracy of the constant that suits these very problems best."""
     overhead: float
-    """The share of the steps' time that problems and rewards took."""
+    """The share of the steps' time for which they waited for problems and rewards."""
+    problems: float
+    """CPU time for each step that other processes spent on making problems, s; nobody waited for it."""
     seconds: float
     """Of a step."""
     folder: Path
@@ -61,12 +63,16 @@ def report_training(
 ) -> TrainingReport:
     """Evaluate a finished run on its held-out problems, before and after, and write the report.
 
+    Where none are held out it has what the steps measured alone.
+
     Raises:
-        TrainingError: the run is not finished, or holds no problems out.
+        TrainingError: the run is not finished.
         PolicyError: a model cannot be loaded.
     """
-    sets = evaluated(config, begun, advance)
     folder = TrainingFolder(config.out)
+    if folder.result() is None:
+        raise TrainingError(f"{config.out}: no finished run; train it first")
+    sets = evaluated(config, begun, advance) if config.held_out else {}
     out = folder.report.parent
     out.mkdir(exist_ok=True)
     steps = StepLog(folder.train).read()
@@ -84,12 +90,13 @@ def _found(
     steps: Sequence[StepRecord],
     out: Path,
 ) -> TrainingReport:
-    runs, total = answered(config), sum(step.seconds.step for step in steps)
+    runs, total = answered(config) if sets else {}, sum(step.seconds.step for step in steps)
     return TrainingReport(
         differences={name: compare(f"{run}:{BEFORE}", f"{run}:{AFTER}") for name, run in runs.items()},
         cells={name: cells(name, items, runs) for name, items in sets.items()},
         constants={name: best_constant(items) for name, items in sets.items()},
         overhead=sum(step.seconds.reward + step.seconds.drawing for step in steps) / total if total else 0.0,
+        problems=sum(step.seconds.problems for step in steps) / max(len(steps), 1),
         seconds=total / max(len(steps), 1),
         folder=out,
     )
@@ -102,13 +109,24 @@ def _as_json(found: TrainingReport) -> dict[str, JsonValue]:
     }
     constants = {name: each._asdict() for name, each in found.constants.items()}
     told = {"differences": differences, "cells": found.cells, "constants": constants}
-    return json.loads(json.dumps({**told, "overhead": found.overhead, "seconds": found.seconds}))
+    cost = {"overhead": found.overhead, "problems": found.problems, "seconds": found.seconds}
+    return json.loads(json.dumps({**told, **cost}))
 
 
 def _page(
     config: ReinforcementLearning, folder: TrainingFolder, found: TrainingReport, steps: Sequence[StepRecord]
 ) -> list[str]:
-    lines = [f"# {config.out.name}", "", "Held-out accuracy in per cent, with 95 % intervals."]
+    cost = (
+        f"{len(steps)} steps of {found.seconds:.1f} s; for {100 * found.overhead:.1f} % of that they waited for "
+        f"problems and rewards. Making problems took other processes {found.problems:.1f} s of CPU time a step."
+    )
+    learned = ["What the warm start learned from:", "", *corpora_of(folder), ""] if folder.learned.is_file() else []
+    return [f"# {config.out.name}", "", *(_accuracies(found) if found.cells else []), cost, "", *learned, PLOT]
+
+
+def _accuracies(found: TrainingReport) -> list[str]:
+    """On held-out problems."""
+    lines = ["Held-out accuracy in per cent, with 95 % intervals."]
     head = [CELL, "problems", *(f"{name}, {who}" for name in RESPONSES for who in (BEFORE, AFTER)), "best constant"]
     for name, rows in found.cells.items():
         lines += ["", f"Problems *{name}*:", "", *table(head, rows)]
@@ -118,12 +136,7 @@ def _page(
         for each in held
     ]
     lines += ["", *table(["responses", "problems", "before", "after", "paired difference"], rows), ""]
-    cost = (
-        f"{len(steps)} steps of {found.seconds:.1f} s; problems and rewards took {100 * found.overhead:.1f} % of that. "
-        "The best constant is the one that suits these very problems best."
-    )
-    learned = ["What the warm start learned from:", "", *corpora_of(folder), ""] if folder.learned.is_file() else []
-    return [*lines, cost, "", *learned, PLOT]
+    return [*lines, "The best constant is the one that suits these very problems best.", ""]
 
 
 def corpora_of(folder: TrainingFolder) -> list[str]:

@@ -1,6 +1,7 @@
 """Problems made in other processes before they are asked for, so that no step waits for them."""
 
 import os
+import time
 from collections.abc import Generator
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -15,6 +16,8 @@ __all__ = ["Prefetcher", "begin_worker", "prefetching"]
 
 Key = tuple[str, str, int]
 """Source, cell, index."""
+Made = tuple[Problem | None, float]
+"""A problem, and the CPU time that it took, s."""
 
 
 class Prefetcher:
@@ -26,7 +29,9 @@ class Prefetcher:
     def __init__(self, pool: ProcessPoolExecutor | None, depth: int) -> None:
         """`depth` is how many problems of each cell are ordered before they are asked for."""
         self._pool, self._depth = pool, depth
-        self._ordered: dict[Key, Future[Problem | None]] = {}
+        self._ordered: dict[Key, Future[Made]] = {}
+        self.cpu_seconds = 0.0
+        """That other processes have spent on problems so far, asked for or not."""
 
     def at(self, source: ProblemSource, cell: str, index: int) -> Problem | None:
         """The problem, and an order for those after it."""
@@ -34,7 +39,7 @@ class Prefetcher:
         found = self._ordered.pop((source.name, cell, index), None)
         if found is not None:
             try:
-                return found.result()
+                return found.result()[0]
             except BrokenProcessPool:  # a process was killed, for want of memory say: go on without
                 self._pool = None
                 self._ordered.clear()
@@ -47,10 +52,17 @@ class Prefetcher:
         try:
             for index in range(start, start + self._depth):
                 if (source.name, cell, index) not in self._ordered:
-                    self._ordered[source.name, cell, index] = self._pool.submit(_made, source, cell, index)
+                    ordered = self._pool.submit(_made, source, cell, index)
+                    ordered.add_done_callback(self._count)
+                    self._ordered[source.name, cell, index] = ordered
         except BrokenProcessPool:
             self._pool = None
             self._ordered.clear()
+
+    def _count(self, done: "Future[Made]") -> None:
+        """Called by the one thread that hears of results."""
+        if not done.cancelled() and done.exception() is None:
+            self.cpu_seconds += done.result()[1]
 
 
 @contextmanager
@@ -73,5 +85,6 @@ def begin_worker() -> None:
     os.nice(5)
 
 
-def _made(source: ProblemSource, cell: str, index: int) -> Problem | None:
-    return source.at(cell, index)
+def _made(source: ProblemSource, cell: str, index: int) -> Made:
+    begun = time.process_time()
+    return source.at(cell, index), time.process_time() - begun

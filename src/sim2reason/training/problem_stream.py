@@ -59,6 +59,11 @@ class ProblemStream:
         if not self._cells:
             raise TrainingError("problems: no source has any problem")
 
+    @property
+    def cpu_seconds(self) -> float:
+        """That other processes have spent on its problems so far."""
+        return self.prefetcher.cpu_seconds
+
     def begin(self) -> None:
         """Order the first problems, before they are asked for."""
         for key, (source, cell) in self._cells.items():

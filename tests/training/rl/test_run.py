@@ -86,9 +86,9 @@ def test_a_finished_run_is_not_run_again(whole: Path) -> None:
 
 
 def test_another_configuration_is_refused(whole: Path) -> None:
-    with pytest.raises(TrainingError, match="holds a run with another reward"):
+    with pytest.raises(TrainingError, match="holds a run with another setting of reward"):
         train_rl(settings(whole, reward="format"))
-    with pytest.raises(TrainingError, match="holds a run with another held_out"):
+    with pytest.raises(TrainingError, match="holds a run with another setting of held_out"):
         train_rl(settings(whole, held_out={"problems": {**PROBLEMS, "seed": 3}, "items": 5}))
 
 
@@ -124,6 +124,10 @@ def test_controls_are_one_key_each(changed: dict[str, object], whole: Path, tmp_
     given = settings(tmp_path / "run", model=model, gspo=gspo, **changed)
     del given["warm_start"], given["held_out"]
     assert train_rl(given).steps == 1
+    found = report_training(reinforcement_learning_from(given))
+    assert (found.folder / "steps.png").is_file()
+    assert found.differences == {}
+    assert (found.problems > 0.0) == bool(given["prefetch"]["workers"])
 
 
 def test_a_mixture_with_another_corpus(whole: Path, tmp_path: Path) -> None:

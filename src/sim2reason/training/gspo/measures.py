@@ -36,6 +36,8 @@ class Meter:
     """Seconds."""
     grad_norms: list[float] = field(default_factory=list[float])
     filled: Filled = field(default_factory=Filled)
+    _made: float = 0.0
+    _problems: float = 0.0
     _began: float = 0.0
     _updating: float = 0.0
 
@@ -56,6 +58,10 @@ class Meter:
         """From here on a filled batch is learned."""
         self.filled, self._updating = filled, perf_counter()
 
+    def made(self, cpu_seconds: float) -> None:
+        """So much have other processes spent on problems by now."""
+        self._problems, self._made = cpu_seconds - self._made, cpu_seconds
+
     def flat(self) -> dict[str, float]:
         """Numbers for TRL's log; its own has the rest."""
         filled, rewards = self.filled, self.filled.rewards
@@ -75,7 +81,8 @@ class Meter:
         now, parts = perf_counter(), self.parts
         names: tuple[Part, ...] = ("generation", "reward", "drawing", "logprobs")
         update = now - self._updating
-        return StepSeconds(step=now - self._began, update=update, **{name: parts.get(name, 0.0) for name in names})
+        spent = {name: parts.get(name, 0.0) for name in names}
+        return StepSeconds(step=now - self._began, update=update, problems=self._problems, **spent)
 
     def record(self, logged: Mapping[str, float | None], *, step: int, updates: int, consumed: int) -> StepRecord:
         """The line of a step whose numbers were logged.

@@ -18,7 +18,10 @@ class _Record(BaseModel):
 
 
 class StepSeconds(_Record):
-    """Wall time of one step, on the first process. What is left of `step` is the sorting of groups and messages."""
+    """Wall time of one step, on the first process; only `problems` is the work of others beside it.
+
+    What is left of `step` is the sorting of groups and messages.
+    """
 
     step: FiniteFloat
     generation: FiniteFloat
@@ -29,6 +32,8 @@ class StepSeconds(_Record):
     """Log-probabilities under the policy and the reference, before the updates."""
     update: FiniteFloat
     """Forward, backward and optimizer, of all minibatches."""
+    problems: FiniteFloat = 0.0
+    """CPU time of the processes that made problems meanwhile; in the first step after a start, since that."""
 
 
 class StepRecord(_Record):

@@ -23,6 +23,11 @@ class PromptStream(Protocol):
     *source*. All other columns reach the reward functions, with None where a row lacks them.
     """
 
+    @property
+    def cpu_seconds(self) -> float:
+        """CPU time that other processes have spent on rows so far; how long this one waits is measured as it waits."""
+        ...
+
     def next_prompts(self, count: int) -> Sequence[Mapping[str, Any]]:
         """The next `count` rows; fewer say that there are no more."""
         ...

@@ -242,6 +242,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         if not (self.model.training and "loss" in logs):
             super().log(logs, start_time)
             return
+        self._meter.made(self.stream.cpu_seconds)
         logs |= self._meter.flat() | {"prompts_consumed": self.prompts_consumed}
         super().log(logs, start_time)
         at = {"step": self._step_now, "updates": self.state.global_step, "consumed": self.prompts_consumed}
