@@ -15,10 +15,8 @@ from sim2reason.training.sft.config import fine_tuning_from
 from sim2reason.training.study.config import study_from
 
 ROOT = Path(__file__).parents[3]
-EXPERIMENTS = [
-    path for path in (ROOT / "experiments").rglob("*.yaml") if "verl" not in path.parts and "study" not in path.name
-]
 FRESH = {"kind": "fresh", "name": "ours", "seed": 1}
+WARM = {"model": {"kind": "scratch"}, "corpora": [{"kind": "drills"}], "steps": 1}
 
 
 def settings(**changed: object) -> dict[str, Any]:
@@ -50,11 +48,6 @@ def test_where_a_run_lies_decides_nothing() -> None:
     assert one.decisive == other.decisive
 
 
-@pytest.mark.parametrize("file", sorted(EXPERIMENTS), ids=lambda path: path.stem)
-def test_each_experiment_can_be_read(file: Path) -> None:
-    reinforcement_learning_from(file)
-
-
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
@@ -62,8 +55,19 @@ def test_each_experiment_can_be_read(file: Path) -> None:
         ({"reward": "acuracy"}, "acuracy"),
         ({"problems": []}, "problems"),
         ({"problems": [{**FRESH, "recipe": 3}]}, r"problems\[0\]\.recipe"),
+        ({"problems": [{**FRESH, "recipe": "puley"}]}, r"problems\[0\]\.recipe: .*did you mean: pulley"),
+        ({"problems": [{**FRESH, "difficulty": "harder"}]}, r"problems\[0\]\.difficulty: .*hard"),
+        ({"problems": [{**FRESH, "modes": ["numerc"]}]}, r"problems\[0\]\.modes: .*did you mean: numeric"),
+        ({"problems": [{**FRESH, "units": "imperial"}]}, r"problems\[0\]\.units: .*imperial"),
+        ({"problems": [{**FRESH, "weights": {"perod": 2.0}}]}, r"problems\[0\].*perod"),
+        ({"held_out": {"problems": {"name": "h", "seed": 2, "recipe": "puley"}}}, r"held_out\.0\.problems\.recipe: "),
         ({"gspo": {"steps": 0}}, r"gspo\.steps"),
-        ({"gspo": {"prompts": 3, "generations": 3}}, "multiple of minibatches"),
+        ({"gspo": {"prompts": 3, "generations": 3}}, r"gspo\.minibatches: 9 completions a step"),
+        ({"gspo": {"prompts": 4, "generations": 4, "microbatch": 3}}, r"gspo\.microbatch: .*microbatches of 3"),
+        ({"processes": 3}, r"gspo\.prompts: 32 cannot be shared evenly by 3 processes"),
+        ({"processes": 2, "gspo": {"prompts": 2, "generations": 3, "minibatches": 2}}, r"minibatches.* on 2 processes"),
+        ({"processes": 2, "gspo": {"microbatch": 128}}, r"gspo\.microbatch: the 64 completions.* on 2 processes"),
+        ({"processes": 4, "model": None, "warm_start": {**WARM, "batch": 6}}, r"warm_start\.batch: 6 rows"),
         ({"curriculum": {"floor": 0}}, r"curriculum\.floor"),
         ({"stps": 3}, "stps"),
         ({"held_out": {"problems": {"name": "h", "seed": 1}}}, "problems are trained on with this seed"),

@@ -1,0 +1,68 @@
+"""Every configuration under experiments can be read by the command that it is for, and the page's commands are such."""
+
+import re
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sim2reason.benchmarks import BENCHMARKS
+from sim2reason.benchmarks.runs.config import evaluation_from
+from sim2reason.cli import main
+from sim2reason.policies import policy_from
+from sim2reason.policies.parts.settings import settings_in
+from sim2reason.training.rl.config import reinforcement_learning_from
+from sim2reason.training.sft.config import fine_tuning_from
+from sim2reason.training.study.config import study_from
+
+ROOT = Path(__file__).parents[1]
+EXPERIMENTS = ROOT / "experiments"
+FILES = sorted(path for path in EXPERIMENTS.rglob("*.yaml") if "verl" not in path.parts)  # which has its own
+PAGE = (EXPERIMENTS / "README.md").read_text("utf-8")
+ABSENT = {"jsonl", "saved", "synthetic"}  # kinds of which no one else's benchmark is
+
+
+def reader(file: Path) -> Callable[[Path], object]:
+    """By the folder, and by what the name says."""
+    folder = file.parent.name
+    if file.stem == "teacher":
+        return lambda path: policy_from(settings_in(path))
+    if file.stem.endswith("study"):
+        return study_from
+    return {"evaluation": evaluation_from, "sft": fine_tuning_from}.get(folder, reinforcement_learning_from)
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda path: str(path.relative_to(EXPERIMENTS)))
+def test_each_experiment_can_be_read_and_is_on_the_page(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    reader(file)(file)
+    assert any(f"({name})" in PAGE for name in (file.relative_to(EXPERIMENTS), file.parent.relative_to(EXPERIMENTS)))
+
+
+def test_every_benchmark_has_an_experiment() -> None:
+    found = [evaluation_from(path) for path in (EXPERIMENTS / "evaluation").glob("*.yaml")]
+    kinds = {BENCHMARKS.name_of(benchmark) for each in found for benchmark in each.benchmarks}
+    assert kinds >= set(BENCHMARKS) - ABSENT
+    assert len({each.out for each in found}) == len(found)
+
+
+def test_the_commands_of_the_page_are_commands() -> None:
+    """Each is read as far as its options; what it names is an experiment, or what one leaves."""
+    commands = [shlex.split(line) for line in re.findall(r"^    (sim2reason .*)$", PAGE, re.MULTILINE)]
+    assert {tuple(words[1:3]) for words in commands} >= {("eval", "correlate"), ("eval", "compare"), ("train", "sft")}
+    for words in commands:
+        found = CliRunner().invoke(main, [*words[1:], "--help"])
+        assert found.exit_code == 0, found.output
+        assert all((ROOT / word).is_file() for word in words if word.endswith(".yaml"))
+
+
+def test_what_is_correlated_is_in_the_run() -> None:
+    (line,) = re.findall(r"^    sim2reason eval correlate (.*)$", PAGE, re.MULTILINE)
+    words = shlex.split(line)
+    run = next(
+        each for each in map(evaluation_from, (EXPERIMENTS / "evaluation").glob("*.yaml")) if str(each.out) == words[0]
+    )
+    assert words[words.index("--across") + 1] in {benchmark.name for benchmark in run.benchmarks}
+    assert len(run.policies) >= 3
