@@ -96,6 +96,13 @@ def test_a_pass_that_was_broken_off_goes_on(dataset: Dataset, policy: Sometimes,
     )
 
 
+def test_a_pass_without_an_answer_is_replaced(dataset: Dataset, policy: Sometimes, tmp_path: Path) -> None:
+    out = tmp_path / "solvable"
+    with pytest.raises(PolicyError, match="no more today"):
+        solvable(dataset.path, out, policy.model_copy(update={"stops_after": 0}), k=1)
+    assert solvable(dataset.path, out, policy.model_copy(update={"name": "other"}), k=1, seed=1).items == 20
+
+
 def test_another_policy_seed_or_dataset_is_refused(dataset: Dataset, policy: Sometimes, tmp_path: Path) -> None:
     out = tmp_path / "solvable"
     solvable(dataset.path, out, policy, k=1)
