@@ -269,13 +269,27 @@ def test_parts_may_begin_at_once(tmp_path: Path, config: Config, monkeypatch: py
 
 
 def test_what_lies_beside_a_dataset_stays(make: Make, data: Path) -> None:
-    strange = [data / ".mine.tmp", data / "data/.mine.tmp", data / "notes.md", data / "data/other.parquet"]
-    for path in strange:
-        path.write_text("notes")
+    """Also what has the name of a shard among more or fewer, be it a copy of one."""
+    names = ".mine.tmp", "data/.mine.tmp", "notes.md", "data/other.parquet", "data/train-00001-of-00099.parquet"
+    strange = {data / name: b"notes" for name in (*names, "data/train-00004-of-00004.parquet")}
+    strange |= {data / "data/train-00000-of-00003.parquet": (data / "data/train-00000-of-00005.parquet").read_bytes()}
+    for path, content in strange.items():
+        path.write_bytes(content)
+    make()
     (data / "data/train-00001-of-00005.parquet").unlink()
     make()
     make(items=120)
-    assert all(path.read_text() == "notes" for path in strange)
+    make(items=130)
+    assert {path: path.read_bytes() for path in strange} == strange
+    ours = {f"train-{number:05}-of-00007.parquet" for number in range(7)}
+    assert {path.name for path in (data / "data").iterdir()} == ours | {path.name for path in strange} - {"notes.md"}
+
+
+def test_a_file_in_place_of_a_shard_stays_where_a_dataset_grows_past_its_name(make: Make, data: Path) -> None:
+    mine = data / "data/train-00004-of-00005.parquet"
+    mine.write_bytes(b"notes")
+    make(items=130)
+    assert mine.read_bytes() == b"notes"
 
 
 def test_a_dataset_grows_to_the_bytes_of_a_larger_one(make: Make, tmp_path: Path, contents: Contents) -> None:

@@ -19,7 +19,7 @@ from pydantic import ValidationError
 from sim2reason.datasets.atomic_files import TEMPORARY, canonical, checksum, put, put_text, sweep
 from sim2reason.datasets.distinct import Marks
 from sim2reason.datasets.item import Record
-from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, load, shards
+from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, ShardFile, load, shards
 from sim2reason.datasets.pictures import remove_pictures
 from sim2reason.datasets.plan import DATA, Config, file_name, versions
 from sim2reason.errors import DatasetError
@@ -69,7 +69,6 @@ class Journal:
             self._claim()  # another part may have begun at the same moment
         if manifest is not None:
             self._open_again(manifest)
-        self._files = self._found()
 
     def _claim(self) -> Manifest | None:
         """The manifest of a finished dataset that this plan goes on with, if there is one."""
@@ -108,16 +107,6 @@ class Journal:
             (self.out / SHARDS).unlink(missing_ok=True)
             remove_pictures(self.out, manifest.files)
 
-    def _found(self) -> dict[tuple[str, int], Path]:
-        """The files that stand, by split and number: of a smaller dataset, each had another total in its name."""
-        found: dict[tuple[str, int], Path] = {}
-        for path in (self.out / DATA).glob("*-of-*.parquet"):
-            split, _, rest = path.name.partition("-")
-            number = rest.partition("-")[0]
-            if number.isdecimal():
-                found[split, int(number)] = path
-        return found
-
     def stands(self, number: int) -> Shard | None:
         """The record of a shard if all its files stand undamaged; they get the names of this plan."""
         shard = self.shard(number)
@@ -128,12 +117,13 @@ class Journal:
             file.model_copy(update={"name": file_name(number, self.plan.config.shards, file.split)})
             for file in shard.files
         )
-        for file in renamed:
-            path = self._files.get((file.split, number), self.out / file.name)
-            if checksum(path) != file.sha256:
+        for before, file in zip(shard.files, renamed, strict=True):
+            target = self.out / file.name
+            path = next((path for path in (self._path(before), target) if checksum(path) == file.sha256), None)
+            if path is None:
                 return None
-            if path != self.out / file.name:
-                path.replace(self.out / file.name)
+            if path != target:
+                path.replace(target)
         if renamed != shard.files:
             shard = shard.model_copy(update={"files": renamed})
             self._save(shard)
@@ -162,13 +152,14 @@ class Journal:
         put(self._marks(number), write, self.folder)
 
     def note(self, shard: Shard, marks: Marks) -> None:
-        """Keep the record of a shard whose files stand."""
+        """Keep the record of a shard whose files stand, in place of those that its last record lists."""
         self.keep(shard.number, marks)
+        before, names = self.shard(shard.number), {file.name for file in shard.files}
+        for file in before.files if before is not None else ():
+            path = self._path(file)
+            if file.name not in names and checksum(path) == file.sha256:
+                path.unlink()  # of a smaller dataset, whose last shard this one contains
         self._save(shard)
-        for file in shard.files:
-            before = self._files.pop((file.split, shard.number), None)
-            if before is not None and before != self.out / file.name:
-                before.unlink(missing_ok=True)  # of a smaller dataset, whose last shard this one contains
 
     def close(self) -> None:
         """The manifest stands: what is ours in the folder goes, and it, if that leaves it empty."""
@@ -178,6 +169,10 @@ class Journal:
         (self.folder / PLAN).unlink(missing_ok=True)
         if not any(self.folder.iterdir()):
             self.folder.rmdir()
+
+    def _path(self, file: ShardFile) -> Path:
+        """Where a file that a record lists may stand: among the shards, whatever the record says."""
+        return self.out / DATA / Path(file.name).name
 
     def _save(self, shard: Shard) -> None:
         put_text(self._record(shard.number), canonical(shard.model_dump(mode="json")), self.folder)
