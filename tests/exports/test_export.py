@@ -11,7 +11,7 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.errors import DatasetError, UnknownNameError
 from sim2reason.exports import EXPORTS, Export, Place
-from sim2reason.exports.parts.export import export
+from sim2reason.exports.parts.export import MARK, export
 
 TARGETS = list(EXPORTS)
 
@@ -134,8 +134,27 @@ def test_what_a_kill_has_left_is_removed_by_the_next_run(problems: Path, tmp_pat
     stale = tmp_path / ".out.export" / "data"
     stale.mkdir(parents=True)
     (stale / "other.jsonl").write_text("{}")
+    (tmp_path / ".out.export" / MARK).touch()
     export(problems, tmp_path / "out", to="lm-eval")
+    assert [path.name for path in tmp_path.iterdir()] == ["out"]
+    assert MARK not in content(tmp_path / "out")
     assert sorted(path.name for path in (tmp_path / "out/data").iterdir()) == ["test.jsonl", "train.jsonl"]
+
+
+@pytest.mark.parametrize("link", [False, True])
+def test_a_folder_of_somebody_elses_beside_it_stays(problems: Path, tmp_path: Path, link: bool) -> None:
+    mine = tmp_path / "mine" if link else tmp_path / ".out.export"
+    mine.mkdir()
+    if link:
+        (tmp_path / ".out.export").symlink_to(mine)
+    else:
+        (mine / "notes.txt").write_text("mine")
+    before = content(tmp_path)
+    with pytest.raises(DatasetError, match="move it away or give another folder"):
+        export(problems, tmp_path / "out", to="lm-eval")
+    assert content(tmp_path) == before
+    assert mine.is_dir()
+    assert not (tmp_path / "out").exists()
 
 
 def test_an_export_whose_splits_share_a_file_is_refused() -> None:

@@ -15,6 +15,8 @@ from sim2reason.exports.parts import row_files
 
 EVALUATED = "test", "validation"
 """The splits to evaluate on, the best first; without them, the last one."""
+MARK = ".sim2reason-export"
+"""The file by which a folder that is being written says that it is ours."""
 
 
 @dataclass(frozen=True)
@@ -136,10 +138,14 @@ def _replacing(folder: Path) -> Generator[Path, None, None]:
     place = folder.resolve().with_name(f".{folder.resolve().name}.export")
     place.mkdir(exist_ok=True)
     with locked(place):
+        if place.is_symlink() or (any(place.iterdir()) and not (place / MARK).is_file()):
+            raise DatasetError(f"{place}: is there, and no export was begun in it; move it away or give another folder")
+        (place / MARK).touch()
         try:
             _clear(place)  # what a kill has left
             yield place
             place.replace(folder.resolve())
+            (folder.resolve() / MARK).unlink()
             sync(folder.resolve().parent)
         finally:
             shutil.rmtree(place, ignore_errors=True)
@@ -147,4 +153,5 @@ def _replacing(folder: Path) -> Generator[Path, None, None]:
 
 def _clear(place: Path) -> None:
     for path in place.iterdir():
-        shutil.rmtree(path) if path.is_dir() else path.unlink()
+        if path.name != MARK:
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
