@@ -8,13 +8,19 @@ import pytest
 
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
+from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.bodies.wedge import Prism, Wedge
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
+from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.mechanism import Drawn as ConstantPull
 from sim2reason.dsl.mechanism import X, Z
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.mass_prism_plane import MassPrismPlane
+from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
+from sim2reason.entities.parts.mass_systems import Hanging, OnPlane
+from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.errors import FigureWarning, MissingExtraError, UnsupportedError
 from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.canvas import draw
@@ -196,6 +202,30 @@ def test_an_entity_of_known_bodies_needs_no_code_here() -> None:
     pair = PairRestitution(block=Block(mass=1.0), wedge=Wedge(mass=2.0, angle=37.0, friction=0.1))
     drawn = drawing(Scene(entities=(Named(name="pair", entity=pair),)))
     assert {"block", "wedge"} <= {label.text for label in drawn.labels}
+
+
+@pytest.mark.parametrize("angle", [1e-12, 1e-9, 1e-8, 1e-5, 89.9999, 89.9999999, 89.999999999999])
+def test_a_slope_may_be_nearly_level_or_upright(angle: float) -> None:
+    plane = Plane(angle=angle, friction=0.2)
+    ramp = TwoSideMassPlane(plane=plane, blocks=(Block(mass=1.0), Block(mass=2.0)))
+    on_plane = OnPlane(plane=plane, blocks=(Block(mass=1.0),))
+    over = Named(name="over", entity=MassWithFixedPulley(system=on_plane, pulley=FixedPulley()))
+    load = Named(
+        name="load", entity=MassWithFixedPulley(system=Hanging(blocks=(Block(mass=2.0),)), pulley=FixedPulley())
+    )
+    ends = Link(entity="over", port="tail"), Link(entity="load", port="tail")
+    joined = Scene(entities=(over, load), connections=(CONNECTIONS["tendon"](links=ends),))
+    for scene in (Scene(entities=(Named(name="ramp", entity=ramp),)), joined):
+        assert {"A", "B"} <= {label.text for label in drawing(scene).labels}
+
+
+@pytest.mark.parametrize("right", [1e-9, 1e-8, 1e-5, 45.0])
+@pytest.mark.parametrize("left", [1e-12, 1e-9, 1e-8, 85.0])
+def test_the_faces_of_a_prism_may_be_nearly_level(left: float, right: float) -> None:
+    prism = Prism(mass=1.0, left=left, right=right)
+    both = MassPrismPlane(prism=prism, left_blocks=(Block(mass=1.0),), right_blocks=(Block(mass=2.0),))
+    drawn = drawing(Scene(entities=(Named(name="pair", entity=both),)))
+    assert {"A", "B"} <= {label.text for label in drawn.labels}
 
 
 class Balloon(Body):

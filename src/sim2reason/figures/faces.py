@@ -14,6 +14,7 @@ from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_of
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece, draws
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Shape, Sketch, Wanted, hatched, rough, width
 from sim2reason.figures.vectors import (
+    NOISE,
     RIGHT,
     Polygon,
     box,
@@ -23,6 +24,7 @@ from sim2reason.figures.vectors import (
     mirrored,
     rectangle,
     ring,
+    shown,
     unit,
 )
 
@@ -69,25 +71,23 @@ class FacePiece(Piece):
     def _found(self) -> Iterator[Facet]:
         """The faces with their blocks, in the order from the lowest up; distances are still those of the mechanism."""
         mechanism = self.plan.paths.mechanism
-        groups: dict[tuple[float, float], list[tuple[float, str]]] = {}
+        groups: dict[complex, tuple[complex, list[tuple[float, str]]]] = {}
         for block, carrier in self.plan.paths.carriers.items():
             if carrier == self.name:
                 held = mechanism.body[block]
                 along = mechanism.contacts[block].slip[0][0]
                 axis = next(c.axis for c in held.coordinates if c.name == along)
                 up = flat(axis)
-                up = -up if up.imag < -FLAT or (abs(up.imag) <= FLAT and up.real < 0.0) else up
-                key = (round(up.real, 9), round(up.imag, 9))
-                groups.setdefault(key, []).append((dot(flat(held.at), up), block))
+                up = -up if up.imag < -NOISE or (up.imag <= NOISE and up.real < 0.0) else up
+                groups.setdefault(shown(up), (up, []))[1].append((dot(flat(held.at), up), block))
         if not groups:
             bare = rect(1.0, radians(getattr(self.plan.scene.bodies[self.name], "angle", 0.0)))
-            groups[bare.real, bare.imag] = []
-        for key, members in groups.items():
-            uphill = complex(*key)
-            sites = self._sites(uphill)
+            groups[shown(bare)] = bare, []
+        for uphill, (up, members) in groups.items():
+            sites = self._sites(up)
             inside = [s for s, _ in members]
-            foot = next((site for s, site in sites if s < min(inside, default=0.0)), "")
-            top = next((site for s, site in sites if s > max(inside, default=0.0)), "")
+            foot = max(((s, site) for s, site in sites if s < min(inside, default=0.0)), default=(0.0, ""))[1]
+            top = min(((s, site) for s, site in sites if s > max(inside, default=0.0)), default=(0.0, ""))[1]
             normal = uphill * 1j if (uphill * 1j).imag > 0.0 else uphill * -1j
             yield Facet(uphill, normal, {block: s for s, block in sorted(members)}, foot, top)
 

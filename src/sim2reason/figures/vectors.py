@@ -7,6 +7,8 @@ from itertools import pairwise
 Polygon = tuple[complex, ...]
 Box = tuple[float, float, float, float]  # left, bottom, right, top
 UP, RIGHT = 1j, 1.0 + 0.0j
+NOISE = 1e-15  # of a direction: what rounding leaves
+LEAST = 1e-5  # rise of a slope, and run of one that is not upright, which still can be drawn
 
 
 def dot(a: complex, b: complex) -> float:
@@ -22,6 +24,13 @@ def cross(a: complex, b: complex) -> float:
 def unit(a: complex) -> complex:
     """`a` scaled to length 1; ZeroDivisionError for zero."""
     return a / abs(a)
+
+
+def shown(uphill: complex) -> complex:
+    """The direction in which a slope is drawn: level or upright only if it is."""
+    rise = max(uphill.imag, LEAST) if uphill.imag > NOISE else 0.0
+    run = max(abs(uphill.real), LEAST) if abs(uphill.real) > NOISE else 0.0
+    return complex(-run if uphill.real < 0.0 else run, rise)
 
 
 def mirrored(a: complex) -> complex:
