@@ -6,6 +6,7 @@ import weakref
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner, Result
@@ -16,6 +17,7 @@ from sim2reason.datasets import store
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.show import show
+from sim2reason.errors import DatasetError
 
 USUAL = "--items", "30", "--recipe", "incline,pulley", "--difficulty", "easy", "--workers", "1"
 
@@ -46,10 +48,37 @@ def test_generate_gives_the_manifest_to_a_program(tmp_path: Path) -> None:
     assert json.loads(result.stdout) == json.loads((tmp_path / "data/manifest.json").read_text())
 
 
-def test_shares_that_leave_something_over_are_refused_in_one_line(tmp_path: Path) -> None:
-    result = generate(tmp_path / "data", "--split", "train=0.5,test=0.2")
-    wanted = "split: a split is NAME=SHARE in small letters and digits, and all shares together are 1"
-    assert (result.exit_code, result.stderr) == (2, f"sim2reason: {wanted}\n")
+@pytest.mark.parametrize(
+    ("option", "value", "told"),
+    [
+        (
+            "--split",
+            "train=0.5,test=0.2",
+            "split: the shares add up to 0.7; give all of them, which add up to 1, as in",
+        ),
+        ("--split", "train=1,test=0", "split: test=0 is no share; give a number above 0 and at most 1, as in --split"),
+        ("--split", "train=0.5,test=nan", "split: test=nan is no share; give a number above 0 and at most 1, as in"),
+        ("--split", "Train=1", "split: 'Train' is no name of a split; write small letters and digits, as in --split"),
+        ("--split", "train=0.5,train=0.5,test=0.5", "--split: train is given twice; give it once."),
+        ("--split", "train=0.5,,test=0.5", "--split: '' is no pair; write NAME=NUMBER."),
+        ("--weights", "period=1,period=2", "--weights: period is given twice; give it once."),
+        ("--license", "Apache 2.0", "license: 'Apache 2.0' is no licence on the Hugging Face hub; give its name"),
+    ],
+)
+def test_pairs_and_licences_are_refused_in_one_line(tmp_path: Path, option: str, value: str, told: str) -> None:
+    result = generate(tmp_path / "data", option, value)
+    assert result.exit_code == 2
+    assert told in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "order", [{"items": "3"}, {"items": 3.0}, {"items": True}, {"shard": "5"}, {"distance": "0"}, {"solutions": "yes"}]
+)
+def test_an_order_is_not_guessed(tmp_path: Path, order: dict[str, Any]) -> None:
+    with pytest.raises(DatasetError, match=f"^{next(iter(order))}: "):
+        sim2reason.generate(tmp_path / "data", **order)
+    assert not (tmp_path / "data").exists()
 
 
 def test_quarantine_is_told_with_what_makes_it_again(tmp_path: Path) -> None:

@@ -29,12 +29,15 @@ def pairs(ctx: click.Context, param: click.Parameter, value: str) -> dict[str, f
     """The pairs of a name and a number that an option gives."""
     del ctx
     found: dict[str, float] = {}
-    for pair in words(value) if value else ():
-        name, equals, number = pair.partition("=")
+    for pair in value.split(",") if value else ():
+        name, equals, number = (part.strip() for part in pair.partition("="))
+        if name in found:
+            raise click.UsageError(f"--{param.name}: {name} is given twice; give it once.")
         try:
-            found[name.strip()] = float(number)
+            found[name] = float(number)
         except ValueError:
-            raise click.UsageError(f"--{param.name}: {pair!r} is no pair; write NAME{equals or '='}NUMBER.") from None
+            told = repr(pair.strip())
+            raise click.UsageError(f"--{param.name}: {told} is no pair; write NAME{equals or '='}NUMBER.") from None
     return found
 
 

@@ -12,12 +12,13 @@ from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.places import HERE
-from sim2reason.datasets.plan import ALL, MAKER, SI, Config, Names
-from sim2reason.errors import DatasetError
+from sim2reason.datasets.plan import ALL, MAKER, SI, Config, Names, whole
+from sim2reason.errors import DatasetError, DrawError
 from sim2reason.questions.spoken_units import system_named
 
 ITEMS = 1000
 AS_GIVEN = "seed", "shard", "maker", "solutions", "unfiltered", "weights", "split", "distance", "license"
+NUMBERS = "items", "seed", "shard"
 
 
 class Order(TypedDict, total=False):
@@ -77,6 +78,8 @@ def generate(
 def configured(**order: Unpack[Order]) -> Config:
     """The configuration that an order means; it raises what `generate` does."""
     ours = order.get("maker", MAKER) == MAKER  # another may know names that the library doesn't
+    pairs = {"weights": dict(order.get("weights", {})), "split": dict(order.get("split", {}))}
+    given = pairs | {name: value for name, value in order.items() if name in AS_GIVEN and name not in pairs}
     fields = {
         "items": order.get("items", ITEMS),
         "recipes": recipes_named(order.get("recipe", ALL), check=ours),
@@ -84,10 +87,13 @@ def configured(**order: Unpack[Order]) -> Config:
         "modes": modes_named(order.get("mode", "numeric"), check=ours),
         "units": system_named(order.get("units", SI)).name,
         "decontaminate": tuple(described(Path(path)) for path in order.get("decontaminate", ())),
-        **{name: value for name, value in order.items() if name in AS_GIVEN and value not in ({}, "")},
+        **{name: value for name, value in given.items() if value not in ({}, "")},
     }
     try:
-        return Config.model_validate(fields)
+        fields |= {name: whole(name, fields[name]) for name in NUMBERS if name in fields}
+        return Config.model_validate(fields, strict=True)
+    except DrawError as error:
+        raise DatasetError(str(error)) from None
     except ValidationError as error:
         fault = error.errors()[0]
         problem = fault["msg"].removeprefix("Value error, ")

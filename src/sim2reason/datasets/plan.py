@@ -15,8 +15,8 @@ from math import isclose
 from operator import index as as_index
 from typing import Annotated, Self, SupportsIndex, cast
 
-from annotated_types import Ge, Gt, Le, MinLen
-from pydantic import Field, StringConstraints, field_validator
+from annotated_types import Ge, Le, MinLen
+from pydantic import Field, field_validator
 
 from sim2reason.datasets.benchmark_files import BenchmarkFile
 from sim2reason.datasets.item import Item, Record
@@ -50,10 +50,12 @@ Names = str | Sequence[str]
 """One name, several, or ``all``."""
 Weights = tuple[tuple[str, float], ...]
 """Pairs of a name and a weight."""
-Share = Annotated[float, Gt(0.0), Le(1.0)]
 UNFILTERED = "unfiltered"
 """What stands in the id of an item that no filter has seen."""
+SHARES = "--split train=0.9,test=0.1"
+"""What shares of splits look like."""
 _SPLIT = re.compile(r"[a-z][a-z0-9_]{0,30}")
+_LICENSE = re.compile(r"[a-z0-9][a-z0-9.+-]{0,39}")
 _ID = re.compile(
     r"(?P<recipe>[^-].{0,80}?)-(?P<difficulty>[a-z]{1,20})-(?P<mode>[a-z]{1,20})-(?P<seed>\d{1,19})-(?P<index>\d{1,19})"
     rf"(?:-(?P<units>(?!{UNFILTERED})[a-z]{{1,20}}(?<![0-9a-f]{{8}})))?(?P<unfiltered>-{UNFILTERED})?"
@@ -73,7 +75,7 @@ def whole(name: str, value: object) -> int:
     except TypeError:
         found = -1
     if not 0 <= found <= LARGEST:
-        raise DrawError(f"{name}: {value!r} is out of range; give a whole number from 0 to {LARGEST}")
+        raise DrawError(f"{name}: {value!r} is no whole number from 0 to {LARGEST}; give one")
     return found
 
 
@@ -168,23 +170,39 @@ class Config(Record):
     """Whether items come with worked solutions."""
     unfiltered: bool = False
     """A control: any question that has an answer is kept, whatever the filters say of it."""
-    split: dict[str, Share] = Field(default_factory=lambda: {TRAIN: 1.0})
+    split: dict[str, float] = Field(default_factory=lambda: {TRAIN: 1.0})
     """The shares of the splits, by name; together 1."""
 
     distance: Annotated[float, Ge(0.0), Le(1.0)] = DISTANCE
     """By how much some number of two variants of a problem differs at least, relatively; 0 keeps all that differ."""
     decontaminate: tuple[BenchmarkFile, ...] = ()
     """Files of benchmarks with which no problem shares a run of words."""
-    license: Annotated[str, StringConstraints(pattern=r"^[a-z0-9][a-z0-9.+-]{0,39}$")] = LICENSE
+    license: str = LICENSE
     """The licence of the data, as the card gives it."""
 
     @field_validator("split")
     @classmethod
     def _whole(cls, value: dict[str, float]) -> dict[str, float]:
         """In alphabetical order; names that a file may have, and shares that leave nothing over."""
-        if any(not _SPLIT.fullmatch(name) for name in value) or not isclose(sum(value.values()), 1.0, abs_tol=1e-9):
-            raise ValueError("a split is NAME=SHARE in small letters and digits, and all shares together are 1")
+        for name, share in value.items():
+            if not _SPLIT.fullmatch(name):
+                raise ValueError(f"{name!r} is no name of a split; write small letters and digits, as in {SHARES}")
+            if not 0.0 < share <= 1.0:
+                raise ValueError(f"{name}={share:g} is no share; give a number above 0 and at most 1, as in {SHARES}")
+        total = sum(value.values())
+        if not isclose(total, 1.0, abs_tol=1e-9):
+            raise ValueError(f"the shares add up to {total:.12g}; give all of them, which add up to 1, as in {SHARES}")
         return dict(sorted(value.items()))
+
+    @field_validator("license")
+    @classmethod
+    def _of_the_hub(cls, value: str) -> str:
+        """A name as the Hugging Face hub has them, which stands in the card's head."""
+        if not _LICENSE.fullmatch(value):
+            raise ValueError(
+                f"{value!r} is no licence on the Hugging Face hub; give its name there, as in --license mit"
+            )
+        return value
 
     @cached_property
     def _cells(self) -> tuple[tuple[str, str, str], ...]:

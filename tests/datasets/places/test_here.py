@@ -66,6 +66,15 @@ def test_a_script_without_a_guard_is_told_so(tmp_path: Path) -> None:
     assert "put the call under: if __name__ == '__main__'" in result.stderr.splitlines()[-1]
 
 
+def test_a_program_on_standard_input_is_told_so_and_a_short_one_works(tmp_path: Path) -> None:
+    program = f"import sim2reason; sim2reason.generate({str(tmp_path / 'out')!r}, items=1, maker='fake_makers:steady')"
+    result = subprocess.run([sys.executable, "-"], input=program, capture_output=True, text=True, check=False)
+    last = result.stderr.splitlines()[-1]
+    assert (result.returncode, result.stderr.count("Traceback")) == (1, 1)  # ours, and none of a worker
+    assert "there is no such file; put it into one, or give it to python -c" in last
+    assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
+
+
 def test_an_outcome_tells_an_error_in_one_line() -> None:
     from fake_makers import raising
 

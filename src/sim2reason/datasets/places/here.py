@@ -5,6 +5,7 @@ batch with it. (`concurrent.futures` loses the whole pool to one crash.)
 """
 
 import os
+import sys
 import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager, suppress
@@ -13,6 +14,7 @@ from functools import partial
 from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
+from pathlib import Path
 
 from sim2reason.datasets.interrupts import deaf_children
 from sim2reason.datasets.places import HERE, PLACES, Crew, Reply, Run, Source
@@ -34,6 +36,7 @@ class _Worker:
 
     @classmethod
     def start(cls, maker: str, patience: float) -> "_Worker":
+        _check_program()
         ours, theirs = _SPAWN.Pipe()
         process = _SPAWN.Process(target=serve, args=(theirs, maker), daemon=True)
         with deaf_children():
@@ -88,6 +91,17 @@ def here(crew: Crew) -> Generator[Run, None, None]:
     if crew.address:
         raise DatasetError(f"--on {HERE}://{crew.address}: this machine needs no address; say --on {HERE}")
     yield partial(run, maker=crew.maker, workers=crew.workers or cores(), patience=crew.patience)
+
+
+def _check_program() -> None:
+    """DatasetError for a program that a worker, which reads it too, can't find: one on standard input."""
+    program = sys.modules["__main__"]
+    path = getattr(program, "__file__", None)
+    if path is not None and getattr(program, "__spec__", None) is None and not Path(path).is_file():
+        raise DatasetError(
+            f"{path}: worker processes read the program that starts them, and there is no such file; put it into one, "
+            "or give it to python -c, with the call under: if __name__ == '__main__'"
+        )
 
 
 def cores() -> int:
