@@ -100,6 +100,10 @@ def test_words_have_no_numbers_symbols_or_spelling() -> None:
         ("b.parquet", b"PAR1", "not readable"),
         ("b.csv", b"a,b", "not a kind of file"),
         ("none.json", None, "no such file"),
+        ("b.json", b"[]", "holds no text"),
+        ("b.json", b'[{"id": 3, "x": ["4.5", "$\\\\pi$"]}]', "holds no text"),
+        ("b.jsonl", b"\n", "holds no text"),
+        ("b.txt", b"", "holds no text"),
     ],
 )
 def test_what_can_not_be_read_is_one_line(tmp_path: Path, name: str, content: bytes | None, word: str) -> None:

@@ -54,7 +54,7 @@ class Benchmarks:
     """Files of benchmarks, with all runs of words in them."""
 
     def __init__(self, paths: Sequence[Path | str], run: int = RUN) -> None:
-        """Read the files; DatasetError names one that can't be read, or is too large."""
+        """Read the files; DatasetError names one that can't be read, holds no text, or is too large."""
         self._run = run
         self.files: tuple[BenchmarkFile, ...] = tuple(described(Path(path)) for path in paths)
         """In the order in which they were given."""
@@ -68,14 +68,17 @@ class Benchmarks:
         """The runs of each text, and for each of them its item."""
         total = 0
         for path in paths:
+            some = False
             for number, held in enumerate(texts(path), start=1):
                 self._items.append((path.name, number))
-                for text in held:
-                    runs = _runs(words(text), self._run)
+                for own in map(words, held):
+                    some, runs = some or bool(own), _runs(own, self._run)
                     total += len(runs)
                     if total > MOST:
                         raise DatasetError(f"{path}: with it there are more than {MOST} words; give fewer files")
                     yield runs, np.full(len(runs), len(self._items) - 1, dtype=np.int32)
+            if not some:
+                raise DatasetError(f"{path}: holds no text; give the file that holds the benchmark's questions")
 
     def overlap(self, text: str) -> Overlap | None:
         """The first run of words that a text has in common with a benchmark, and the first item that has it."""
