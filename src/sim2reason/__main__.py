@@ -8,8 +8,9 @@ INTERRUPTED = b"sim2reason: interrupted\n"
 
 def main() -> None:
     """Run it; an interrupt while it loads, or after its end, is one line, too."""
-    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # in the background it is ignored
-        signal.signal(signal.SIGINT, _leave)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        if signal.getsignal(number) is not signal.SIG_IGN:  # as SIGINT is in the background
+            signal.signal(number, _leave)
     from sim2reason.cli import main as commands  # noqa: PLC0415 - it takes a tenth of a second
 
     commands(prog_name="sim2reason")

@@ -81,6 +81,14 @@ def test_an_order_is_not_guessed(tmp_path: Path, order: dict[str, Any]) -> None:
     assert not (tmp_path / "data").exists()
 
 
+def test_a_part_says_what_it_made_and_what_ends_the_work(tmp_path: Path) -> None:
+    remedy = "when all 4 parts are made, the same command without --shard ends the work"
+    for part, told in ("1/4", "1 of 3 shards, 9 problems"), ("4/4", "0 of 3 shards, 0 problems"):
+        result = generate(tmp_path / "data", "--shard-size", 10, "--shard", part)
+        assert result.exit_code == 0
+        assert result.stdout == f"part {part}: {told} in {tmp_path / 'data'}; {remedy}\n"
+
+
 def test_quarantine_is_told_with_what_makes_it_again(tmp_path: Path) -> None:
     result = generate(tmp_path / "data", maker="raising")
     assert result.exit_code == 0

@@ -1,4 +1,4 @@
-"""SIGINT ends a command with one line, whenever it comes."""
+"""SIGINT and SIGTERM end a command with one line, whenever they come."""
 
 import os
 import signal
@@ -10,20 +10,21 @@ from contextlib import suppress
 import pytest
 
 from sim2reason.cli import interrupts
-from sim2reason.datasets.interrupts import deaf_children
+from sim2reason.datasets.interrupts import SIGNALS, deaf_children
 
 
-def interrupt() -> None:
-    os.kill(os.getpid(), signal.SIGINT)
+def interrupt(number: signal.Signals = signal.SIGINT) -> None:
+    os.kill(os.getpid(), number)
 
 
-def test_what_was_swallowed_is_raised_again(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("number", SIGNALS)
+def test_what_was_swallowed_is_raised_again(monkeypatch: pytest.MonkeyPatch, number: signal.Signals) -> None:
     monkeypatch.setattr(interrupts, "PATIENCE", 0.05)
     reached = list[str]()
 
     def work() -> None:
         with suppress(KeyboardInterrupt):  # as a module in C does
-            interrupt()
+            interrupt(number)
         reached.append("after it")
         time.sleep(10.0)
 
@@ -34,42 +35,47 @@ def test_what_was_swallowed_is_raised_again(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_afterwards_all_is_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(interrupts, "PATIENCE", 0.05)
-    before = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGALRM)
+    heeded = *SIGNALS, signal.SIGALRM
+    before = [signal.getsignal(number) for number in heeded]
     with pytest.raises(KeyboardInterrupt), interrupts.heard():
         interrupt()
-    assert (signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGALRM)) == before
+    assert [signal.getsignal(number) for number in heeded] == before
     time.sleep(0.2)  # no alarm is left
 
 
-def test_where_it_is_ignored_it_stays_so() -> None:
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+@pytest.mark.parametrize("number", SIGNALS)
+def test_where_it_is_ignored_it_stays_so(number: signal.Signals) -> None:
+    before = signal.signal(number, signal.SIG_IGN)
     try:
         with interrupts.heard():
-            interrupt()
-            assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+            interrupt(number)
+            assert signal.getsignal(number) is signal.SIG_IGN
     finally:
-        signal.signal(signal.SIGINT, before)
+        signal.signal(number, before)
 
 
-def test_children_hear_nothing_and_their_parent_does() -> None:
+@pytest.mark.parametrize("number", SIGNALS)
+def test_children_hear_nothing_and_their_parent_does(number: signal.Signals) -> None:
     code = "import os, signal, time; time.sleep(0.3); print('whole')"
     with deaf_children():
         child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
-    child.send_signal(signal.SIGINT)
+    child.send_signal(number)
     assert child.communicate()[0] == "whole\n"
-    with pytest.raises(KeyboardInterrupt):
-        interrupt()
+    with pytest.raises(KeyboardInterrupt), interrupts.heard():
+        interrupt(number)
 
 
-def test_while_the_command_loads_it_is_one_line() -> None:
+@pytest.mark.parametrize("number", SIGNALS)
+def test_while_the_command_loads_it_is_one_line(number: signal.Signals) -> None:
     code = (
         "import os, signal, sys\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "class Interrupt:\n"
         "    def find_spec(self, name, *_):\n"
-        "        if name == 'click': os.kill(os.getpid(), signal.SIGINT)\n"
+        "        if name == 'click': os.kill(os.getpid(), NUMBER)\n"
         "sys.meta_path.insert(0, Interrupt())\n"
         "from sim2reason.__main__ import main; main()"
     )
+    code = code.replace("NUMBER", str(int(number)))
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert (result.returncode, result.stdout, result.stderr) == (130, "", "sim2reason: interrupted\n")

@@ -29,6 +29,7 @@ def start(out: Path, maker: str, workers: int, mark: str) -> "subprocess.Popen[b
         env=os.environ | {"PYTHONPATH": PATHS, "MARK": mark},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
+        start_new_session=True,
     )
 
 
@@ -100,13 +101,17 @@ def test_workers_die_with_a_killed_parent(tmp_path: Path, maker: str) -> None:
     assert gone(mark)
 
 
-def test_an_interrupt_says_how_to_go_on(tmp_path: Path) -> None:
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("send", [os.kill, os.killpg], ids=["process", "group"])
+def test_an_interrupt_says_how_to_go_on(
+    tmp_path: Path, number: signal.Signals, send: Callable[[int, signal.Signals], None]
+) -> None:
     mark = uuid.uuid4().hex
     run = start(tmp_path / "out", "hanging", 2, mark)
     end = time.monotonic() + 20
     while not list((tmp_path / "out").glob("data/*.parquet")) and time.monotonic() < end:
         time.sleep(0.02)
-    run.send_signal(signal.SIGINT)
+    send(run.pid, number)
     _, err = run.communicate(timeout=20)
     assert run.returncode == 130
     line = err.decode()

@@ -4,7 +4,7 @@ A command file is named as its command, defines it as the function `command`, an
 ``sim2reason --help`` says of it. That line is read without importing the file, so help loads nothing heavy.
 
 Exit codes: 0 all is well; 1 the answer is "no" (a damaged dataset, a wrong answer); 2 wrong input;
-130 interrupted. A command that ends with another code than 0 returns it.
+130 interrupted, by SIGINT or SIGTERM. A command that ends with another code than 0 returns it.
 """
 
 import ast

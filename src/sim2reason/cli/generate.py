@@ -91,7 +91,11 @@ def command(
     with console.resumable(remedy), console.progress("problems", config.items) as advance:
         work = Work(workers=workers, on=on, patience=patience, advance=advance, benchmarks=benchmarks)
         if part:
-            build_part(out, config, _part(part), **work)
+            number, parts = _part(part)
+            made = build_part(out, config, (number, parts), **work)
+            shards = f"{len(range(number, config.shards, parts))} of {config.shards} shards"
+            remedy = f"when all {parts} parts are made, the same command without --shard ends the work"
+            click.echo(f"part {part}: {shards}, {made} problems in {out}; {remedy}", err=to_json)
             return 0
         manifest = build(out, config, **work)
     if to_json:

@@ -1,4 +1,4 @@
-"""SIGINT: heard from the start to the end, and heard again where a library swallows what it raises."""
+"""SIGINT and SIGTERM: heard from the start to the end, and again where a library swallows what they raise."""
 
 import signal
 from collections.abc import Generator
@@ -6,28 +6,29 @@ from contextlib import contextmanager
 from threading import current_thread, main_thread
 from types import FrameType
 
+from sim2reason.datasets.interrupts import SIGNALS
+
 PATIENCE = 2.0  # s, after which whoever was interrupted and goes on is interrupted again
 
 
 @contextmanager
 def heard() -> Generator[None, None, None]:
-    """Raise KeyboardInterrupt in the block at each SIGINT, and again until the block ends.
+    """Raise KeyboardInterrupt in the block at each SIGINT and SIGTERM, and again until the block ends.
 
-    Modules in C drop what is raised at some moments, and a run of hours would go on. Where SIGINT is ignored, as in a
-    job in the background, nothing changes.
+    Modules in C drop what is raised at some moments, and a run of hours would go on. Where one of them is ignored, as
+    SIGINT is in a job in the background, it stays so.
     """
-    before = signal.getsignal(signal.SIGINT)
-    if not callable(before) or current_thread() is not main_thread():
+    heeded = [number for number in SIGNALS if signal.getsignal(number) not in (signal.SIG_IGN, None)]
+    if not heeded or current_thread() is not main_thread():
         yield
         return
-    alarm = signal.signal(signal.SIGALRM, _interrupt)
-    signal.signal(signal.SIGINT, _interrupt)
+    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGALRM, *heeded)}
     try:
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
-        signal.signal(signal.SIGALRM, alarm)
-        signal.signal(signal.SIGINT, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:

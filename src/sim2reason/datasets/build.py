@@ -64,13 +64,15 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
     return manifest
 
 
-def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]) -> None:
+def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]) -> int:
     """Make every N-th shard of a dataset, beside other processes that make the others; `build` then ends the work.
 
-    `part` is this process's number, from 0, and how many there are. DatasetError if another process has the same part,
-    or `build` is at work, too.
+    `part` is this process's number, from 0, and how many there are. It gives the number of items that stand in its
+    shards, among which duplicates are not yet looked for. DatasetError if another process has the same part, or `build`
+    is at work, too.
     """
     number, parts = part
+    numbers = range(number, config.shards, parts)
     if not 0 <= number < parts:
         raise DatasetError(f"part {number + 1}/{parts}: there is none; count from 1/{parts} to {parts}/{parts}")
     overlap = _overlap(config, work.get("benchmarks"))
@@ -79,8 +81,9 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
         mine = journal.folder / f"part-{number + 1}-of-{parts}{LOCK}"
         mine.touch()
         with locked(mine):
-            _fill(journal, range(number, config.shards, parts), run, overlap, work)
+            _fill(journal, numbers, run, overlap, work)
             mine.unlink()
+        return sum(shard.rows for n in numbers if (shard := journal.shard(n)) is not None)
 
 
 def _unseen(done: int) -> None:

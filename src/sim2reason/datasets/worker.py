@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from multiprocessing.connection import Connection
 
 from sim2reason.datasets.end_with_parent import end_with_parent
+from sim2reason.datasets.interrupts import SIGNALS
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import Made, Maker, Request, load_maker
 from sim2reason.errors import DatasetError
@@ -36,7 +37,8 @@ Message = list[Attempt] | DatasetError | None
 
 def serve(pipe: "Connection[Message, Batch]", maker: str) -> None:
     """Answer each batch that comes through `pipe`, until its other end is closed."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent is interrupted, and decides
+    for number in SIGNALS:
+        signal.signal(number, signal.SIG_IGN)  # the parent is interrupted, and decides
     end_with_parent()
     for library in ("OMP", "OPENBLAS", "MKL"):  # before the maker imports numpy: N workers use N cores, not N²
         os.environ[f"{library}_NUM_THREADS"] = "1"
