@@ -42,6 +42,15 @@ def test_figure_and_trace_are_written(data: Path, tmp_path: Path) -> None:
     assert trace.stat().st_size > 1000
 
 
+@pytest.mark.parametrize(("option", "name"), [("--figure", "z.bmp"), ("--trace", "z.csv")])
+def test_another_format_is_refused_by_name(data: Path, tmp_path: Path, option: str, name: str) -> None:
+    told = call("explain", data, "--id", "incline-easy-numeric-0-0", option, tmp_path / name)
+    assert told.exit_code == 2
+    assert told.output.startswith(f"sim2reason: {tmp_path / name}: ")
+    assert told.output.count("\n") == 1
+    assert not list(tmp_path.iterdir())
+
+
 def test_an_unknown_problem_is_one_line(data: Path) -> None:
     told = call("explain", data, "--id", "nobody")
     assert told.exit_code == 2

@@ -178,6 +178,14 @@ def test_what_can_not_be_written_is_one_line(atwood: Path, tmp_path: Path, out: 
     assert str(tmp_path) in result.stderr
 
 
+@pytest.mark.parametrize("name", ["trace.csv", "trace", "parquet"])
+def test_another_format_is_refused_by_name(atwood: Path, tmp_path: Path, name: str) -> None:
+    result = run(atwood, "-o", tmp_path / name)
+    wanted = f"sim2reason: {tmp_path / name}: a trace is written as Parquet; end the name in .parquet\n"
+    assert (result.exit_code, result.stderr) == (2, wanted)
+    assert not list(tmp_path.glob("*trace*"))
+
+
 def test_a_worker_hands_on_what_the_system_refuses(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         sandboxed(20.0, os.listdir, tmp_path / "missing")

@@ -46,7 +46,7 @@ Summary = dict[str, Any]
 )
 @click.option("--samples", type=click.IntRange(2, 100_001), default=101, show_default=True, help="Rows of a trace.")
 @click.option("--truncate", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
-@options.out("Write the trace to this Parquet file.")
+@options.out("Write the trace to this .parquet file.")
 @options.to_json()
 @click.option("--patience", type=click.FloatRange(0.01), default=PATIENCE, hidden=True)
 def command(
@@ -60,6 +60,10 @@ def command(
     patience: float,
 ) -> int:
     """Simulate the scene in the file SCENE, or on standard input if it is -."""
+    from sim2reason.simulation import trace_files
+
+    if out is not None:
+        trace_files.check(out)
     content = source.text(scene)
     source.scene(scene, content)  # what is wrong with the file is said here, with its name
     with results.written(out) if out is not None else nullcontext() as part:

@@ -16,7 +16,7 @@ from sim2reason.errors import DatasetError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
 from sim2reason.filters import in_order
-from sim2reason.simulation.trace_files import write_trace
+from sim2reason.simulation import trace_files
 
 
 class Explanation(dict[str, tuple[str, ...]]):
@@ -41,14 +41,17 @@ def explain(
 ) -> Explanation:
     """Tell all about the problem of an `id`, which is made again, so that nothing in the file is taken on trust.
 
-    It is drawn into the file `figure` (.svg, .png or .pdf), and its motion written to `trace` (Parquet).
+    It is drawn into the file `figure` (.svg, .png or .pdf), and its motion written to `trace` (.parquet).
 
     Raises:
         DatasetError: no finished dataset, no such problem, or one that this version makes otherwise.
+        UnsupportedError: a file whose name ends otherwise.
         OSError: a file can't be written.
     """
     if figure is not None:
         canvas.check(Path(figure))
+    if trace is not None:
+        trace_files.check(Path(trace))
     item = (dataset if isinstance(dataset, Dataset) else Dataset(dataset)).item(id)
     request = _request(item)
     search = ItemSearch(request)
@@ -59,7 +62,7 @@ def explain(
     if figure is not None:
         canvas.draw(drawing(found.description.scene, found.description), Path(figure))
     if trace is not None:
-        write_trace(found.study.trace, trace)
+        trace_files.write_trace(found.study.trace, trace)
     return Explanation(
         {
             "Problem": (*item.prompt.splitlines(), "", f"Answer: {item.answer.shown}"),

@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.errors import SceneError
+from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.simulation import channels
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Event, Trace
 
 FORMAT = "sim2reason trace 1"
 AXES = ("x", "y", "z")
+ENDING = ".parquet"
 
 
 @dataclass(frozen=True)
@@ -30,6 +31,12 @@ class Recording:
     events: tuple[Event, ...]
     stable_until: float  # s
     cut: str = ""
+
+
+def check(path: Path) -> None:
+    """Whether a file that people name may hold a trace: UnsupportedError for another ending than Parquet's."""
+    if path.suffix.lower() != ENDING:
+        raise UnsupportedError(f"{path}: a trace is written as Parquet; end the name in {ENDING}")
 
 
 def write_trace(trace: Trace, path: str | Path) -> None:
