@@ -202,12 +202,40 @@ def test_show_picks_what_fits(data: Path) -> None:
     assert [item.id for item in show(data, items=100, recipe="pulley")] == shown(data, "--recipe", "pulley")
 
 
-@pytest.mark.parametrize("name", ["--recipe", "--difficulty", "--mode", "--kind", "--quantity"])
-def test_where_nothing_fits_it_is_said(data: Path, name: str) -> None:
-    result = call("show", data, name, "nothing,none")
+@pytest.mark.parametrize(
+    ("name", "held"),
+    [
+        ("--recipe", "incline, pulley"),
+        ("--difficulty", "easy"),
+        ("--mode", "numeric"),
+        ("--kind", "state"),
+        ("--quantity", "weight"),
+    ],
+)
+def test_a_name_that_occurs_nowhere_is_told_with_those_that_do(data: Path, name: str, held: str) -> None:
+    result = call("show", data, name, f"{held.partition(',')[0]},nope")
+    told = f"sim2reason: {data}: holds no problem of {name[2:]} 'nope'; there is {held}\n"
+    assert (result.exit_code, result.stdout, result.stderr) == (2, "", told)
+
+
+def test_where_nothing_fits_it_is_said(data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Dataset, "some", lambda *_: iter(()))
+    result = call("show", data, "--recipe", "pulley,incline", "--kind", "state")
     assert result.exit_code == 2
-    assert f"holds no problem of {name[2:]} nothing or none; see: sim2reason stats" in result.stderr
+    assert "holds no problem of recipe pulley or incline, kind state; see: sim2reason stats" in result.stderr
     assert result.stdout == ""
+
+
+def test_show_picks_splits(tmp_path: Path) -> None:
+    data = tmp_path / "data"
+    assert generate(data, "--split", "train=0.6,test=0.4", "--shard-size", 10).exit_code == 0
+    parts = [shown(data, "--split", name) for name in ("train", "test")]
+    assert parts == [[item.id for item in Dataset(data).items(name)] for name in ("train", "test")]
+    assert Counter(parts[0] + parts[1]) == Counter(shown(data)) == Counter(shown(data, "--split", "test,train"))
+    assert set(shown(data, "--split", "test", "--recipe", "pulley")) == {n for n in parts[1] if n[0] == "p"}
+    assert len(shown(data, "--split", "test", "-n", 3)) == 3
+    result = call("show", data, "--split", "tset")
+    assert (result.exit_code, result.stderr) == (2, f"sim2reason: {data}: has no split 'tset'; there is test, train\n")
 
 
 def test_an_empty_dataset_shows_nothing(tmp_path: Path) -> None:

@@ -34,7 +34,7 @@ def test_it_says_what_it_left_out_and_why(data: Path, tmp_path: Path) -> None:
 
 
 def test_json_is_for_programs(data: Path, tmp_path: Path) -> None:
-    result = call("export", data, "--to", "verl", "--out", tmp_path / "verl", "--splits", "test", "--json")
+    result = call("export", data, "--to", "verl", "--out", tmp_path / "verl", "--split", "test", "--json")
     told = json.loads(result.stdout)
     assert told["folder"] == str(tmp_path / "verl")
     assert list(told["rows"]) == ["test"]
@@ -45,8 +45,8 @@ def test_json_is_for_programs(data: Path, tmp_path: Path) -> None:
     ("args", "word"),
     [
         (("--to", "hff"), "did you mean: hf"),
-        (("--to", "hf", "--splits", "dev"), "has no split 'dev'; there is test, train"),
-        (("--to", "hf", "--splits", ","), "names nothing"),
+        (("--to", "hf", "--split", "dev"), "has no split 'dev'; there is test, train"),
+        (("--to", "hf", "--split", ","), "names nothing"),
         ((), "Missing option '--to'"),
     ],
 )

@@ -14,8 +14,8 @@ from sim2reason.cli import main, options
 from sim2reason.cli.options import Printing
 
 COMMANDS = main.list_commands(click.Context(main))
-ONE_ROW = {"dataset", "responses"}, {"item", "response"}
-"""A file of responses to a dataset, or one response to one item."""
+ONE_ROW = {"dataset", "responses", "split"}, {"item", "response"}
+"""A file of responses to a dataset, or to its splits; or one response to one item."""
 OTHERWISE: dict[str, tuple[set[str], set[str]]] = {
     "grade": ONE_ROW,
     "generate": ({"shard-size", "shard"}, {"shard", "advance"}),  # the size of shards; parts are for shells
@@ -26,6 +26,7 @@ OTHERWISE: dict[str, tuple[set[str], set[str]]] = {
     "describe": (set(), {"without"}),  # topics, which are no words of a shell
 }
 """What only a command takes, and only its function."""
+COORDINATES = {"recipe", "difficulty", "mode", "seed", "index", "weights"}
 
 
 def command(name: str) -> click.Command:
@@ -102,9 +103,19 @@ def test_a_word_has_one_meaning() -> None:
 
 def test_synonyms_are_no_options() -> None:
     words = {max(param.opts, key=len).removeprefix("--") for _, param in all_options()}
-    for synonyms in ({"mode", "modes"}, {"recipe", "recipes"}, {"items", "count", "number"}, {"out", "output", "o"}):
+    for synonyms in ({"items", "item", "count", "number"}, {"out", "output", "o"}, {"solutions", "solution", "solved"}):
         assert len(words & synonyms) <= 1
-    assert {"out", "items", "mode", "recipe"} <= words
+    assert not [word for word in words if f"{word}s" in words], "one is the plural of another"
+    assert {"out", "items", "mode", "recipe", "split", "solutions"} <= words
+
+
+def test_the_coordinates_of_one_problem_are_given_alike() -> None:
+    def coordinates(name: str) -> dict[str, tuple[type, object, bool]]:
+        found = {str(param.name): param for param in command(name).params}
+        return {each: (type(p), p.default, p.required) for each, p in found.items() if each in COORDINATES}
+
+    assert coordinates("item") == coordinates("sample")
+    assert set(coordinates("item")) == COORDINATES
 
 
 def test_where_several_names_may_stand_all_may() -> None:

@@ -18,12 +18,12 @@ def call(*args: object) -> Result:
 
 def test_an_item_is_that_of_a_dataset_and_is_told_whole() -> None:
     problem = sim2reason.item("rocket", "easy", seed=3, index=1)
-    told = call("item", "rocket", "easy", "--seed", 3, "--index", 1)
+    told = call("item", "--recipe", "rocket", "--difficulty", "easy", "--seed", 3, "--index", 1)
     assert told.exit_code == 0, told.output
     assert told.stdout.split() == f"{problem.id} {problem.prompt} Answer: {problem.answer.shown}".split()
-    assert json.loads(call("item", "rocket", "easy", "--seed", 3, "--index", 1, "--json").stdout) == problem.model_dump(
-        mode="json"
-    )
+    assert json.loads(
+        call("item", "--recipe", "rocket", "--difficulty", "easy", "--seed", 3, "--index", 1, "--json").stdout
+    ) == problem.model_dump(mode="json")
 
 
 @pytest.mark.parametrize(("mode", "recipe"), [("numeric", "incline"), ("reverse", "projectile")])
@@ -38,7 +38,19 @@ def test_a_sample_is_the_scene_of_the_item_of_the_same_coordinates(mode: str, re
 
 def test_what_else_is_told(tmp_path: Path) -> None:
     figure = tmp_path / "scene.svg"
-    told = call("item", "incline", "easy", "--units", "cgs", "--scene", "--solutions", "--figure", figure)
+    told = call(
+        "item",
+        "--recipe",
+        "incline",
+        "--difficulty",
+        "easy",
+        "--units",
+        "cgs",
+        "--scene",
+        "--solutions",
+        "--figure",
+        figure,
+    )
     assert told.exit_code == 0, told.output
     assert told.stdout.startswith("incline-easy-numeric-0-0-cgs\n")
     assert "    scene:\n" in told.stdout
@@ -49,14 +61,14 @@ def test_what_else_is_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("args", "said"),
     [
-        (("pully", "easy"), "did you mean: pulley"),
-        (("all", "easy"), "no such name among recipes: 'all'"),
-        (("pulley", "brutal"), "easy, medium, hard"),
-        (("pulley", "easy", "--mode", "all"), "there are: numeric, reverse, symbolic"),
-        (("pulley", "easy", "--units", "cgsx"), "there are: SI, cgs, mixed"),
-        (("pulley", "easy", "--weights", "periods=2"), "there is no kind 'periods'"),
-        (("pulley", "easy", "--figure", "scene.gif"), ".svg, .png or .pdf"),
-        (("pulley", "easy", "--index", "-1"), "--index"),
+        (("--recipe", "pully", "--difficulty", "easy"), "did you mean: pulley"),
+        (("--recipe", "all", "--difficulty", "easy"), "no such name among recipes: 'all'"),
+        (("--recipe", "pulley", "--difficulty", "brutal"), "easy, medium, hard"),
+        (("--recipe", "pulley", "--difficulty", "easy", "--mode", "all"), "there are: numeric, reverse, symbolic"),
+        (("--recipe", "pulley", "--difficulty", "easy", "--units", "cgsx"), "there are: SI, cgs, mixed"),
+        (("--recipe", "pulley", "--difficulty", "easy", "--weights", "periods=2"), "there is no kind 'periods'"),
+        (("--recipe", "pulley", "--difficulty", "easy", "--figure", "scene.gif"), ".svg, .png or .pdf"),
+        (("--recipe", "pulley", "--difficulty", "easy", "--index", "-1"), "--index"),
     ],
 )
 def test_wrong_coordinates_are_one_line(args: tuple[str, ...], said: str) -> None:

@@ -127,7 +127,7 @@ def test_solutions_are_sampled_told_and_gone_on_with(tmp_path: Path) -> None:
     result = json.loads(run(*args, "--k", 3, "--keep", 1, "--json").stdout)
     assert result["kept"] == result["left_out"]["duplicate"] / 2 >= 1
     assert result["tries"] == 3
-    for extra in (("--k", 0), ("--keep", 0), ("--splits", "dev"), ("--seed", 1)):
+    for extra in (("--k", 0), ("--keep", 0), ("--split", "dev"), ("--seed", 1)):
         refused = run(*args, *extra)
         assert refused.exit_code == 2
         assert refused.stderr.count("\n") == 1

@@ -69,7 +69,7 @@ def test_the_command_makes_and_shows_them(data: Path, tmp_path: Path) -> None:
     assert " --solutions\n" in (tmp_path / "README.md").read_text()
     solved = next(item for item in Dataset(data) if item.solution is not None)
     assert solved.solution is not None
-    assert solved.solution.text in run(main, ["show", str(data), "--id", solved.id, "--solution"]).output
+    assert solved.solution.text in run(main, ["show", str(data), "--id", solved.id, "--solutions"]).output
     told = run(main, ["explain", str(data), "--id", solved.id])
     assert told.exit_code == 0, told.output
     assert solved.solution.strategy in told.output

@@ -60,12 +60,12 @@ def test_the_folder_says_how_to_use_it_and_no_mark_is_left(problems: Path, tmp_p
 
 
 def test_splits_are_chosen_by_name_and_evaluation_is_on_the_test_split(problems: Path, tmp_path: Path) -> None:
-    done = export(problems, tmp_path / "one", to="inspect", splits=["test"])
+    done = export(problems, tmp_path / "one", to="inspect", split=["test"])
     assert list(done.rows) == ["test"]
     assert not (tmp_path / "one/data/train.jsonl").exists()
     export(problems, tmp_path / "both", to="lm-eval")
     assert 'test_split: "test"' in (tmp_path / "both/sim2reason.yaml").read_text()
-    export(problems, tmp_path / "train", to="lm-eval", splits="train")
+    export(problems, tmp_path / "train", to="lm-eval", split="train")
     assert 'test_split: "train"' in (tmp_path / "train/sim2reason.yaml").read_text()
 
 
@@ -86,7 +86,7 @@ def test_wrong_names_are_told_with_the_right_ones(problems: Path, tmp_path: Path
     with pytest.raises(UnknownNameError, match="did you mean: verl"):
         export(problems, tmp_path / "out", to="vrl")
     with pytest.raises(DatasetError, match="has no split 'dev'; there is test, train"):
-        export(problems, tmp_path / "out", to="verl", splits=["dev"])
+        export(problems, tmp_path / "out", to="verl", split=["dev"])
     with pytest.raises(DatasetError, match="give a folder that sim2reason generate has finished"):
         export(tmp_path, tmp_path / "out", to="verl")
     assert not list(tmp_path.iterdir())

@@ -117,6 +117,27 @@ def test_an_unknown_id_is_an_error(data: Path, said: Path) -> None:
     assert "'nobody' is no item of" in str(result.exception)
 
 
+def test_splits_are_graded_alone(tmp_path: Path) -> None:
+    shares = {"train": 0.6, "test": 0.4}
+    config = Config(items=20, recipes=("pulley",), difficulties=("easy",), maker="fake_makers:steady", split=shares)
+    build(tmp_path / "data", config, workers=1)
+    data, given = Dataset(tmp_path / "data"), tmp_path / "given.jsonl"
+    lines = {name: [f'{{"id": "{item.id}", "response": ""}}' for item in data.items(name)] for name in shares}
+    given.write_text("\n".join([*lines["train"], *lines["test"]]), encoding="utf-8")
+    for name, mine in lines.items():
+        args = [str(data.path), "--responses", str(given), "--split", name, "--json"]
+        assert json.loads(CliRunner().invoke(command, args).stdout)[0]["responses"] == len(mine) > 0
+    given.write_text("\n".join(lines["train"]), encoding="utf-8")
+    args = ["grade", str(data.path), "--responses", str(given), "--split"]
+    for name, told in (
+        ("test", "no response is to a problem of test; give another --split"),
+        ("dev", "has no split 'dev'"),
+    ):
+        result = CliRunner().invoke(main, [*args, name])
+        assert (result.exit_code, result.stderr.count("\n")) == (2, 1)
+        assert told in result.stderr
+
+
 def test_an_unknown_id_is_no_page(data: Path, said: Path) -> None:
     said.write_text(json.dumps({"id": "\ud800" + "x" * 1_000_000, "response": ""}), encoding="utf-8")
     result = CliRunner().invoke(main, ["grade", str(data), "--responses", str(said)])

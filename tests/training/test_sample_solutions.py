@@ -100,7 +100,7 @@ def test_right_responses_are_kept_whole_and_once(dataset: Dataset, teacher: Teac
 
 def test_nothing_is_asked_twice_whatever_changes(dataset: Dataset, teacher: Teacher, tmp_path: Path) -> None:
     out = tmp_path / "solutions"
-    assert sample_solutions(dataset.path, out, teacher, k=1, splits="train").kept > 0
+    assert sample_solutions(dataset.path, out, teacher, k=1, split="train").kept > 0
     half = len(teacher._asked)
     assert half == len(list(dataset.items("train")))
     first = sample_solutions(dataset.path, out, teacher, k=4)
@@ -140,7 +140,7 @@ def test_what_makes_no_sense_is_refused(dataset: Dataset, teacher: Teacher, tmp_
         with pytest.raises(EvaluationError, match="give numbers from 1 to 4096"):
             sample_solutions(dataset.path, tmp_path / "new", teacher, **numbers)
     with pytest.raises(DatasetError, match="has no split 'dev'"):
-        sample_solutions(dataset.path, tmp_path / "new", teacher, splits="dev")
+        sample_solutions(dataset.path, tmp_path / "new", teacher, split="dev")
     assert not (tmp_path / "new").exists()
     with pytest.raises(EvaluationError, match="is no pass of a policy"):
         sample_solutions(dataset.path, dataset.path, teacher, k=1)

@@ -9,7 +9,7 @@ from sim2reason.cli import console, options
 EXAMPLE = """\b
 Example:
     sim2reason export problems --to hf --out problems-hf
-    sim2reason export problems --to verl --out problems-verl --splits train,test
+    sim2reason export problems --to verl --out problems-verl --split train,test
     sim2reason list exports
 
 The folder holds all that the library needs besides itself and sim2reason; its README.md says how to use it.
@@ -27,18 +27,18 @@ Exit code 0: written; 2: wrong input, or a folder that is not empty.
     required=True,
     help="The folder to be written, a new one.",
 )
-@options.several("--splits", "Splits, separated by commas, or all.")
+@options.split()
 @options.to_json("For a program to read: {folder, rows, left_out}.")
-def command(dataset: Path, to: str, out: Path, splits: str | tuple[str, ...], to_json: bool) -> None:
+def command(dataset: Path, to: str, out: Path, split: options.Names, to_json: bool) -> None:
     """Write the DATASET as another library reads it, into a folder of its own."""
     from sim2reason.datasets.dataset import Dataset
     from sim2reason.exports import EXPORTS
     from sim2reason.exports.parts.export import export
 
     lacks, counts = EXPORTS[to].lacks, Dataset(dataset).manifest.counts.get("split", {})
-    chosen = counts if splits == options.ALL else splits
+    chosen = counts if split == options.ALL else split
     with console.progress("problems", sum(counts.get(name, 0) for name in chosen)) as advance:
-        done = export(dataset, out, to=to, splits=splits, advance=advance)
+        done = export(dataset, out, to=to, split=split, advance=advance)
     if to_json:
         console.as_json({"folder": str(done.folder), "rows": done.rows, "left_out": done.left_out})
         return

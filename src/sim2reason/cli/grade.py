@@ -24,9 +24,12 @@ last complete box after the thinking. Exit code 0: graded; 2: no finished datase
     help="JSON lines {id, response}; - is standard input.",
 )
 @options.out("Write {id, reward, outcome, parsed, why} here; to - they are printed, and the table goes to stderr.")
+@options.split()
 @click.option("--lenient", is_flag=True, help="Without a box, take the last number. For evaluation only.")
 @options.to_json("For a program to read: a list of groups with their outcomes.")
-def command(dataset: Path, responses: Path, out: Path | None, lenient: bool, to_json: bool) -> None:
+def command(
+    dataset: Path, responses: Path, out: Path | None, split: options.Names, lenient: bool, to_json: bool
+) -> None:
     """Grade responses to the DATASET; sum up by recipe, kind and outcome."""
     from sim2reason.datasets import grade
     from sim2reason.datasets.dataset import Dataset
@@ -36,7 +39,7 @@ def command(dataset: Path, responses: Path, out: Path | None, lenient: bool, to_
         raise click.UsageError("--json and -o - both want standard output; give one of them a file.")
     name, tallies = "standard input" if responses == results.STDOUT else str(responses), grade.Tallies()
     with click.open_file(responses, "rb") as file, results.lines(out) as say:
-        for found in grade.graded(Dataset(dataset), grade.responses(file, name), lenient=lenient):
+        for found in grade.graded(Dataset(dataset), grade.responses(file, name), split=split, lenient=lenient):
             tallies.add(found)
             say(grade.line(found.response, found.score))
     if to_json:

@@ -8,15 +8,15 @@ from sim2reason.cli import console, options, problems, results
 
 EXAMPLE = """\b
 Example:
-    sim2reason item pulley medium --mode reverse --seed 7 --index 3
-    sim2reason item springs hard --index 12 --solutions --figure scene.svg
-    sim2reason item pulley easy --json
+    sim2reason item --recipe pulley --difficulty medium --mode reverse --seed 7 --index 3
+    sim2reason item --recipe springs --difficulty hard --index 12 --solutions --figure scene.svg
+    sim2reason item --recipe pulley --json
 """
 
 
 @click.command("item", epilog=EXAMPLE)
-@click.argument("recipe")
-@click.argument("difficulty", default="medium")
+@options.one_recipe()
+@options.one_difficulty()
 @options.one_mode()
 @options.seed("Which series of problems.")
 @options.index("Which problem of the series.")
@@ -39,7 +39,7 @@ def command(
     with_scene: bool,
     to_json: bool,
 ) -> None:
-    """Make one problem of a RECIPE and a DIFFICULTY (easy, medium or hard), the same one that a dataset has."""
+    """Make one problem of a recipe, difficulty and mode: the same one that a dataset has."""
     from sim2reason.datasets.items import made, requested
     from sim2reason.figures import canvas
     from sim2reason.figures.drawing import drawing

@@ -76,6 +76,21 @@ def mode(default: str = "numeric") -> Callable[[F], F]:
     return several("--mode", "Modes of questions (numeric, reverse, symbolic), separated by commas, or all.", default)
 
 
+def split() -> Callable[[F], F]:
+    """Splits of a dataset."""
+    return several("--split", "Splits of the dataset, separated by commas, or all.")
+
+
+def one_recipe() -> Callable[[F], F]:
+    """The recipe of one problem."""
+    return click.option("--recipe", required=True, help="Which kind of scene; see: sim2reason list recipes.")
+
+
+def one_difficulty() -> Callable[[F], F]:
+    """The difficulty of one problem."""
+    return click.option("--difficulty", default="medium", show_default=True, help="easy, medium or hard.")
+
+
 def one_mode() -> Callable[[F], F]:
     """The mode of one problem."""
     return click.option("--mode", default="numeric", show_default=True, help="numeric, reverse or symbolic.")

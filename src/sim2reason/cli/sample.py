@@ -10,13 +10,13 @@ EXAMPLE = """\b
 Example:
     sim2reason sample --recipe pulley --difficulty medium --seed 7 --index 0 -o scene.yaml
 
-It is the scene of: sim2reason item pulley medium --seed 7 --index 0
+It is the scene of: sim2reason item --recipe pulley --difficulty medium --seed 7 --index 0
 """
 
 
 @click.command("sample", epilog=EXAMPLE)
-@click.option("--recipe", required=True, help="Which kind of scene; see: sim2reason list recipes.")
-@click.option("--difficulty", default="medium", show_default=True, help="easy, medium or hard.")
+@options.one_recipe()
+@options.one_difficulty()
 @options.one_mode()
 @options.seed("Which series of scenes.")
 @options.index("Which scene of the series.")

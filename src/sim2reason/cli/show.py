@@ -10,7 +10,7 @@ from sim2reason.cli.options import Names
 EXAMPLE = """\b
 Example:
     sim2reason show problems -n 3
-    sim2reason show problems --recipe springs,rolling --kind period --solution
+    sim2reason show problems --recipe springs,rolling --kind period --split test --solutions
     sim2reason show problems --id pulley-easy-numeric-0-4 --scene
 """
 
@@ -24,8 +24,9 @@ Example:
 @options.mode("all")
 @options.several("--kind", "Kinds of question, separated by commas, or all.")
 @options.several("--quantity", "Quantities, as in speed,tension; or all.")
+@options.split()
 @click.option("--scene", "with_scene", is_flag=True, cls=options.Printing, help="Print the scene too.")
-@click.option("--solution", "with_solution", is_flag=True, cls=options.Printing, help="Print the worked solution too.")
+@click.option("--solutions", is_flag=True, cls=options.Printing, help="Print the worked solutions too.")
 @options.to_json("For a program to read: a list of whole items.")
 def command(
     dataset: Path,
@@ -36,17 +37,18 @@ def command(
     mode: Names,
     kind: Names,
     quantity: Names,
+    split: Names,
     with_scene: bool,
-    with_solution: bool,
+    solutions: bool,
     to_json: bool,
 ) -> None:
     """Show problems of the DATASET, spread over all that fit, with their answers."""
     from sim2reason.datasets.show import show
 
     chosen = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "quantity": quantity}
-    found = show(dataset, items=items, id=id, **chosen)
+    found = show(dataset, items=items, id=id, split=split, **chosen)
     if to_json:
         console.as_json_list(item.model_dump(mode="json") for item in found)
         return
     for item in found:
-        problems.tell(item, scene=with_scene, solution=with_solution)
+        problems.tell(item, scene=with_scene, solution=solutions)

@@ -7,6 +7,7 @@ from pathlib import Path
 from sim2reason.datasets import shard_files
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import Manifest, ShardFile, load, shard, shards
+from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
 
@@ -37,10 +38,18 @@ class Dataset:
 
     def items(self, split: str | None = None) -> Iterator[Item]:
         """All items, or those of one split, shard by shard; DatasetError if there is no such split."""
-        splits = self.manifest.config.split
-        if split is not None and split not in splits:
-            raise DatasetError(f"{self.path}: has no split {split!r}; there is {', '.join(splits)}")
+        if split is not None:
+            self.splits(split)
         return (item for shard in shards(self.path) for item in shard_files.items(self.path, shard, split))
+
+    def splits(self, names: Names = ALL) -> tuple[str, ...]:
+        """Its splits, or those of them that are named, in its order; DatasetError for one that there is not."""
+        held = tuple(self.manifest.config.split)
+        chosen = held if names == ALL else several(names)
+        for name in chosen:
+            if name not in held:
+                raise DatasetError(f"{self.path}: has no split {name!r}; there is {', '.join(held)}")
+        return tuple(name for name in held if name in chosen)
 
     def item(self, name: str) -> Item:
         """The item of an id, at once; DatasetError if there is none."""
@@ -51,14 +60,15 @@ class Dataset:
                 return shard_files.read(self.path, file, places)[0]
         raise DatasetError(f"{self.path}: holds no problem {shortened(name)}; see: sim2reason show {self.path}")
 
-    def some(self, count: int, wanted: Wanted | None = None) -> Iterator[Item]:
+    def some(self, count: int, wanted: Wanted | None = None, split: Names = ALL) -> Iterator[Item]:
         """As many items from all over those that are `wanted`; never in step with the round robin of its plan."""
-        wanted = wanted or {}
-        rows = sum(len(self._places(file, wanted)) for file in self._files()) if wanted else len(self)
+        wanted, splits = wanted or {}, self.splits(split)
+        some = bool(wanted) or splits != self.splits()
+        rows = sum(len(self._places(file, wanted)) for file in self._files(splits)) if some else len(self)
         wide = rows // max(count, 1)  # one is taken from each stretch of so many
         chosen = (n * rows // count + n * STRIDE % wide for n in range(count)) if wide else iter(range(rows))
         place, behind = next(chosen, None), 0
-        for file in self._files():
+        for file in self._files(splits):
             if place is None:
                 return
             found, taken = self._places(file, wanted), list[int]()
@@ -74,18 +84,21 @@ class Dataset:
         return (row for file in self._files() for row in shard_files.rows(self.path, file, columns))
 
     def rows_of(self, names: Collection[str], *columns: str) -> dict[str, Row]:
-        """Some columns of those of the items of these ids that the dataset holds, by id; each file is read once."""
+        """Some columns of those of the items of these ids that the dataset holds, by id; each file is read once.
+
+        Among them is always ``split``, which is no column of a file.
+        """
         numbers = {self._shard_of(name) for name in names} - {None}
         last, found = max((n for n in numbers if n is not None), default=-1), dict[str, Row]()
         for held in islice(shards(self.path), last + 1):
             for file in held.files if held.number in numbers else ():
                 places = self._places(file, {"id": names})
                 rows = shard_files.rows(self.path, file, ("id", *columns), places) if places else ()
-                found.update({row["id"]: row for row in rows})
+                found.update({row["id"]: row | {"split": file.split} for row in rows})
         return found
 
-    def _files(self) -> Iterator[ShardFile]:
-        return (file for shard in shards(self.path) for file in shard.files)
+    def _files(self, splits: Collection[str] | None = None) -> Iterator[ShardFile]:
+        return (f for shard in shards(self.path) for f in shard.files if splits is None or f.split in splits)
 
     def _shard_of(self, name: str) -> int | None:
         """The shard in which the item of an id stands, if it is in the dataset; None if it can not be."""

@@ -10,6 +10,7 @@ from pydantic import BaseModel, JsonValue, ValidationError
 
 from sim2reason.datasets.dataset import Dataset, shortened
 from sim2reason.datasets.item import Answer, Item
+from sim2reason.datasets.plan import ALL, Names
 from sim2reason.datasets.rows import ItemRow, answer_of
 from sim2reason.errors import DatasetError
 from sim2reason.grading import Outcome, Score, formula, number
@@ -59,11 +60,15 @@ def grade_answer(answer: Answer, response: object, *, lenient: bool = False) -> 
     )
 
 
-def graded(data: Dataset, given: Iterable[Response], *, lenient: bool = False) -> Iterator[GradedResponse]:
+def graded(
+    data: Dataset, given: Iterable[Response], *, split: Names = ALL, lenient: bool = False
+) -> Iterator[GradedResponse]:
     """Responses to a dataset with their scores, in their order; some are held at a time, never all.
 
-    DatasetError names an id that the dataset does not hold.
+    Those to problems of other splits are passed over. DatasetError names an id that the dataset does not hold, or a
+    split, or says that no response is to a problem of these splits.
     """
+    splits, passed_over, found = data.splits(split), False, False
     for _, some in groupby(_numbered(given), key=lambda pair: pair[0]):
         held = [response for _, response in some]
         rows = data.rows_of({response.id for response in held}, "recipe", "kind", "answer")
@@ -71,8 +76,13 @@ def graded(data: Dataset, given: Iterable[Response], *, lenient: bool = False) -
             row = rows.get(response.id)
             if row is None:
                 raise DatasetError(f"{shortened(response.id)} is no item of {data.path}; give the dataset it is from")
-            score = grade(row, response.response, lenient=lenient)
+            if row["split"] not in splits:
+                passed_over = True
+                continue
+            found, score = True, grade(row, response.response, lenient=lenient)
             yield GradedResponse(response, score, row["recipe"], row["kind"])
+    if passed_over and not found:
+        raise DatasetError(f"{data.path}: no response is to a problem of {' or '.join(splits)}; give another --split")
 
 
 def _numbered(given: Iterable[Response]) -> Iterator[tuple[int, Response]]:

@@ -21,28 +21,38 @@ def show(  # noqa: PLR0913 - filters, by name
     mode: Names = ALL,
     kind: Names = ALL,
     quantity: Names = ALL,
+    split: Names = ALL,
 ) -> Iterator[Item]:
     """At most so many `items`, spread over the dataset, of which all names fit; or the one of an `id`.
 
     One file is held in memory at a time. Each name may be one, several, or ``all``.
 
     Raises:
-        DatasetError: no finished dataset, a damaged file, or nothing that fits.
+        DatasetError: no finished dataset, a damaged file, a name that occurs nowhere in it, or nothing that fits.
     """
     data = dataset if isinstance(dataset, Dataset) else Dataset(dataset)
     if id is not None:
         return iter([data.item(id)])
     given = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "asked.quantity": quantity}
-    wanted = {name: several(names) for name, names in given.items() if names != ALL}
-    return _some(data, items, wanted)
+    wanted = {column: several(names) for column, names in given.items() if names != ALL}
+    for column, names in wanted.items():
+        _check(data, column.rpartition(".")[2], names)
+    return _some(data, items, wanted, data.splits(split))
 
 
-def _some(data: Dataset, items: int, wanted: Mapping[str, Sequence[str]]) -> Iterator[Item]:
-    found = data.some(items, wanted)
+def _check(data: Dataset, by: str, names: Sequence[str]) -> None:
+    held = data.manifest.counts.get(by, {})
+    for name in names:
+        if name not in held:
+            raise DatasetError(f"{data.path}: holds no problem of {by} {name!r}; there is {', '.join(held) or 'none'}")
+
+
+def _some(data: Dataset, items: int, wanted: Mapping[str, Sequence[str]], split: Sequence[str]) -> Iterator[Item]:
+    found = data.some(items, wanted, split)
     first = next(found, None)
     if first is not None:
         yield first
         yield from found
-    elif wanted:
-        said = ", ".join(f"{name.rpartition('.')[2]} {' or '.join(names)}" for name, names in wanted.items())
+    elif chosen := wanted if split == data.splits() else {**wanted, "split": split}:
+        said = ", ".join(f"{by.rpartition('.')[2]} {' or '.join(names)}" for by, names in chosen.items())
         raise DatasetError(f"{data.path}: holds no problem of {said}; see: sim2reason stats {data.path}")

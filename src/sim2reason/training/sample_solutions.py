@@ -20,7 +20,7 @@ from sim2reason.benchmarks.synthetic import benchmark_item
 from sim2reason.datasets.atomic_files import canonical, checksum, put, put_text
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item, Record
-from sim2reason.datasets.plan import ALL, Names, several
+from sim2reason.datasets.plan import ALL, Names
 from sim2reason.datasets.policy_pass import MOST_TRIES, SAMPLES, PolicyPass, PolicySource, asked
 from sim2reason.errors import EvaluationError
 from sim2reason.policies import Completion
@@ -61,7 +61,7 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
     *,
     k: int = TRIES,
     keep: int = KEEP,
-    splits: Names = ALL,
+    split: Names = ALL,
     seed: int = 0,
     advance: Callable[[int], object] = lambda _: None,
 ) -> Sampled:
@@ -80,8 +80,8 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
     if not 1 <= k <= MOST_TRIES or not 1 <= keep <= MOST_TRIES:
         raise EvaluationError(f"{k} tries of which {keep} are kept: give numbers from 1 to {MOST_TRIES}")
     source, out = Dataset(dataset), Path(out)
-    chosen = tuple(source.manifest.config.split) if splits == ALL else several(splits)
-    items = [item for split in dict.fromkeys(chosen) for item in source.items(split)]
+    chosen = source.splits(split)
+    items = [item for name in chosen for item in source.items(name)]
     with asked(source, items, out, policy, k=k, seed=seed, advance=advance) as plan:
         return _finished(items, out, plan, chosen, k, keep)
 

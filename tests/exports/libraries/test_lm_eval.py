@@ -41,7 +41,7 @@ def test_right_answers_pass_and_distractors_do_not(
     wrong: Callable[[Item], Iterator[str]],
     split: str,
 ) -> None:
-    done = sim2reason.export(real, tmp_path / "out", to="lm-eval", splits=split)
+    done = sim2reason.export(real, tmp_path / "out", to="lm-eval", split=split)
     by_prompt = {item.prompt: item for item in items.values()}
     found = result(done.folder, "sim2reason", lambda prompt: right(by_prompt[prompt]))
     assert found["results"]["sim2reason"]["accuracy,none"] == 1.0
@@ -55,7 +55,7 @@ def test_right_answers_pass_and_distractors_do_not(
 def test_letters_of_choices_are_compared(problems: Path, tmp_path: Path, shift: int) -> None:
     import json
 
-    folder = sim2reason.export(problems, tmp_path / "out", to="multiple-choice", splits="train").folder
+    folder = sim2reason.export(problems, tmp_path / "out", to="multiple-choice", split="train").folder
     rows = [json.loads(line) for line in (folder / "data/train.jsonl").read_text().splitlines()]
     letters = {row["question"]: "ABCDE"[(row["label"] + shift) % len(row["choices"])] for row in rows}
     found = result(folder, "sim2reason_choice", lambda prompt: letters[prompt.partition("\n\nA. ")[0]])

@@ -35,7 +35,7 @@ def export(
     out: Path | str,
     *,
     to: str,
-    splits: Names = ALL,
+    split: Names = ALL,
     advance: Callable[[int], object] = lambda _: None,
 ) -> Exported:
     """Write a dataset as another library reads it: into the folder `out`, which must be new or empty.
@@ -46,7 +46,7 @@ def export(
         dataset: a folder that `generate` has finished.
         out: the folder to be written.
         to: the name of an export, as ``sim2reason list exports`` has it.
-        splits: those to be written: one name, several, or ``all``.
+        split: those to be written: one name, several, or ``all``.
         advance: called with the number of items that are done.
 
     Raises:
@@ -56,23 +56,13 @@ def export(
     format_, source, folder = EXPORTS[to], Dataset(dataset), Path(out)
     with _replacing(folder) as place:
         writing = _Writing(format_, source, place, advance)
-        rows = {name: writing.split(name) for name in _chosen(source, splits)}
+        rows = {name: writing.split(name) for name in source.splits(split)}
         rows = {name: count for name, count in rows.items() if count}
         if not rows:
             lacking = f": {format_.lacks}" if format_.lacks else ""
             raise DatasetError(f"{dataset}: holds no problem for {to}{lacking}; give another dataset or split")
         _copy(format_, place, rows, source)
     return Exported(folder, rows, writing.left_out)
-
-
-def _chosen(dataset: Dataset, splits: Names) -> list[str]:
-    """The splits to be written, in the dataset's order; DatasetError for one that it lacks."""
-    if splits == ALL:
-        return list(dataset.manifest.config.split)
-    chosen = (splits,) if isinstance(splits, str) else splits
-    for name in chosen:
-        dataset.items(name)  # says which splits there are
-    return [name for name in dataset.manifest.config.split if name in chosen]
 
 
 @dataclass
