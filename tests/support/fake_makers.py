@@ -38,7 +38,7 @@ def steady(request: Request) -> Made:
             seed=request.seed,
             index=request.index,
             versions={"sim2reason": "0.0.0"},
-            config="0",
+            settings="0",
         ),
     )
     return Made(item, {"degenerate": number % 3, "shortcut": number % 2})

@@ -129,7 +129,7 @@ class Provenance(Record):
     seed: int
     index: int
     versions: dict[str, str]
-    config: str
+    settings: str
     """A hash of the maker's settings: how many draws it tries, how long it simulates."""
     weights: dict[str, float] = Field(default_factory=dict[str, float])
     """Of kinds of question, by name, where they are not those that the library declares."""

@@ -59,7 +59,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             seed=request.seed,
             index=request.index,
             versions=versions(),
-            config=SETTINGS,
+            settings=SETTINGS,
             weights=dict(request.weights),
             units=request.units,
         ),

@@ -57,7 +57,7 @@ SCHEMA = pa.schema(
                 "seed": WHOLE,
                 "index": WHOLE,
                 "versions": TEXT,
-                "config": TEXT,
+                "settings": TEXT,
                 "weights": TEXT,
                 "units": TEXT,
             }
