@@ -81,6 +81,17 @@ def test_an_order_is_not_guessed(tmp_path: Path, order: dict[str, Any]) -> None:
     assert not (tmp_path / "data").exists()
 
 
+def test_a_folder_in_place_of_a_shard_is_named(tmp_path: Path) -> None:
+    shard = tmp_path / "data/data/train-00000-of-00001.parquet"
+    assert generate(tmp_path / "data").exit_code == 0
+    shard.unlink()
+    shard.mkdir()
+    result = generate(tmp_path / "data")
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f"sim2reason: {shard}: Is a directory; ")
+    assert result.stderr.count("\n") == 1
+
+
 def test_a_part_says_what_it_made_and_what_ends_the_work(tmp_path: Path) -> None:
     remedy = "when all 4 parts are made, the same command without --shard ends the work"
     for part, told in ("1/4", "1 of 3 shards, 9 problems"), ("4/4", "0 of 3 shards, 0 problems"):

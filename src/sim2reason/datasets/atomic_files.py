@@ -28,7 +28,8 @@ def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
         sync(path.parent)
     except OSError as error:
         temporary.unlink(missing_ok=True)
-        error.filename = error.filename or str(path)
+        if error.filename in (None, str(temporary)):
+            error.filename, error.filename2 = str(path), None
         raise
 
 
