@@ -1,9 +1,9 @@
 """Memory against the number of items: python benchmarks/scale.py [largest power of ten] [items of the real maker].
 
 For 10³ items, 10⁴ and so on (by default up to 10⁵; each needs some milliseconds of the CPU): the most memory that
-generate, verify, show and grade take, with a fake maker and two workers. Then the pass over variants and duplicates
-alone, for 10⁴ items up to 10⁷. Then the CPU time of one and of two workers for so many items of the real maker, by
-default 200.
+generate, verify, show (a few, then all) and grade take, with a fake maker and two workers. Then the pass over variants
+and duplicates alone, for 10⁴ items up to 10⁷. Then the CPU time of one and of two workers for so many items of the real
+maker, by default 200. Exit code 1: something takes more than a bound below.
 """
 
 import json
@@ -25,6 +25,10 @@ from sim2reason.datasets.plan import DISTANCE
 SUPPORT = Path(__file__).resolve().parent.parent / "tests" / "support"
 CODE = "from sim2reason.cli import main; main()"
 MARKED = 2000  # items whose marks are read at once
+GROWTH = 1.25  # the memory of a command for most items, as a ratio to that for fewest
+MARK = 100e-6  # MB an item more that generate may take, while it looks for variants and duplicates
+DISTINCT = 1024.0  # MB for the pass over variants and duplicates
+MORE = 1.10  # CPU time of two workers, as a ratio to that of one
 PROBLEMS, NUMBERS = 2000, 6  # that three in ten of them are variants of, and the numbers of each
 
 
@@ -44,17 +48,19 @@ def peak(*arguments: object) -> tuple[float, float]:
     return used.ru_maxrss / (1024.0 if sys.platform == "linux" else 1024.0**2), time.monotonic() - begin
 
 
-def commands(items: int, folder: Path) -> None:
+def commands(items: int, folder: Path) -> dict[str, float]:
+    """MB that each command takes at most, but for the marks of so many items."""
     out, responses = folder / str(items), folder / f"{items}.jsonl"
     fake = ["--recipe", "incline,pulley", "--difficulty", "easy", "--maker", "fake_makers:steady", "--workers", 2]
     told = {"generate": peak("generate", out, "--items", items, *fake)}
     with responses.open("w") as file:
         file.writelines(json.dumps({"id": item.id, "response": "\\boxed{1 N}"}) + "\n" for item in Dataset(out))
     told["verify"] = peak("verify", out)
-    told["show"] = peak("show", out, "-n", 5)
+    told["show"], told["show all"] = peak("show", out, "-n", 5), peak("show", out, "-n", items)
     told["grade"] = peak("grade", out, "--responses", responses)
     line = ", ".join(f"{name} {memory:.0f} MB in {seconds:.0f} s" for name, (memory, seconds) in told.items())
     print(f"{items:9} items: {line}", flush=True)
+    return {name: memory - MARK * items * (name == "generate") for name, (memory, _) in told.items()}
 
 
 def marks(number: int, items: int) -> Marks:
@@ -81,16 +87,18 @@ def distinct(items: int) -> None:
     print(f"{gone[0]} the same, {gone[1]} alike; {time.process_time() - begin:.0f} CPU-s")
 
 
-def distinct_peak(items: int) -> None:
+def distinct_peak(items: int) -> float:
     run = subprocess.Popen([sys.executable, __file__, "distinct", str(items)], stdout=subprocess.PIPE, text=True)
     told = run.stdout.read().strip() if run.stdout is not None else ""
     _, status, used = os.wait4(run.pid, 0)
     run.returncode = os.waitstatus_to_exitcode(status)
-    print(f"{items:9} items: variants and duplicates {used.ru_maxrss / 1024:.0f} MB ({told})", flush=True)
+    memory = used.ru_maxrss / (1024.0 if sys.platform == "linux" else 1024.0**2)
+    print(f"{items:9} items: variants and duplicates {memory:.0f} MB ({told})", flush=True)
+    return memory
 
 
-def workers(items: int) -> None:
-    """CPU seconds of a real dataset by one worker and by two, starting and writing included."""
+def workers(items: int) -> float:
+    """The ratio of CPU times of a real dataset by two workers and by one, starting and writing included."""
     spent: list[float] = []
     for count in (1, 2):
         with TemporaryDirectory() as folder:
@@ -104,21 +112,25 @@ def workers(items: int) -> None:
             )
             spent.append(children() - before)
     print(f"{items} real items: {spent[0]:.1f} CPU-s by one worker, {spent[1]:.1f} by two: {spent[1] / spent[0]:.3f}")
+    return spent[1] / spent[0]
 
 
-def main(arguments: Sequence[str]) -> None:
+def main(arguments: Sequence[str]) -> int:
     if arguments[:1] == ["distinct"]:
         distinct(int(arguments[1]))
-        return
+        return 0
     largest, real = (*map(int, arguments), *(5, 200)[len(arguments) :])
     adopt_orphans()
     with TemporaryDirectory() as folder:
-        for power in range(3, largest + 1):
-            commands(10**power, Path(folder))
-    for power in range(4, 8):
-        distinct_peak(10**power)
-    workers(real)
+        taken = [commands(10**power, Path(folder)) for power in range(3, largest + 1)]
+    distinct_pass = max(distinct_peak(10**power) for power in range(4, 8))
+    missed = [f"{name} grows with the items" for name, few in taken[0].items() if taken[-1][name] > GROWTH * few]
+    missed += ["variants and duplicates take more than a GB"] * (distinct_pass > DISTINCT)
+    missed += ["two workers take more than a tenth more than one"] * (workers(real) > MORE)
+    for line in missed:
+        print(f"MISSED: {line}")
+    return 1 if missed else 0
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    sys.exit(main(sys.argv[1:]))

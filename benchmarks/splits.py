@@ -3,6 +3,7 @@
 Makes a dataset of three splits over all recipes, difficulties and modes, by default 20,000 items in a folder under the
 temporary directory, and compares every two splits: scenes, problems up to numbers, prompts up to numbers. About ten
 items a CPU-second; interrupted, the same command goes on where it stopped, and with more items the dataset grows.
+Exit code 1: two splits share something.
 """
 
 import sys
@@ -40,18 +41,20 @@ def marks(data: Dataset, split: str) -> dict[str, set[bytes]]:
     return found
 
 
-def main(items: int = 20_000, folder: str = "") -> None:
+def main(items: int = 20_000, folder: str = "") -> int:
     out = Path(folder) if folder else Path(gettempdir()) / "sim2reason-splits"
     data = generate(out, items=items, mode="all", split=SPLIT)
     counts, refused = data.manifest.counts["split"], data.manifest.refused
     print(f"{len(data)} items of {items} asked for in {out}: " + ", ".join(f"{counts[name]} {name}" for name in SPLIT))
     print("left out: " + ", ".join(f"{found.total} {kind}" for kind, found in refused.items()))
-    found = {split: marks(data, split) for split in SPLIT}
+    found, total = {split: marks(data, split) for split in SPLIT}, 0
     for name in COMPARED:
         sizes = ", ".join(f"{len(found[split][name])} in {split}" for split in SPLIT)
         shared = sum(len(found[a][name] & found[b][name]) for a, b in combinations(SPLIT, 2))
         print(f"{name}: {sizes}; {shared} in two splits")
+        total += shared
+    return 1 if total else 0
 
 
 if __name__ == "__main__":
-    main(*map(int, sys.argv[1:2]), *sys.argv[2:3])
+    sys.exit(main(*map(int, sys.argv[1:2]), *sys.argv[2:3]))
