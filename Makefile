@@ -36,7 +36,7 @@ demo: .venv/core ## 100 problems over all recipes, one figure, three problems wi
 	@$(BIN)/sim2reason show $(DEMO) -n 3
 	@echo "All 100 problems: $(DEMO)/data/*.parquet, their counts: $(DEMO)/README.md, a figure: $(DEMO)/scene.svg and .png"
 
-test: .venv/dev ## all tests, in parallel
+test: .venv/dev ## the tests that need nothing else, in parallel
 	$(BIN)/pytest --numprocesses auto --dist worksteal
 
 .venv-ray/done: .venv/pip requirements/ray.txt pyproject.toml
@@ -54,8 +54,9 @@ test-ray: .venv-ray/done ## the tests that need Ray, on a local cluster, in an e
 	.venv-train/bin/python -m pip install --quiet --no-deps --editable .
 	@touch $@
 
-test-train: .venv-train/done ## the tests that train models, on CPUs, in an environment of their own
-	.venv-train/bin/python -m pytest --numprocesses auto --dist worksteal tests/training tests/policies/test_local_model.py tests/cli/test_train.py
+test-train: .venv-train/done ## the tests that train models, on CPUs, and TRL's example, in an environment of their own
+	.venv-train/bin/python -m pytest --numprocesses auto --dist worksteal tests/training tests/policies/test_local_model.py \
+		tests/cli/test_train.py tests/exports/libraries/test_trl.py
 	.venv-train/bin/python tests/support/readme.py docs/training.md
 
 # Each library that exports are for has an environment of its own in .exports, 0.6 to 2 GB large. For one of them alone:

@@ -1,5 +1,6 @@
 """lm-eval finds the tasks by --include_path, asks a model, and grades what it says."""
 
+import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -7,7 +8,9 @@ import pytest
 
 import sim2reason
 from sim2reason.datasets.item import Item
+from sim2reason.exports.multiple_choice import LETTERS
 
+LEAST = 100  # rows
 lm_eval = pytest.importorskip("lm_eval", reason="make test-exports")
 
 
@@ -51,15 +54,27 @@ def test_right_answers_pass_and_distractors_do_not(
         assert result(done.folder, "sim2reason", said.__getitem__)["results"]["sim2reason"]["accuracy,none"] == 0.0
 
 
-@pytest.mark.parametrize("shift", [0, 1])
-def test_letters_of_choices_are_compared(problems: Path, tmp_path: Path, shift: int) -> None:
-    import json
+@pytest.fixture(scope="module")
+def choices(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Multiple choice for enough problems: made ones have too few wrong answers, so that most are left out."""
+    folder = tmp_path_factory.mktemp("choices")
+    order = {"items": 1000, "recipe": "pulley", "maker": "fake_makers:with_answers"}
+    sim2reason.generate(folder / "problems", workers=1, **order)
+    return sim2reason.export(folder / "problems", folder / "out", to="multiple-choice").folder
 
-    folder = sim2reason.export(problems, tmp_path / "out", to="multiple-choice", split="train").folder
-    rows = [json.loads(line) for line in (folder / "data/train.jsonl").read_text().splitlines()]
-    letters = {row["question"]: "ABCDE"[(row["label"] + shift) % len(row["choices"])] for row in rows}
-    found = result(folder, "sim2reason_choice", lambda prompt: letters[prompt.partition("\n\nA. ")[0]])
-    assert found["results"]["sim2reason_choice"]["acc,none"] == 1.0 - shift
+
+def test_the_right_letter_passes_and_every_other_does_not(choices: Path) -> None:
+    rows = [json.loads(line) for line in (choices / "data/train.jsonl").read_text().splitlines()]
+    assert len(rows) >= LEAST
+    for number in range(len(LETTERS)):  # the right one first, then the wrong ones, those of short lists again
+        letters = dict[str, str]()
+        for row in rows:
+            held = LETTERS[: len(row["choices"])]
+            wrong = held.replace(row["answer"], "")
+            letters[row["question"]] = wrong[number % len(wrong)] if number else row["answer"]
+        found = result(choices, "sim2reason_choice", lambda prompt, told=letters: told[prompt.partition("\n\nA. ")[0]])
+        assert found["results"]["sim2reason_choice"]["acc,none"] == float(number == 0)
+        assert found["n-samples"]["sim2reason_choice"]["effective"] == len(rows)
 
 
 @pytest.mark.parametrize("page", ["lm-eval", "multiple-choice"])
