@@ -54,6 +54,49 @@ def test_where_the_answer_stands(response: str, outcome: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("answer", "value"),
+    [
+        (r"9{,}8", 9.8),
+        (r"-9{,}80\text{ m/s}^2", -9.8),
+        (r"g = 9{,}8", 9.8),
+        (r"9{,}8123", 9.8),
+        (r"0{,}125", 0.125),
+        (r"12 345{,}6", 12345.6),
+        (r"1{,}2 \times 10^{-3}", 0.0012),
+        (r"9{,}800", 9800.0),
+        (r"12{,}345.6", 12345.6),
+        (r"\text{(a) }9.8", 9.8),
+        (r"\text{(iii)} -9.8\text{ m/s}^2", -9.8),
+        (r"9.8\ \checkmark", 9.8),
+        (r"9.8\text{ m/s}^2 \quad \checkmark.", 9.8),
+        ("9.8 ✓", 9.8),
+    ],
+)
+def test_decimal_commas_parts_and_ticks_are_read(answer: str, value: float) -> None:
+    score = number(rf"$\boxed{{{answer}}}$", value, "m/s^2", tolerance=0.002)
+    assert score.outcome == Outcome.CORRECT, score.why
+    assert not number(rf"$\boxed{{{answer}}}$", 1.05 * value, "m/s^2", tolerance=0.002).reward
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        r"1.234{,}5",
+        r"\text{(e) }9.8",
+        r"\text{(2) }4.9",
+        r"\text{(a) (b) }9.8",
+        r"\text{(a) }9.8\text{ (b) }10",
+        r"9.8\checkmark 10",
+        r"\checkmark",
+        r"\text{(a) }",
+    ],
+)
+def test_what_looks_like_them_is_not_paid(answer: str) -> None:
+    for value in (9.8, 1234.5, 1.2345):
+        assert not number(rf"$\boxed{{{answer}}}$", value, "m/s^2", positive="up").reward
+
+
+@pytest.mark.parametrize(
     "answer",
     [
         r"9.8 or 10",
@@ -72,7 +115,12 @@ def test_where_the_answer_stands(response: str, outcome: str) -> None:
         r"x \geq 9.8",
         r"x \neq 9.8",
         r"\text{between } 9 \text{ and } 10",
-        r"9{,}8",
+        r"9{,}8, 10",
+        r"9{,}8{,}10",
+        r"9{,}80{,}9",
+        r"9{,}8,",
+        r"9, 8{,}10",
+        r"\text{(a) }9.8, \text{(b) }10",
         r"\begin{cases}9.8\end{cases}",
         r"9.8 \lor 10",
         r"9.8 → 10",

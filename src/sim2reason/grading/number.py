@@ -25,6 +25,8 @@ __all__ = ["number"]
 
 AGREE = 0.05  # relative: how far apart two sides may be that say the same
 _NO_REMARK = Remark()
+_PART = re.compile(r"\s*\\text\s*\{\s*\((?:[a-dA-D]|i{1,3}|iv)\)\s*\}(?=\s*[-−+.0-9])")
+"""The letter of a part of a problem. An e would be a number, and one in italics a symbol."""
 _RECIPROCAL = re.compile(r"1\s*/")
 
 
@@ -97,6 +99,8 @@ def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity
 def _stated(content: str, asked: Unit | None) -> _Quantity:
     """The quantity that an answer's last side says, with which the sides before it agree."""
     content = spelled(content.rstrip(" \t\n."))
+    part = _PART.match(content)
+    content = content[part.end() :] if part is not None else content
     said = statement(flattened(tokenize(content, frozenset())))
     try:
         found = _quantity(content, said.value, asked)

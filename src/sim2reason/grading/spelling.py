@@ -15,10 +15,13 @@ __all__ = ["balanced", "spelled"]
 
 _HIDING: Final = re.compile(r"\\(?:[hv]?phantom|smash|[lrc]lap|math[lrc]lap|transparent|opacity)(?![A-Za-z])")
 _USUAL: Final = r"[,;:! ]|(?:frac|times|cdot|text|mathrm|sqrt|approx|left|right|circ|theta|mu|quad)(?![A-Za-z])"
-_TRIGGER: Final = re.compile(rf"[*`$º˚…<&]|\^\s*\{{?\s*(?:o|\\[tm])|tg|\.\.|i\.e|\{{\s*[-−+=}}]|\\(?!{_USUAL})")
+_TRIGGER: Final = re.compile(rf"[*`$º˚…<&✓✔]|\^\s*\{{?\s*(?:o|\\[tm])|tg|\.\.|i\.e|\{{\s*[-−+=,}}]|\\(?!{_USUAL})")
 _ALIGNED: Final = r"(?:aligned|align\*?|gathered|gather\*?|equation\*?|split|displaymath|math)"
 _DOTS: Final = r"(?:\\[lc]?dots[cbmio]?(?![A-Za-z])|\.{3}|…)"
 _RELATION: Final = rf"(?==|≈|\\(?:{either('relation', '=')}|{either('relation', '≈')})(?![A-Za-z]))"
+_DECIMAL_COMMA: Final = (  # of one number that it can't part into thousands
+    r"(?<![0-9.,])(?<!\{,\})([0-9]+)\{,\}([0-9]{1,2}|[0-9]{4,}|(?<=(?<![0-9])0\{,\})[0-9]{3})(?![0-9.]|\{?,)"
+)
 _REWRITTEN: Final = tuple(
     (re.compile(pattern), replacement)
     for pattern, replacement in (
@@ -32,6 +35,8 @@ _REWRITTEN: Final = tuple(
         (rf"\\(?:begin|end)\s*\{{\s*{_ALIGNED}\s*\}}|\\begin\s*\{{array\}}\s*\{{[lcr]\}}|\\end\s*\{{array\}}", " "),
         (rf"(?:\\\\\s*)?&\s*{_RELATION}|\\\\\s*{_RELATION}", " "),
         (r"\\\\\s*\Z", ""),
+        (_DECIMAL_COMMA, r"\1.\2"),
+        (r"(?:\\checkmark|[✓✔]\ufe0f?)\s*\Z", ""),
         (r"<sup>\s*([-−+]?[0-9]{1,3})\s*</sup>", r"^{\1}"),
         (r"\\textsuperscript\s*\{([^{}]{0,20})\}", r"^{\1}"),
         (r"[º˚]|\\textdegree(?![A-Za-z])", "°"),
