@@ -14,7 +14,7 @@ from sim2reason.training.sources.fresh import Fresh
 
 __all__ = ["RowsOf", "drawn_rows"]
 
-TOGETHER = 16  # problems that a process makes before it gives them back
+TOGETHER = 16  # problems that a process makes before it gives them back, at most
 BARREN = 50  # requests for each problem that is wanted, after which too few are found
 RowsOf = Callable[[Request], list[Row] | None]
 """The rows of a problem: none if it can have no rows, None if there is no such problem. A pure function."""
@@ -27,9 +27,9 @@ def drawn_rows(
 
     Where problems are so rare that they are given up, there are fewer.
     """
-    found = 0
+    found, size = 0, min(TOGETHER, items)
     with ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=begin_worker) as pool:
-        ahead = [pool.submit(_stretch, problems, rows_of, number) for number in range(2 * workers)]
+        ahead = [pool.submit(_stretch, problems, rows_of, number, size) for number in range(2 * workers)]
         for number in count(len(ahead)):
             for rows in ahead.pop(0).result():
                 if rows and found < items:
@@ -37,18 +37,18 @@ def drawn_rows(
                     yield from rows
                 elif not rows:
                     left_out[reason] += 1
-            if found >= items or number > BARREN * ceil(items / TOGETHER):
+            if found >= items or number > BARREN * ceil(items / size):
                 break
-            ahead.append(pool.submit(_stretch, problems, rows_of, number))
+            ahead.append(pool.submit(_stretch, problems, rows_of, number, size))
         pool.shutdown(wait=True, cancel_futures=True)
     if found < items:
         left_out["given up"] += items - found
 
 
-def _stretch(problems: Fresh, rows_of: RowsOf, number: int) -> list[list[Row]]:
+def _stretch(problems: Fresh, rows_of: RowsOf, number: int, size: int) -> list[list[Row]]:
     """The rows of each problem of a stretch."""
     cells, found = problems.cells, list[list[Row]]()
-    for place in range(number * TOGETHER, (number + 1) * TOGETHER):
+    for place in range(number * size, (number + 1) * size):
         index, cell = divmod(place, len(cells))
         rows = rows_of(problems.request(cells[cell], index))
         if rows is not None:
