@@ -1,8 +1,9 @@
 """What splits share, which must be nothing: python benchmarks/splits.py [items] [folder] [mode].
 
-Makes a dataset of three splits over all recipes, difficulties and modes, or one mode, by default 20,000 items in a folder under
-the temporary directory, and compares every two splits: scenes, problems up to numbers, prompts up to numbers. About two
-items a CPU-second, eight of the numeric mode; interrupted, the same command goes on where it stopped, and with more items the dataset grows.
+Makes a dataset of three splits over all recipes and difficulties, of all modes or one, by default 20,000 items in a
+folder under the temporary directory, and compares every two splits: scenes, problems up to numbers, prompts up to
+numbers. About two items a CPU-second, eight of the numeric mode alone; interrupted, the same command goes on where it
+stopped, and with more items the dataset grows.
 Exit code 1: two splits share something.
 """
 
