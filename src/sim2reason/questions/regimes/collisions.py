@@ -38,8 +38,8 @@ class CollideInTurn(Regime):
         return [*map(set, came)] == [*map(set, self.order)]
 
     def always_told(self, study: Study) -> bool:
-        """Where more than two may meet: symbols of places and velocities do not say who stands where."""
-        return len(_meetings(study.mechanism)) > 1
+        """Where more than two may meet, or two have met: symbols of places and velocities do not say who meets whom."""
+        return len(_meetings(study.mechanism)) > 1 or any(len(names) > 1 for names in self.order)
 
     def clause(self, words: Words) -> str:
         """As in: the only earlier collision is that of balls A and B; it follows the question."""
