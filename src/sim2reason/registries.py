@@ -39,7 +39,7 @@ def registries() -> dict[str, "Registry[object]"]:
         if module.ispkg and not module.name.startswith("sim2reason.cli"):
             for value in vars(import_module(module.name)).values():
                 if isinstance(value, Registry):
-                    found[value.kind.rpartition(".")[2]] = value
+                    found[value.called] = value
     return dict(sorted(found.items()))
 
 

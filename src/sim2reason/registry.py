@@ -22,11 +22,11 @@ class Registry(Mapping[str, T], Generic[T]):
     """
 
     def __init__(self, kind: str, check: Callable[[str, object], None] | None = None) -> None:
-        """`kind` is both the plural that people read and the package ``sim2reason.<kind>`` that is walked.
+        """`kind` names the package ``sim2reason.<kind>`` that is walked; its last word is the plural that people read.
 
         `check` takes the name and the member to be added, and raises for one that would do nothing.
         """
-        self.kind = kind
+        self.kind, self.called = kind, kind.rpartition(".")[2]
         self._check = check
         self._members: dict[str, T] = {}
         self._filled = False
@@ -62,7 +62,7 @@ class Registry(Mapping[str, T], Generic[T]):
         try:
             return self._members[name]
         except KeyError:
-            raise UnknownNameError(f"no such name among {self.kind}: {_shown(name)}; {self._hint(name)}") from None
+            raise UnknownNameError(f"no such name among {self.called}: {_shown(name)}; {self._hint(name)}") from None
 
     def _hint(self, name: str) -> str:
         """What is near to an unknown name; where nothing is, all that there is, or how to see it."""
@@ -70,7 +70,7 @@ class Registry(Mapping[str, T], Generic[T]):
         if near:
             return f"did you mean: {', '.join(near)}"
         few = len(self._members) <= FEW
-        return f"there are: {', '.join(self)}" if few else f"see: sim2reason list {self.kind.rpartition('.')[2]}"
+        return f"there are: {', '.join(self)}" if few else f"see: sim2reason list {self.called}"
 
     def name_of(self, value: object) -> str:
         """Under which name the class of `value` is held; the name of the class where a program has its own."""

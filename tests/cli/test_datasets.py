@@ -168,6 +168,13 @@ def test_show_prints_problems_with_their_answers(data: Path) -> None:
     assert "pulley" in result.stdout
 
 
+def test_one_finding_is_one(data: Path) -> None:
+    (data / "README.md").unlink()
+    assert f"{data}: damaged: 1 finding; 29 problems" in call("verify", data).stdout
+    (data / "shards.jsonl").write_text("{}")
+    assert "findings; " in call("verify", data).stdout
+
+
 def test_show_finds_one_by_its_id(data: Path) -> None:
     result = call("show", data, "--id", "pulley-easy-numeric-0-4", "--scene")
     assert "name: pulley-easy-numeric-0-4" in result.stdout

@@ -138,7 +138,7 @@ def test_what_can_not_be_simulated_is_one_line(text: str, said: str) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--engine", "newton"), "no such name among simulation.engines: 'newton'"),
+        (("--engine", "newton"), "no such name among engines: 'newton'"),
         (("--duration", "0"), "--duration"),
         (("--duration", "nan"), "--duration"),
         (("--samples", "1"), "--samples"),

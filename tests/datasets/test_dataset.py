@@ -14,6 +14,7 @@ def test_it_knows_how_many_it_holds_and_gives_them_in_order(data: Path, config: 
     wanted = [config.request(k).id for k in range(95)]
     wanted.remove("incline-easy-numeric-0-3")
     assert len(opened) == 94
+    assert repr(opened) == f"<Dataset {str(data)!r}: 94 train>"
     assert [item.id for item in opened] == wanted
 
 

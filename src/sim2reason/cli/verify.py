@@ -27,7 +27,8 @@ def command(dataset: Path, to_json: bool) -> int:
     else:
         for line in report.faults:
             click.echo(line)
-        verdict = f"damaged: {len(report.faults)} findings" if report.faults else "whole"
+        count = len(report.faults)
+        verdict = f"damaged: {count} finding{'s' * (count != 1)}" if count else "whole"
         shards = f"{report.shards} shard{'s' * (report.shards != 1)}"
         click.echo(f"{dataset}: {verdict}; {report.rows} problems in {shards} by the manifest")
     return 1 if report.faults else 0

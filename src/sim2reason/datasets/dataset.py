@@ -28,6 +28,11 @@ class Dataset:
         self.path = Path(path)
         self.manifest: Manifest = load(self.path)
 
+    def __repr__(self) -> str:
+        """Its folder, and how many items each split has."""
+        splits = ", ".join(f"{count} {name}" for name, count in self.manifest.counts.get("split", {}).items())
+        return f"<Dataset {str(self.path)!r}: {splits or 'empty'}>"
+
     def __len__(self) -> int:
         """The number of its items."""
         return self.manifest.rows

@@ -51,7 +51,7 @@ class Report:
         if not self.findings:
             return f"{self.entity}: {made}, nothing found"
         told = "\n\n".join(self._told(check) for check in dict.fromkeys(found.check for found in self.findings))
-        return f"{self.entity}: {len(self.findings)} findings, by {made}\n\n{told}"
+        return f"{self.entity}: {len(self.findings)} finding{'s' * (len(self.findings) != 1)}, by {made}\n\n{told}"
 
     def _told(self, check: str) -> str:
         """The first findings of a check in full, and how many more there are."""
