@@ -7,6 +7,7 @@ import pytest
 from figure_parts import LEANING, RodPendulum, Slider, scene_of
 from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.glider import SlidingBall
 from sim2reason.bodies.hanger import Cord, LightRod
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
@@ -14,12 +15,15 @@ from sim2reason.bodies.polygonal_prism import LongPrism
 from sim2reason.bodies.puck import Puck, Table
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.bodies.slab import Slab
+from sim2reason.bodies.track import Track
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Axes, Frame
 from sim2reason.dsl.connection import CONNECTIONS, Link
-from sim2reason.dsl.entity import Entity
+from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.looks import Axial, BodyLook, Capped, Rectangular, Silhouette, Spherical
 from sim2reason.dsl.mechanism import X, Y, Z
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.fixed_support import FixedSupport
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
@@ -252,3 +256,10 @@ def test_a_slab_lies_on_the_one_below() -> None:
     slabs = [s for s in drawing(scene_of(it=stack)).shapes if isinstance(s, Area) and s.fill == "block"]
     (_, below), (above, _) = (sorted((min(p.imag for p in s.points), max(p.imag for p in s.points))) for s in slabs)
     assert above == pytest.approx(below)
+
+
+def test_a_velocity_to_the_left_has_its_size_at_its_arrow() -> None:
+    balls = (SlidingBall(mass=1.0, x=-0.9, v=2.23), SlidingBall(mass=1.0, x=1.84, v=-0.35))
+    entity = ComplexCollisionPlane(track=Track(tilt=0.0), gliders=balls, restitution=0.76)
+    drawn = drawing(Scene(entities=(Named(name="track", entity=entity),)))
+    assert {text for text in texts(drawn) if text.endswith("m/s")} == {"2.23 m/s", "0.35 m/s"}, "no scale is needed"

@@ -17,6 +17,7 @@ from sim2reason.figures.vectors import RIGHT, UP, cross, dot, unit
 
 LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.5), 0.4  # units, of the longest arrow and of any
 STILL = 1e-9
+MINUS = "\N{MINUS SIGN}"
 FINE = 12  # strokes of a curved arrow
 ARC = 0.85
 STEPS = (1.0, 2.0, 5.0)
@@ -34,7 +35,7 @@ def speeds(setting: Setting) -> Sketch:
         long = max(SHORTEST, longest * abs(velocity) / fastest)
         end = start + long * way
         found.shapes.append(LineShape((start, end), "thin", arrow=True))
-        text = setting.stated(owner_of(name), unit_of_speed, abs(velocity))
+        text = _speed(setting, name, abs(velocity))
         unsaid |= not text
         if text:
             tip = end + way * (0.15 + 0.5 * width(text, SMALL) * abs(way.real) + 0.2 * abs(way.imag))
@@ -56,6 +57,14 @@ def _shown(setting: Setting, body: RigidBody, velocity: complex) -> bool:
     unit_of_speed = setting.mechanism.units.spell("m/s")
     stated = setting.stated(owner_of(body.name), unit_of_speed, abs(velocity))
     return bool(stated or (body.coordinates and not setting.plan.leaves_open(body.name, unit_of_speed)))
+
+
+def _speed(setting: Setting, name: str, speed: float) -> str:
+    """The speed of a body, if the text states it, or a velocity along a line of that size: the arrow has its sign."""
+    owner, unit_of_speed = owner_of(name), setting.mechanism.units.spell("m/s")
+    velocity = setting.stated(owner, unit_of_speed, -speed)
+    turned = velocity[1:] if velocity.startswith(MINUS) else ""
+    return setting.stated(owner, unit_of_speed, speed) or turned
 
 
 def _tail(setting: Setting, name: str, way: complex) -> complex:
