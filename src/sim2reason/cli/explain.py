@@ -23,14 +23,9 @@ The problem is made again from its coordinates, so that nothing in the file is t
 @options.to_json("For a program to read: {title: [line]}.")
 def command(dataset: Path, id: str, figure: Path | None, trace: Path | None, to_json: bool) -> None:  # noqa: A002
     """Tell all about one problem of the DATASET: its scene, certificate, and every filter's verdict."""
-    from sim2reason.datasets.explain import explain, told
-    from sim2reason.figures import canvas
-    from sim2reason.simulation import trace_files
+    from sim2reason.datasets.explain import check, explain, told
 
-    if figure is not None:
-        canvas.check(figure)
-    if trace is not None:
-        trace_files.check(trace)
+    check(figure, trace)
     with ExitStack() as files:
         drawn, moved = (files.enter_context(results.written(out)) if out else None for out in (figure, trace))
         found = explain(dataset, id, figure=drawn, trace=moved)

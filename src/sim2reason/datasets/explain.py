@@ -48,10 +48,7 @@ def explain(
         UnsupportedError: a file whose name ends otherwise.
         OSError: a file can't be written.
     """
-    if figure is not None:
-        canvas.check(Path(figure))
-    if trace is not None:
-        trace_files.check(Path(trace))
+    check(figure, trace)
     item = (dataset if isinstance(dataset, Dataset) else Dataset(dataset)).item(id)
     request = _request(item)
     search = ItemSearch(request)
@@ -75,6 +72,14 @@ def explain(
             "Without bearing": item.idle or ("nothing",),
         }
     )
+
+
+def check(figure: Path | str | None, trace: Path | str | None) -> None:
+    """Raise UnsupportedError for the name of a file that could not hold what `explain` would write there."""
+    if figure is not None:
+        canvas.check(Path(figure))
+    if trace is not None:
+        trace_files.check(Path(trace))
 
 
 def _request(item: Item) -> Request:

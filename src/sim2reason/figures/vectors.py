@@ -30,7 +30,7 @@ def shown(uphill: complex) -> complex:
     """The direction in which a slope is drawn: level or upright only if it is."""
     rise = max(uphill.imag, LEAST) if uphill.imag > NOISE else 0.0
     run = max(abs(uphill.real), LEAST) if abs(uphill.real) > NOISE else 0.0
-    return complex(-run if uphill.real < 0.0 else run, rise)
+    return complex(round(-run if uphill.real < 0.0 else run, 9), round(rise, 9))
 
 
 def mirrored(a: complex) -> complex:
