@@ -1,3 +1,4 @@
+import os
 import subprocess
 import sys
 import time
@@ -9,6 +10,7 @@ from sim2reason.datasets.places.here import run
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.worker import Batch, outcome
 
+SUPPORT = Path(__file__).parents[2] / "support"
 CONFIG = Config(items=40, recipes=("pulley",), difficulties=("easy",), maker="fake_makers:steady")
 
 
@@ -68,11 +70,13 @@ def test_a_script_without_a_guard_is_told_so(tmp_path: Path) -> None:
 
 def test_a_program_on_standard_input_is_told_so_and_a_short_one_works(tmp_path: Path) -> None:
     program = f"import sim2reason; sim2reason.generate({str(tmp_path / 'out')!r}, items=1, maker='fake_makers:steady')"
-    result = subprocess.run([sys.executable, "-"], input=program, capture_output=True, text=True, check=False)
+    paths = os.pathsep.join([str(SUPPORT), os.environ.get("PYTHONPATH", "")])
+    env = os.environ | {"PYTHONPATH": paths}
+    result = subprocess.run([sys.executable, "-"], input=program, capture_output=True, text=True, check=False, env=env)
     last = result.stderr.splitlines()[-1]
     assert (result.returncode, result.stderr.count("Traceback")) == (1, 1)  # ours, and none of a worker
     assert "there is no such file; put it into one, or give it to python -c" in last
-    assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
+    assert subprocess.run([sys.executable, "-c", program], check=False, env=env).returncode == 0
 
 
 def test_an_outcome_tells_an_error_in_one_line() -> None:
