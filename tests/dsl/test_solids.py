@@ -1,5 +1,7 @@
 """Figures that are turned, moved, joined and cut out of each other, against sums over the points of each."""
 
+from math import nextafter
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -69,3 +71,10 @@ def test_balls_that_are_apart_share_nothing() -> None:
     assert solids.lens(0.3, 0.3, 0.7).size == 0.0
     whole = solids.ball(1.0) - solids.lens(1.0, 0.3, 2.0)
     assert whole == solids.ball(1.0)
+
+
+def test_balls_that_touch_within_rounding_share_nothing() -> None:
+    radius, other = 0.084, 0.0339
+    assert solids.segment(radius, 0.0) == solids.NOTHING
+    for distance in (radius + other, nextafter(radius + other, 0.0), nextafter(radius + other, 1.0)):
+        assert solids.lens(radius, other, distance).size <= 1e-15

@@ -47,7 +47,7 @@ class Solid:
         """Both figures as one, of the same density."""
         size = self.size + other.size
         if size == 0.0:
-            return Solid(0.0, ZERO, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+            return NOTHING
         apart = add(other.center, scale(-1.0, self.center))
         share = self.size * other.size / size
         parts = (a + b for a, b in zip(self.second, other.second, strict=True))
@@ -62,6 +62,9 @@ class Solid:
     def __sub__(self, other: "Solid") -> "Solid":
         """The first figure with the second, which lies in it, cut out."""
         return self + (-other)
+
+
+NOTHING = Solid(0.0, ZERO, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
 
 
 def axes_along(axis: Vector) -> Axes:
@@ -133,21 +136,24 @@ def box(a: float, b: float, c: float) -> Solid:
 
 
 def polygon(sides: int, radius: float) -> Solid:
-    """A thin regular polygon about z, inscribed in a circle of `radius`.
-
-    Each of the n triangles from the axis to an edge has ⟨ρ²⟩ = r²(2 + cos 2π/n)/6 about it, and by symmetry, for
-    n ≥ 3, ⟨x²⟩ = ⟨y²⟩.
-    """
-    turn = 2.0 * pi / sides
-    square = radius**2 * (2.0 + cos(turn)) / 12.0
-    return _even(0.5 * sides * radius**2 * sin(turn), square, square, 0.0)
+    """A thin regular polygon about z, inscribed in a circle of `radius`."""
+    square = _polygon_square(sides, radius)
+    return _even(_polygon_area(sides, radius), square, square, 0.0)
 
 
 def prism(sides: int, radius: float, height: float) -> Solid:
     """A regular prism about z; its cross-section is inscribed in a circle of `radius`."""
-    face = polygon(sides, radius)
-    xx, yy, *_ = face.second
-    return _even(face.size * height, xx / face.size, yy / face.size, height**2 / 12.0)
+    square = _polygon_square(sides, radius)
+    return _even(_polygon_area(sides, radius) * height, square, square, height**2 / 12.0)
+
+
+def _polygon_area(sides: int, radius: float) -> float:
+    return 0.5 * sides * radius**2 * sin(2.0 * pi / sides)
+
+
+def _polygon_square(sides: int, radius: float) -> float:
+    """⟨x²⟩ = ⟨y²⟩ by symmetry, for n ≥ 3: each of the n triangles has ⟨ρ²⟩ = r²(2 + cos 2π/n)/6 about the axis."""
+    return radius**2 * (2.0 + cos(2.0 * pi / sides)) / 12.0
 
 
 def segment(radius: float, height: float) -> Solid:
@@ -157,6 +163,8 @@ def segment(radius: float, height: float) -> Solid:
     """
     r, h = radius, height
     size = pi * h**2 * (r - h / 3.0)
+    if size <= 0.0:  # balls that touch within rounding share no more
+        return NOTHING
     depth = pi * h**3 * (2.0 * r / 3.0 - h / 4.0) / size
     zz = pi * h**4 * (r / 2.0 - h / 5.0) / size - depth**2
     xx = pi / 4.0 * h**3 * (4.0 / 3.0 * r**2 - r * h + h**2 / 5.0) / size
@@ -166,7 +174,7 @@ def segment(radius: float, height: float) -> Solid:
 def lens(radius: float, other: float, distance: float) -> Solid:
     """What two balls share: one of `radius` about the origin, one of radius `other` about z = `distance` ≥ 0."""
     if distance >= radius + other:
-        return Solid(0.0, ZERO, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        return NOTHING
     if distance + other <= radius:
         return ball(other).moved((0.0, 0.0, distance))
     if distance + radius <= other:
