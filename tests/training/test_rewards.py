@@ -52,7 +52,7 @@ def test_no_reward_fails_on_hostile_text(kind: str, hostile: str, problem: Probl
 
 
 def test_a_reward_has_a_known_kind_and_settings() -> None:
-    with pytest.raises(UnknownNameError, match=r"training\.rewards"):
+    with pytest.raises(UnknownNameError, match="among rewards"):
         reward_from("acuracy")
     with pytest.raises(TrainingError, match=r"reward\.seed"):
         reward_from({"kind": "random", "seed": -1})
