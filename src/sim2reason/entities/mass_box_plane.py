@@ -23,7 +23,7 @@ class MassBoxPlane(Entity):
         either(
             "{box} is free to slide on a smooth floor.",
             "{box} stands on a smooth floor and is free to slide.",
-            "a smooth floor carries {box}, which is free to slide on it.",
+            "on a smooth floor {box} is free to slide.",
         ),
         either(
             "{blocks} {blocks:rests/rest} on its top{blocks:/, with {blocks.first} on the left and a light string between them/, joined in this order, from left to right, by light strings}.",

@@ -28,7 +28,7 @@ class MassPrismPlane(Entity):
         either(
             "{prism} is free to slide on a smooth floor.",
             "{prism} stands on a smooth floor and is free to slide.",
-            "a smooth floor carries {prism}, which is free to slide on it.",
+            "on a smooth floor {prism} is free to slide.",
         ),
         either(
             "{left_blocks} {left_blocks:rests/rest, the lower one first,/rest, in this order from the lowest up,} on the left face, and {right_blocks}{right_blocks:/, the lower one first,/, in this order from the lowest up,} on the right.",

@@ -105,7 +105,7 @@ class OnWedge(MassSystem):
         either(
             "{wedge} is free to slide on a smooth floor.",
             "{wedge} stands on a smooth floor and is free to slide.",
-            "a smooth floor carries {wedge}, which is free to slide on it.",
+            "on a smooth floor {wedge} is free to slide.",
         ),
         either(
             "{blocks} {blocks:rests/rest} on its face{blocks:/, with {blocks.first} lower down and a light string between them/, joined in this order, from the lowest to the highest, by light strings}.",
