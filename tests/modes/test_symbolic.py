@@ -23,7 +23,7 @@ from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.parts.pieces import OTHER, BallPiece
-from sim2reason.entities.parts.springs import Strained
+from sim2reason.entities.parts.springs import Blow, Strained
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.spring_mass_chain import SpringMassChain
@@ -322,11 +322,29 @@ def test_numbers_that_turn_a_sum_are_found_by_the_formula_alone() -> None:
     symbols.append(ProblemSymbol("d", "m", 0.5))
     varied = Variations(search.study, query, symbols)
     rng, barren = np.random.default_rng(0), list[Study]()
-    assert list(varied.turned(rng, Symbol("a") + Symbol("b"), 1.1, barren)) == []
-    turned = list(varied.turned(rng, Symbol("a") - Symbol("b"), 1.1, barren))
+    never, somewhere = Symbol("a") + Symbol("b"), Symbol("a") - Symbol("b")
+    assert list(varied.turned(rng, (never,), 1.1, barren)) == []
+    turned = list(varied.turned(rng, (never, somewhere), 1.1, barren))
     assert len(turned) + len(barren) == EACH
     signs = {each.values["a"] > each.values["b"] for each in turned}
     assert signs <= {masses[0].value < masses[1].value}
+
+
+def test_a_sum_that_is_squared_turns_its_sign_too() -> None:
+    """The greatest kinetic energy down a rough slope with a spring: m v²/2 + (m g (sin θ − µ cos θ))²/2k, if tan θ > µ.
+
+    Else it is greatest at the start, and nothing tells which. Multiplied out, the square is a sum that keeps its sign.
+    """
+    chain = SpringMassChain(
+        track=RoughTrack(tilt=34.0, friction=0.12),
+        carts=(Cart(mass=4.6),),
+        ends="left",
+        springs=(Coil(stiffness=77.0),),
+        blow=Blow(cart=0, toward="left", speed=0.39),
+    )
+    scene, cart = Scene(entities=(Named(name="row", entity=chain),)), "row.carts.0"
+    query = StretchQuery("extremum", None, Stopped(cart), "greatest kinetic energy", cart)
+    assert all(completed(scene, query, "J", seed) is None for seed in range(5))
 
 
 def test_a_root_of_a_square_is_what_is_squared() -> None:

@@ -106,14 +106,15 @@ class Variations:
                 yield found
 
     def turned(
-        self, rng: np.random.Generator, formula: Expression, width: float, barren: list[Study]
+        self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, barren: list[Study]
     ) -> Iterator[Variation]:
-        """With numbers for which a sum in a formula has another sign than in the scene, or none.
+        """With numbers for which a sum in formulas has another sign than in the scene, or none.
 
-        There a formula is likely not to hold, and numbers drawn at random may all miss a small such corner. A sum that
+        There they are likely not to hold, and numbers drawn at random may all miss a small such corner. A sum that
         they miss is turned on purpose, if it can be.
         """
-        here, sums = [held.value for held in self.symbols], [*dict.fromkeys((formula, *_sums(formula)))]
+        here = [held.value for held in self.symbols]
+        sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *_sums(formula)))]
         signs, left = [_sign(each, self._counted(here)) for each in sums], [EACH] * len(sums)
         for values in self._around(here, rng, width, LOOKED):
             at = self._counted(values)

@@ -24,6 +24,7 @@ class VariedScenes:
     def __init__(self, variations: Variations, factor: float) -> None:
         """`factor` makes the engine's answers those of formulas: radians of degrees."""
         self._variations, self._factor = variations, factor
+        self._whole: tuple[Expression, ...] = ()  # the formula as its derivation left it: what cancels has signs, too
         self._near: list[Variation] = []
         self._wide: list[Variation] = []
         self._more: Iterator[Variation] | None = None
@@ -46,6 +47,7 @@ class VariedScenes:
             found = shortened(whole)
         except ClosedFormError:
             return None
+        self._whole = (whole,)
         if not self.near(found, rng):
             return None
         assumed = self.assumed(found, rng, words)
@@ -129,7 +131,7 @@ class VariedScenes:
         yield from self._wide
         self._more = self._more or chain(
             self._variations.across(rng, NEAR[-1], ACROSS),
-            self._variations.turned(rng, formula, WIDE, self._barren),
+            self._variations.turned(rng, (formula, *self._whole), WIDE, self._barren),
             self._variations.one_by_one(WIDE, self._barren),
             self._variations.drawn(rng, WIDE, WIDELY, self._barren),
         )

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
+from math import copysign, isclose, sqrt
 
 from sim2reason.solutions.closed_forms.rewriting import length
 from sim2reason.solutions.expressions import (
@@ -111,11 +112,39 @@ def _product(terms: Sequence[Term]) -> Expression:
         return _plain(terms)
     shared = _shared(terms)
     rest = [term.without(shared) for term in terms]
-    grouped = _grouped(rest)
+    square = _square(rest)
+    grouped = _grouped(rest) if square is None else [square]
     again = _shared(grouped) if len(grouped) > 1 else Term(1.0, ())
     inner = _plain([term.without(again) for term in grouped])
     whole = Term(shared.number * again.number, (*shared.factors, *again.factors), (*shared.below, *again.below))
     return Term(whole.number, (*whole.factors, inner), whole.below).written if inner != ONE else whole.written
+
+
+def _square(terms: Sequence[Term]) -> Term | None:
+    """Three terms that are the square of a sum of two, a² + b² ± 2ab, as that square; None if they are not."""
+    if len(terms) != 3:
+        return None
+    for n, mixed in enumerate(terms):
+        one, other = (_root(term) for term in (*terms[:n], *terms[n + 1 :]))
+        if one is None or other is None:
+            continue
+        both = Term(2.0 * one.number * other.number, one.factors + other.factors, one.below + other.below)
+        if _like(mixed, both) and isclose(abs(mixed.number), both.number):
+            signed = replace(other, number=copysign(other.number, mixed.number))
+            return Term(1.0, (_plain([one, signed]),) * 2)
+    return None
+
+
+def _root(term: Term) -> Term | None:
+    """What a term is the square of, with positive signs; None if it is no square."""
+    if term.number <= 0.0 or any(side.count(held) % 2 for side in (term.factors, term.below) for held in side):
+        return None
+    return Term(sqrt(term.number), _halved(term.factors), _halved(term.below))
+
+
+def _halved(factors: Sequence[Expression]) -> tuple[Expression, ...]:
+    """Each half as often."""
+    return tuple(held for held in dict.fromkeys(factors) for _ in range(factors.count(held) // 2))
 
 
 def _grouped(terms: Sequence[Term]) -> list[Term]:
