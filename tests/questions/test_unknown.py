@@ -33,3 +33,24 @@ def test_no_angle_is_asked_for_where_another_one_would_need_a_pulley() -> None:
     assert len(masses) == 2
     assert asked_for(40.0) == masses
     assert {path for path in asked_for(50.0) if path.endswith("angle")} == {"upper.plane.angle", "lower.plane.angle"}
+
+
+ROCKET = """
+scene:
+  entities:
+  - name: rocket
+    type: RocketEntity
+    parameters: {rocket: {mass: 800.0, dry: 200.0}, place: {kind: deep_space}, rate: 5.0, exhaust: 2.0}
+"""
+
+
+def test_one_of_two_masses_of_a_body_is_named_by_its_symbol() -> None:
+    """A rocket has one with its fuel and one without: *the mass of the rocket* could be either."""
+    words = words_of(describe(loads(ROCKET), 1))
+    masses = [found for found in words.unknowns if found.name == "mass"]
+    assert {found.symbol for found in masses} == {"$m_0$", "$m_1$"}
+    assert all(found.symbol in phrase for found in masses for phrase in found.phrases)
+    (block, _) = (
+        found for found in words_of(describe(loads(SLOPES.format(angle=50.0)), 1)).unknowns if found.name == "mass"
+    )
+    assert any("$" not in phrase for phrase in block.phrases)

@@ -41,7 +41,8 @@ class Unknown:
         if held.drawn is None or held.drawn.low == held.drawn.high or (held.least < 0.0 and measure.unit in LENGTHS):
             return None
         shown = f"${symbol}$"
-        named = measure.noun in OWN and owner in scene.bodies and bool(scene.bodies[owner].letters)
+        like = [p for p in scene.parameters if p.measure.noun == measure.noun and p.path.rpartition(".")[0] == owner]
+        named = measure.noun in OWN and len(like) == 1 and owner in scene.bodies and bool(scene.bodies[owner].letters)
         own = (f"the {measure.noun} of {mentions[owner]}",) if named else ()
         return cls(parameter.path, measure.noun, measure.unit, shown, (*own, f"the {measure.noun} {shown}", shown))
 
