@@ -3,9 +3,11 @@
 import ast
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from pathlib import Path
 from statistics import median
 
+import grimp
 import pytest
 
 import sim2reason
@@ -40,6 +42,13 @@ def test_import_loads_nothing_heavy() -> None:
 def test_modules_and_functions_are_short(path: Path) -> None:
     assert len(path.read_text("utf-8").splitlines()) <= 300
     assert not [f"{f.name}: {lines(f)}" for f in functions(path) if lines(f) > 40]
+
+
+def test_no_modules_import_each_other_in_a_circle_not_even_for_types() -> None:
+    graph = grimp.build_graph("sim2reason", cache_dir=None)
+    imports = {name: graph.find_modules_directly_imported_by(name) for name in graph.modules}
+    assert len(imports) > 100
+    TopologicalSorter(imports).prepare()  # it raises CycleError, which names them
 
 
 def test_the_usual_function_is_a_few_lines() -> None:

@@ -251,7 +251,7 @@ class LinearWay(Way):
     def work(self, line: str, body: str) -> Symbol | None:
         """Of a tension, by the kinetic energy that a body gains from all that acts on it."""
         del line
-        return tension_work(self, body)
+        return tension_work(self, self.motion.laws.springs, body)
 
     def clock(self) -> Symbol:
         """The time of the moment; by default nothing takes one."""
