@@ -94,6 +94,11 @@ def test_a_damaged_file_is_one_line_that_names_it(tmp_path: Path, content: bytes
         ({"name": "a"}, "kind: give one of"),
         ({"kind": "synthetic", "name": "a"}, "give either dataset, a folder, or seed"),
         ({"kind": "synthetic", "name": "a", "seed": 1, "split": "test"}, "split is one of a dataset"),
+        ({"kind": "synthetic", "name": "a", "seed": 1, "modes": []}, "modes: names none"),
+        (
+            {"kind": "synthetic", "name": "a", "dataset": "d", "recipe": "pulley"},
+            "recipe is of problems that are drawn",
+        ),
     ],
 )
 def test_settings_are_checked(settings: dict[str, object], message: str) -> None:

@@ -44,6 +44,7 @@ FRESH = {"name": "drawn", "seed": 1}
         ({"kind": "jsonl", "file": "a", "fields": "a"}, "corpora[0].fields: no such setting"),
         ({"kind": "worked"}, "give either dataset, a folder, or problems"),
         ({"kind": "worked", "problems": FRESH, "dataset": "a"}, "give either dataset, a folder, or problems"),
+        ({"kind": "worked", "dataset": "a", "items": 9}, "items is of problems that are drawn; of a dataset say limit"),
         ({"kind": "worked", "problems": FRESH, "split": "train"}, "split is one of a dataset"),
         ({"kind": "worked", "problems": {"name": "a", "seed": -1}}, "corpora[0].problems.seed"),
     ],

@@ -6,15 +6,15 @@ from pathlib import Path
 from typing import Annotated, Self
 
 from annotated_types import Ge, Le
-from pydantic import JsonValue, field_validator, model_validator
+from pydantic import JsonValue, model_validator
 
 from sim2reason.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
+from sim2reason.datasets.chosen import Chosen
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.items import stream
-from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
+from sim2reason.datasets.names import modes_named
 from sim2reason.datasets.plan import LARGEST
-from sim2reason.policies.parts.words import held_to
 
 __all__ = ["SYNTHETIC", "Synthetic", "benchmark_item"]
 
@@ -38,7 +38,7 @@ def benchmark_item(item: Item, *, lenient: bool = False) -> BenchmarkItem:
 
 
 @BENCHMARKS.register(SYNTHETIC)
-class Synthetic(Benchmark):
+class Synthetic(Chosen, Benchmark):
     """Problems of ours: a dataset folder, or drawn from a seed."""
 
     dataset: Path | None = None
@@ -49,9 +49,6 @@ class Synthetic(Benchmark):
     """Of the draws; keep it from all training."""
     items: Annotated[int, Ge(1)] = DRAWN
     """How many are drawn, of each mode."""
-    recipe: str = "all"
-    difficulty: str = "all"
-    modes: tuple[str, ...] = ("numeric",)
 
     @model_validator(mode="after")
     def _one_source(self) -> Self:
@@ -59,22 +56,9 @@ class Synthetic(Benchmark):
             raise ValueError("give either dataset, a folder, or seed, to draw problems")
         if self.split is not None and self.dataset is None:
             raise ValueError("split is one of a dataset")
+        if self.dataset is not None and (idle := sorted(self.model_fields_set & {*Chosen.model_fields, "items"})):
+            raise ValueError(f"{idle[0]} is of problems that are drawn; a dataset is taken as it is, or its split")
         return self
-
-    @field_validator("recipe")
-    @classmethod
-    def _recipes(cls, value: str) -> str:
-        return held_to(recipes_named, value)
-
-    @field_validator("difficulty")
-    @classmethod
-    def _difficulties(cls, value: str) -> str:
-        return held_to(difficulties_named, value)
-
-    @field_validator("modes")
-    @classmethod
-    def _modes(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        return held_to(modes_named, value)
 
     @property
     def pure(self) -> bool:
@@ -90,5 +74,5 @@ class Synthetic(Benchmark):
             yield from Dataset(self.dataset).items(self.split)
             return
         assert self.seed is not None
-        for mode in self.modes:
+        for mode in modes_named(self.modes):
             yield from islice(stream(self.recipe, self.difficulty, mode, seed=self.seed), self.items)

@@ -58,6 +58,7 @@ def test_where_a_run_lies_decides_nothing() -> None:
         ({"problems": [{**FRESH, "recipe": "puley"}]}, r"problems\[0\]\.recipe: .*did you mean: pulley"),
         ({"problems": [{**FRESH, "difficulty": "harder"}]}, r"problems\[0\]\.difficulty: .*hard"),
         ({"problems": [{**FRESH, "modes": ["numerc"]}]}, r"problems\[0\]\.modes: .*did you mean: numeric"),
+        ({"problems": [{**FRESH, "modes": []}]}, r"problems\[0\]\.modes: names none"),
         ({"problems": [{**FRESH, "units": "imperial"}]}, r"problems\[0\]\.units: .*imperial"),
         ({"problems": [{**FRESH, "weights": {"perod": 2.0}}]}, r"problems\[0\].*perod"),
         ({"held_out": {"problems": {"name": "h", "seed": 2, "recipe": "puley"}}}, r"held_out\.0\.problems\.recipe: "),

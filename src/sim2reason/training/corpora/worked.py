@@ -45,6 +45,8 @@ class Worked(Corpus):
             raise ValueError("give either dataset, a folder, or problems, to draw some")
         if self.split is not None and self.dataset is None:
             raise ValueError("split is one of a dataset")
+        if "items" in self.model_fields_set and self.problems is None:
+            raise ValueError("items is of problems that are drawn; of a dataset say limit")
         return self
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:

@@ -9,10 +9,11 @@ from annotated_types import Ge, Le
 from pydantic import Field, field_validator, model_validator
 
 from sim2reason.benchmarks.synthetic import benchmark_item
+from sim2reason.datasets.chosen import Chosen
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
-from sim2reason.datasets.plan import ALL, LARGEST, SI, Config, Request
+from sim2reason.datasets.plan import LARGEST, SI, Config, Request
 from sim2reason.datasets.variants import variant
 from sim2reason.datasets.weights import check
 from sim2reason.policies.parts.words import held_to
@@ -24,19 +25,15 @@ from sim2reason.training.sources import SOURCES, ProblemSource
 
 __all__ = ["Fresh", "fingerprint"]
 
-Names = str | tuple[str, ...]
 ROUNDED = 6  # decimals of logarithms
 
 
 @SOURCES.register("fresh")
-class Fresh(ProblemSource):
+class Fresh(Chosen, ProblemSource):
     """Problems drawn by seed and index, as a dataset would have them; a cell is a difficulty."""
 
     seed: Annotated[int, Ge(0), Le(LARGEST)]
     """Another than that of what the model is evaluated on."""
-    recipe: Names = ALL
-    difficulty: Names = ALL
-    modes: tuple[str, ...] = ("numeric",)
     kinds: tuple[str, ...] = ()
     """Only these kinds of question; none: as `weights` and the recipes have them."""
     weights: dict[str, float] = Field(default_factory=dict[str, float])
@@ -54,21 +51,6 @@ class Fresh(ProblemSource):
         if unknown := [kind for kind in self.kinds if kind not in KINDS]:
             raise ValueError(f"no such kind: {unknown[0]!r}; there are: {', '.join(KINDS)}")
         return held_to(lambda own: own.cells, self)
-
-    @field_validator("recipe")
-    @classmethod
-    def _recipes(cls, value: Names) -> Names:
-        return held_to(recipes_named, value)
-
-    @field_validator("difficulty")
-    @classmethod
-    def _difficulties(cls, value: Names) -> Names:
-        return held_to(difficulties_named, value)
-
-    @field_validator("modes")
-    @classmethod
-    def _modes(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        return held_to(modes_named, value)
 
     @field_validator("units")
     @classmethod
