@@ -35,7 +35,9 @@ def test_a_name_stands_once_and_the_folder_may_be_given(tmp_path: Path) -> None:
     both = {"out": "o", "policies": [POLICY, POLICY], "benchmarks": [BENCHMARK]}
     with pytest.raises(EvaluationError, match="the name 'p' stands twice"):
         evaluation_from(both)
-    assert evaluation_from({"policies": [POLICY], "benchmarks": [BENCHMARK]}, tmp_path).out == tmp_path
+    found = evaluation_from({"policies": [POLICY], "benchmarks": [BENCHMARK]}, tmp_path)
+    assert found.out == tmp_path
+    assert evaluation_from(found, tmp_path / "other").out == tmp_path / "other"
 
 
 def test_an_error_names_file_and_place(tmp_path: Path) -> None:

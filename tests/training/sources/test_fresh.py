@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.datasets.generate import generate
 from sim2reason.datasets.items import item
-from sim2reason.errors import TrainingError, UnknownNameError
+from sim2reason.errors import MissingExtraError, TrainingError, UnknownNameError
 from sim2reason.training.sources import SOURCES, source_from
 from sim2reason.training.sources.fresh import Fresh, fingerprint
 
@@ -80,6 +80,17 @@ def test_another_corpus_keeps_its_own_rule(tmp_path: Path) -> None:
     found = source_from(settings, "problems[0]").at("sums", 7)
     assert found is not None
     assert found.item.scoring == "numeric"
+
+
+def test_a_corpus_whose_rule_lacks_its_library_is_refused_as_it_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sim2reason.benchmarks.scoring.find_spec", lambda _: None)
+    file = tmp_path / "questions.jsonl"
+    file.write_text(json.dumps({"question": "2 + 2?", "answer": "4"}) + "\n")
+    settings = {"kind": "benchmark", "name": "sums", "benchmark": {"kind": "jsonl", "file": file, "scoring": "math"}}
+    with pytest.raises(MissingExtraError):
+        _ = source_from(settings, "problems[0]").cells
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """The configuration of an evaluation: which policies answer which benchmarks, how often, with which seeds."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, cast
 
@@ -75,7 +75,7 @@ def evaluation_from(config: "Path | str | Mapping[str, object] | Evaluation", ou
         PolicyError, UnknownNameError: the same of a policy, and of a kind.
     """
     if isinstance(config, Evaluation):
-        return config
+        return config if out is None else replace(config, out=out)
     return configuration(config, out, lambda settings: _evaluation(_File.model_validate(settings)), EvaluationError)
 
 

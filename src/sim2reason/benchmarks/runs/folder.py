@@ -9,6 +9,7 @@ from pydantic import BaseModel, ConfigDict, JsonValue, ValidationError
 
 from sim2reason.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem, data_hash, items_of
 from sim2reason.benchmarks.runs.config import Evaluation
+from sim2reason.benchmarks.scoring import SCORINGS
 from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.datasets.plan import SHAPING
 from sim2reason.errors import EvaluationError
@@ -120,20 +121,24 @@ class RunFolder:
 
         Raises:
             EvaluationError: the folder holds something else, or a run with which this one can't go on.
-            PolicyError, MissingExtraError: the run would begin, and a policy can't be asked.
+            PolicyError, MissingExtraError: the run would begin, and a policy can't be asked, or a rule not be applied.
         """
         out = evaluation.out
         if not (out / RUN).is_file() and (strangers := sorted(path.name for path in out.iterdir())):
             raise EvaluationError(f"{out}: holds {strangers[0]} and is no run; choose a new folder")
-        items = {each.name: _drawn_before(out, each) or items_of(each) for each in evaluation.benchmarks}
-        record = _record(evaluation, items)
         before = cls(out).record if (out / RUN).is_file() else None
+        if before is None:
+            evaluation.check()  # before problems are drawn, which may take minutes
+        items = {each.name: _drawn_before(out, each) or items_of(each) for each in evaluation.benchmarks}
+        for rule in sorted({item.scoring for held in items.values() for item in held}):
+            SCORINGS[rule].check()
+        record = _record(evaluation, items)
         why = "" if before is None else before.difference(record)
         if why and any(path.stat().st_size for path in (out / SAMPLES).rglob("*.jsonl")):
             raise EvaluationError(f"{out}: holds a run of another configuration ({why}); choose a new folder")
-        if before is None or why:
+        if why:
             evaluation.check()
-        else:
+        elif before is not None:
             record = before.joined(record)
         for name, held in items.items():
             (out / PROBLEMS).mkdir(exist_ok=True)

@@ -3,9 +3,12 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
+from importlib.util import find_spec
+from typing import ClassVar
 
 from pydantic import JsonValue
 
+from sim2reason.errors import MissingExtraError
 from sim2reason.registry import Registry
 
 __all__ = ["SCORINGS", "Award", "Reference", "Scoring"]
@@ -36,6 +39,15 @@ class Award:
 
 class Scoring(ABC):
     """A published rule. `award` is a pure function of the response and the reference."""
+
+    needs: ClassVar[tuple[str, ...]] = ()
+    """Modules that the extra [eval] brings."""
+
+    def check(self) -> None:
+        """Look for what it needs, before anyone is asked; MissingExtraError if it is not there."""
+        for name in self.needs:
+            if find_spec(name) is None:
+                raise MissingExtraError(name.replace("_", "-"), "eval")
 
     @abstractmethod
     def award(self, response: str, reference: Reference) -> Award:

@@ -1,13 +1,11 @@
 """Answers of AIME and MATH: equal as mathematics, by the library math-verify, in a process that can be killed."""
 
 from functools import cached_property
-from importlib.util import find_spec
 
 from sim2reason.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
 from sim2reason.benchmarks.scoring.parts.answers import boxes, in_box
 from sim2reason.benchmarks.scoring.parts.killable import Killable
 from sim2reason.benchmarks.scoring.parts.verify_math import verified
-from sim2reason.errors import MissingExtraError
 
 __all__ = ["MathVerify"]
 
@@ -17,14 +15,15 @@ PATIENCE = 10.0  # s for one answer
 class MathVerify(Scoring):
     """By math-verify. Needs: pip install 'sim2reason[eval]'."""
 
+    needs = ("math_verify",)
+
     @cached_property
     def _verified(self) -> Killable[tuple[bool, bool, str]]:
         return Killable(verified, PATIENCE)
 
     def award(self, response: str, reference: Reference) -> Award:
         """By the reference's `answer`, a text in LaTeX."""
-        if find_spec("math_verify") is None:
-            raise MissingExtraError("math-verify", "eval")
+        self.check()
         found = boxes(response)
         if not found:
             return Award.unreadable("there is no box")

@@ -7,6 +7,7 @@ from typing import Any
 from pydantic import field_validator
 
 from sim2reason.benchmarks import Benchmark, BenchmarkItem, benchmark_from, items_of
+from sim2reason.benchmarks.scoring import SCORINGS
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.errors import Sim2ReasonError
 from sim2reason.training.problem import Problem
@@ -42,7 +43,10 @@ class BenchmarkSource(ProblemSource):
     @cached_property
     def _held(self) -> dict[str, list[BenchmarkItem]]:
         found: dict[str, list[BenchmarkItem]] = {}
-        for item in items_of(self._benchmark):
+        items = items_of(self._benchmark)
+        for rule in {item.scoring for item in items}:
+            SCORINGS[rule].check()
+        for item in items:
             found.setdefault(next(iter(item.tags.get(BY, ())), self.name), []).append(item)
         return found
 
