@@ -89,8 +89,17 @@ def test_prefetched_problems_are_the_same() -> None:
 
 
 def test_a_barren_source_is_an_error_that_names_it() -> None:
+    stream = ProblemStream([Counting(name="a", barren=True)])
     with pytest.raises(TrainingError, match=r"a/easy gave nothing in 200 draws"):
-        ProblemStream([Counting(name="a", barren=True)]).next_prompts(1)
+        stream.next_prompts(1)
+
+
+def test_a_probe_finds_a_barren_cell_and_moves_nothing() -> None:
+    stream = ProblemStream([Counting(name="a"), Counting(name="b", weight=0.01, barren=True)])
+    before = stream.state()
+    with pytest.raises(TrainingError, match=r"b/easy gave nothing in 200 draws"):
+        stream.probe()
+    assert stream.state() == before
 
 
 def test_faults_of_sources_and_places() -> None:

@@ -92,10 +92,43 @@ def test_a_plan_of_which_nothing_came_is_replaced(tmp_path: Path) -> None:
 
 
 def test_a_run_from_which_something_came_is_not(tmp_path: Path) -> None:
-    (tuned(tmp_path).path / "rows.jsonl").touch()
+    (tuned(tmp_path).path / "log.jsonl").touch()
     with pytest.raises(TrainingError, match="holds a run with another setting of steps; choose a new folder"):
         tuned(tmp_path, steps=2)
+    with pytest.raises(TrainingError, match=r"another setting of model\.layers"):
+        tuned(tmp_path, model={"kind": "scratch", "layers": 2})
     tuned(tmp_path)
+
+
+def test_what_was_prepared_alone_claims_no_folder(tmp_path: Path) -> None:
+    """Whatever fails after problems were held out and rows were drawn, other settings may take its place."""
+    folder = reinforced(tmp_path)
+    made = [folder.problems("rolling"), folder.warm_start / "rows.jsonl", folder.warm_start / "initial/config.json"]
+    for path in made:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch()
+    reinforced(tmp_path)
+    assert all(path.is_file() for path in made), "the same run goes on with them"
+    reinforced(tmp_path, reward="format")
+    assert not any(path.is_file() for path in made)
+    folder.held_out.mkdir(exist_ok=True)
+    folder.problems("rolling").touch()
+    folder.train.mkdir()
+    (folder.train / "log.jsonl").touch()
+    with pytest.raises(TrainingError, match="holds a run with another setting of reward"):
+        reinforced(tmp_path)
+    assert folder.problems("rolling").is_file()
+
+
+@pytest.mark.parametrize(("text", "message"), [('{"prompt": "a", "completion": "b"}\n{}\n', ":2: "), ("\n", "no row")])
+def test_a_corpus_is_read_to_its_end_before_a_folder_is_claimed(text: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "rows.jsonl").write_text(text)
+    corpora = [{"kind": "jsonl", "file": str(tmp_path / "rows.jsonl")}]
+    with pytest.raises(TrainingError, match=message):
+        tuned(tmp_path / "sft", corpora=corpora)
+    with pytest.raises(TrainingError, match=message):
+        reinforced(tmp_path / "rl", warm_start={**short_run.settings(Path())["warm_start"], "corpora": corpora})
+    assert not [*(tmp_path / "sft").iterdir(), *(tmp_path / "rl").iterdir()]
 
 
 def test_a_folder_of_something_else_is_not_claimed(tmp_path: Path) -> None:

@@ -158,10 +158,10 @@ def test_only_completions_are_learned_whatever_their_prompts_say(settings: Setti
     settings |= {"steps": 1, "batch": 32, "learning_rate": 1e-9, "micro_batch": 8}
     train_sft(settings)
     from sim2reason.training.corpora.parts.encoding import encoded
-    from sim2reason.training.models.parts.checkpoint import read
+    from sim2reason.training.models.parts.checkpoint import Checkpoint
 
     folder = SftFolder(Path(settings["out"]))
-    loaded = read(str(folder.initial))
+    loaded = Checkpoint(str(folder.initial)).load()
     total, count = 0.0, 0
     for row in encoded(folder.rows(), loaded.tokenizer, chat=False):
         tokens = torch.tensor([row.prompt + row.completion])
@@ -252,9 +252,9 @@ def test_adapters_are_merged_and_kept(settings: Settings) -> None:
     found = train_sft({**settings, "lora": {"rank": 2, "targets": ["q_proj", "v_proj"]}})
     out = Path(settings["out"])
     assert (out / "adapter/adapter_config.json").is_file()
-    from sim2reason.training.models.parts.checkpoint import read
+    from sim2reason.training.models.parts.checkpoint import Checkpoint
 
-    before, after = read(str(out / "initial")).model, read(str(out / "model")).model
+    before, after = (Checkpoint(str(out / each)).load().model for each in ("initial", "model"))
     assert after.num_parameters() == before.num_parameters() == found.parameters
     held = dict(before.named_parameters())
     changed = {name.split(".")[-2] for name, value in after.named_parameters() if not value.equal(held[name])}

@@ -48,22 +48,23 @@ def evaluated(
     result = folder.result()
     if not config.held_out or result is None:
         raise TrainingError(f"{config.out}: no finished run with held_out problems; train it first")
-    models = {BEFORE: result.initial, AFTER: str(folder.model)}
+    models = {BEFORE: (result.initial, result.revision), AFTER: (str(folder.model), None)}
     sets = [(each.problems.name, each.samples) for each in config.held_out]
     benchmarks = tuple(Saved(name=name, file=folder.problems(name), samples=samples) for name, samples in sets)
     for name, out in answered(config).items():
         temperature = RESPONSES[name]
-        policies = tuple(_policy(config, each, path, temperature) for each, path in models.items())
+        policies = tuple(_policy(config, each, *model, temperature) for each, model in models.items())
         once = tuple(each.model_copy(update={"samples": 1}) for each in benchmarks)
         asked = Evaluation(out=out, policies=policies, benchmarks=benchmarks if temperature else once)
         evaluate(asked, begun=lambda total, name=name: begun(f"answers, {name}", total), advance=advance)
     return {benchmark.name: items_of(benchmark) for benchmark in benchmarks}
 
 
-def _policy(config: ReinforcementLearning, name: str, model: str, temperature: float) -> Policy:
+def _policy(config: ReinforcementLearning, name: str, model: str, revision: str | None, temperature: float) -> Policy:
     sampling = {"temperature": temperature, "max_tokens": config.gspo.max_completion_tokens}
-    settings = {"kind": "transformers", "name": name, "model": model, "sampling": sampling}
-    return policy_from({**settings, "batch_size": max(64, config.gspo.generations)}, name)
+    settings = {"kind": "transformers", "name": name, "model": model, "revision": revision, "sampling": sampling}
+    asked = {"chat": config.chat is not False, "batch_size": max(64, config.gspo.generations)}
+    return policy_from({**settings, **asked}, name)
 
 
 def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -> list[list[object]]:

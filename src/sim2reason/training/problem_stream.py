@@ -69,6 +69,11 @@ class ProblemStream:
         for key, (source, cell) in self._cells.items():
             self.prefetcher.order(source, cell, self.cursor.next.get(key, 0))
 
+    def probe(self) -> None:
+        """Draw a problem of each cell, and leave the place as it is; TrainingError if one gives nothing."""
+        for key in self._cells:
+            self._at_or_after(key, self.cursor.next.get(key, 0))
+
     def next_prompts(self, count: int) -> list[dict[str, Any]]:
         """The next prompts, as rows that a trainer takes.
 
@@ -121,12 +126,16 @@ class ProblemStream:
             deficits[key] = deficits.get(key, 0.0) + share
         key = max(deficits, key=lambda name: deficits[name])  # the first of equals
         deficits[key] -= 1.0
+        index, found = self._at_or_after(key, cursor.next.get(key, 0))
+        cursor.next[key] = index + 1
+        cursor.drawn += 1
+        return found
+
+    def _at_or_after(self, key: str, start: int) -> tuple[int, Problem]:
+        """The first problem of a cell from an index on, and its own."""
         source, cell = self._cells[key]
-        for _ in range(BARREN):
-            index = cursor.next.get(key, 0)
-            cursor.next[key] = index + 1
+        for index in range(start, start + BARREN):
             found = self.prefetcher.at(source, cell, index)
             if found is not None and not {found.item.prompt, found.fingerprint} & self.avoid:
-                cursor.drawn += 1
-                return found
+                return index, found
         raise TrainingError(f"problems: {key} gave nothing in {BARREN} draws; choose other recipes, kinds or weights")

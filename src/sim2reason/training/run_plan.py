@@ -1,13 +1,15 @@
 """What every run of training leaves beside its model: what decides it, written first, and what came of it, last."""
 
 import json
-from collections.abc import Callable, Mapping
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import TypeVar
 
 from pydantic import JsonValue, ValidationError
 
-from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.datasets.atomic_files import TEMPORARY, canonical, put_text
 from sim2reason.datasets.item import Record
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import versions
@@ -27,10 +29,13 @@ class TrainingPlan(Record):
     """Of the libraries with which it was begun."""
 
 
-def claim(file: Path, decisive: Mapping[str, object], check: Callable[[], object]) -> None:
+def claim(
+    file: Path, decisive: Mapping[str, object], check: Callable[[], object], prepared: Sequence[Path] = ()
+) -> None:
     """Write the plan into an empty folder, or go on with the same one; the caller holds the lock.
 
-    `check` raises where the run could not begin; so it claims no folder. A plan from which nothing came is replaced.
+    `check` raises where the run could not begin; so it claims no folder. A plan from which nothing was trained is
+    replaced: `prepared` are the files and folders that come before training, and they go with it.
 
     Raises:
         TrainingError: the folder holds something else, or a run of another configuration.
@@ -42,11 +47,13 @@ def claim(file: Path, decisive: Mapping[str, object], check: Callable[[], object
             raise TrainingError(f"{folder}: holds {strangers[0]} and is no run; choose a new folder")
     else:
         differs = _difference(file, settings)
-        if differs and not _only_planned(folder):
+        if differs and not _only(folder, {file, *prepared}):
             raise TrainingError(f"{folder}: holds a run with another setting of {differs}; choose a new folder")
         if not differs:
             return
     check()
+    for path in prepared:
+        _remove(path)
     plan = TrainingPlan(settings=settings, versions=versions())
     put_text(file, canonical(plan.model_dump(mode="json")), folder)
 
@@ -57,13 +64,29 @@ def _difference(file: Path, settings: Mapping[str, JsonValue]) -> str:
         before = TrainingPlan.model_validate_json(file.read_bytes()).settings
     except ValidationError:
         raise TrainingError(f"{file}: damaged, or of another version; choose a new folder") from None
-    names = sorted(before.keys() | settings.keys())
-    return next((name for name in names if before.get(name) != settings.get(name)), "")
+    return _first(before, settings)
 
 
-def _only_planned(folder: Path) -> bool:
-    """Whether there are plans in a folder, and nothing that came of them."""
-    return all(path.name in {RL_PLAN, SFT_PLAN} for path in folder.rglob("*") if not path.is_dir())
+def _first(one: Mapping[str, JsonValue], other: Mapping[str, JsonValue]) -> str:
+    for name in sorted(one.keys() | other.keys()):
+        mine, theirs = one.get(name), other.get(name)
+        if mine != theirs:
+            within = _first(mine, theirs) if isinstance(mine, dict) and isinstance(theirs, dict) else ""
+            return f"{name}.{within}" if within else name
+    return ""
+
+
+def _only(folder: Path, known: AbstractSet[Path]) -> bool:
+    """Whether all that a folder holds is one of these, lies in one, or is what a kill left of writing one."""
+    held = (path for path in folder.rglob("*") if not path.is_dir() and path.suffix != TEMPORARY)
+    return all(known & {path, *path.parents} for path in held)
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
 
 
 def result_in(folder: Path, kind: type[R]) -> R | None:

@@ -15,6 +15,7 @@ from sim2reason.errors import TrainingError
 from sim2reason.training.gspo import StepLog, last_checkpoint, make_trainer
 from sim2reason.training.gspo.checkpoints import read_cursor
 from sim2reason.training.lora import Lora
+from sim2reason.training.models import Checkpoint
 
 pytest.importorskip("trl")
 
@@ -325,6 +326,17 @@ def test_what_is_trained_is_float32_under_bfloat16(model: Path, tmp_path: Path, 
     frozen = {weights.dtype for weights in found.model.parameters() if not weights.requires_grad}
     assert frozen == (set() if lora is None else {torch.bfloat16})
     check_groups(tmp_path, 4, 4, 1)
+
+
+def test_a_named_model_and_its_reference_are_loaded_as_they_are_told(model: Path, tmp_path: Path) -> None:
+    from transformers import AutoTokenizer
+
+    tokenizer, rewards = AutoTokenizer.from_pretrained(model), [REWARDS["parity"]]
+    told = Checkpoint(str(model), "v1", "bfloat16", "eager")
+    found = make_trainer(told, tokenizer, Numbers(), rewards, settings(beta=0.1), tmp_path)
+    assert found.args.model_init_kwargs["revision"] == "v1"
+    for loaded in (found.model, found.ref_model):
+        assert (loaded.dtype, loaded.config._attn_implementation) == (torch.bfloat16, "eager")
 
 
 def test_tensorboard_gets_what_the_log_gets(model: Path, tmp_path: Path) -> None:

@@ -35,6 +35,13 @@ def test_the_least_configuration_has_the_paper_s_numbers() -> None:
     assert (gspo.steps, gspo.prompts, gspo.generations, gspo.learning_rate, gspo.rounds) == (200, 32, 16, 1e-6, 10)
 
 
+def test_a_completion_leaves_room_for_the_prompt() -> None:
+    gspo = reinforcement_learning_from(settings()).gspo
+    gspo.check_context(32_768)
+    with pytest.raises(TrainingError, match=r"gspo\.max_completion_tokens: 16384 .* context of 4096 tokens"):
+        gspo.check_context(4096)
+
+
 def test_a_control_is_one_key() -> None:
     found = reinforcement_learning_from(settings(reward={"kind": "random", "seed": 3}))
     assert isinstance(found.reward, Random)

@@ -14,7 +14,10 @@ import yaml
 
 from short_run import PROBLEMS, settings
 from sim2reason.errors import TrainingError
+from sim2reason.policies.local_model import LocalModel
+from sim2reason.reports import held_out
 from sim2reason.reports.training import report_training
+from sim2reason.training.models import Checkpoint
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.rl.config import reinforcement_learning_from
 from sim2reason.training.rl.run import train_rl
@@ -128,6 +131,36 @@ def test_controls_are_one_key_each(changed: dict[str, object], whole: Path, tmp_
     assert (found.folder / "steps.png").is_file()
     assert found.differences == {}
     assert (found.problems > 0.0) == bool(given["prefetch"]["workers"])
+
+
+def test_settings_of_a_model_reach_the_trainer_and_the_evaluation(
+    whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[Checkpoint] = []
+
+    def instead(model: Checkpoint, *_: object) -> None:
+        told.append(model)
+        raise TrainingError("far enough")
+
+    monkeypatch.setattr("sim2reason.training.rl.run.make_trainer", instead)
+    path = str(whole / "warm-start" / "model")
+    chosen = {"revision": "v1", "precision": "bfloat16", "attention": "eager"}
+    given = settings(tmp_path / "run", model={"kind": "pretrained", "model": path, **chosen}, chat=False)
+    del given["warm_start"]
+    with pytest.raises(TrainingError, match="far enough"):
+        train_rl(given)
+    assert told == [Checkpoint(path, "v1", "bfloat16", "eager")]
+    policy = held_out._policy(reinforcement_learning_from(given), "before", path, "v1", 0.0)
+    assert isinstance(policy, LocalModel)
+    assert (policy.revision, policy.chat) == ("v1", False)
+
+
+def test_messages_need_a_chat_template(whole: Path, tmp_path: Path) -> None:
+    model = {"kind": "pretrained", "model": str(whole / "warm-start" / "model")}
+    given = settings(tmp_path / "run", model=model, chat=True)
+    del given["warm_start"], given["held_out"]
+    with pytest.raises(TrainingError, match="has no chat template; set chat to false"):
+        train_rl(given)
 
 
 def test_a_mixture_with_another_corpus(whole: Path, tmp_path: Path) -> None:

@@ -2,8 +2,10 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 
+from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.corpora.parts.lines import rows_in
 
@@ -26,5 +28,6 @@ class JsonLines(Corpus):
         return rows_in(self.file, self.prompt, self.completion)
 
     def check(self) -> None:
-        """Read the first row."""
-        next(self.rows(Counter()), None)
+        """Read all rows that are asked for."""
+        if not sum(1 for _ in islice(self.rows(Counter()), self.limit)):
+            raise TrainingError(f"{self.file}: holds no row")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from sim2reason.training.extras import library
 from sim2reason.training.gspo.settings import GSPOSettings, VllmSettings
 from sim2reason.training.gspo.stream import PromptStream
+from sim2reason.training.models import Checkpoint
 
 if TYPE_CHECKING:
     from sim2reason.training.gspo.trainer import GSPOTrainer
@@ -20,7 +21,7 @@ Reward = Callable[..., list[float | None]]
 
 
 def make_trainer(
-    model: Any,  # noqa: ANN401 - a path, a name or a model of transformers
+    model: Any,  # noqa: ANN401 - a checkpoint, its path or name, or a model of transformers
     tokenizer: Any,  # noqa: ANN401 - of transformers
     stream: PromptStream,
     rewards: Sequence[Reward],
@@ -29,13 +30,15 @@ def make_trainer(
     *,
     weights: Sequence[float] | None = None,
 ) -> "GSPOTrainer":
-    """A trainer of `model`, a folder or name of a causal language model, or such a model itself, in the folder `out`.
+    """A trainer of `model`, in the folder `out`.
 
-    Rewards are functions as TRL calls them, ``reward(prompts, completions, **columns)``, which give a number or None
-    for each completion; what is learned from is their sum, with `weights` if there are any. ``trainer.train()`` trains,
-    ``trainer.train(resume_from_checkpoint=True)`` goes on after a kill: `model` is then the same as at the beginning,
-    since the KL divergence is to it. All processes of ``accelerate launch`` or ``torchrun`` call this alike, and only
-    the first one reads the stream.
+    The model is a checkpoint, the folder or name of one, or a causal language model itself. Rewards are functions as
+    TRL calls them, ``reward(prompts, completions, **columns)``, which give a number or None for each completion; what
+    is learned from is their sum, with `weights` if there are any.
+
+    ``trainer.train()`` trains, ``trainer.train(resume_from_checkpoint=True)`` goes on after a kill: `model` is then the
+    same as at the beginning, since the KL divergence is to it. All processes of ``accelerate launch`` or ``torchrun``
+    call this alike, and only the first one reads the stream.
 
     Raises:
         MissingExtraError: the libraries of the extra [train] are not installed.
@@ -44,14 +47,19 @@ def make_trainer(
     trainer = library("sim2reason.training.gspo.trainer")
     args = _arguments(settings, Path(out), weights)
     tuned = None if settings.lora is None else settings.lora.config
-    if not isinstance(model, str | Path) and tuned is None:
+    if isinstance(model, str | Path):
+        model = Checkpoint(str(model))
+    if isinstance(model, Checkpoint):  # its reference is loaded alike
+        args.model_init_kwargs = {**_weights(settings), **model.settings}
+        model = model.path
+    elif tuned is None:
         model.float()
         if settings.beta:
             _save_reference(model, Path(out) / "reference", args)
     return trainer.GSPOTrainer(
         stream,
         settings,
-        model=str(model) if isinstance(model, Path) else model,
+        model=model,
         reward_funcs=list(rewards),
         args=args,
         processing_class=tokenizer,
@@ -80,6 +88,12 @@ def _arguments(settings: GSPOSettings, out: Path, weights: Sequence[float] | Non
     )
 
 
+def _weights(settings: GSPOSettings) -> dict[str, Any]:
+    """Of what precision they are, unless the model's own settings say so."""
+    frozen = settings.precision == "bfloat16" and settings.lora  # below adapters they need no float32
+    return {"dtype": "bfloat16" if frozen else "float32"}
+
+
 def _objective(settings: GSPOSettings) -> dict[str, Any]:
     return {
         "loss_type": "grpo",
@@ -94,7 +108,7 @@ def _objective(settings: GSPOSettings) -> dict[str, Any]:
 
 def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str, Any]:
     """What TRL counts in updates, we count in steps."""
-    every, half = settings.minibatches, settings.precision == "bfloat16"
+    every = settings.minibatches
     new_name = "activation_checkpointing"  # since transformers 5.2x, which warns of the old one
     known = library("trl").GRPOConfig.__dataclass_fields__
     return {
@@ -107,9 +121,7 @@ def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str,
         "warmup_steps": settings.warmup_steps * every,
         "weight_decay": settings.weight_decay,
         "max_grad_norm": settings.max_grad_norm,
-        "bf16": half,
-        # frozen weights below adapters need no float32
-        "model_init_kwargs": {"dtype": "bfloat16"} if half and settings.lora else None,
+        "bf16": settings.precision == "bfloat16",
         new_name if new_name in known else "gradient_checkpointing": settings.gradient_checkpointing,
         "logging_steps": every,
         "save_steps": settings.save_every * every,

@@ -75,7 +75,8 @@ class GSPOSettings(_Settings):
     seed: Annotated[int, Ge(0), Le(2**32 - 1)] = 0
     """Of what is sampled. Prompts come from a stream, which has a seed of its own."""
     precision: Literal["float32", "bfloat16"] = "float32"
-    """Of the arithmetic; weights that are trained are float32 in either case, since an update of 1e-6 needs it."""
+    """Of the arithmetic; weights that are trained are float32 in either case, since an update of 1e-6 needs it, unless
+    the model's own settings say otherwise."""
     gradient_checkpointing: bool = True
     """Less memory for a fifth more time: for long completions of large models."""
     lora: Lora | None = None
@@ -87,6 +88,14 @@ class GSPOSettings(_Settings):
         """Those that these settings need beside what every run does."""
         chosen = {"peft": self.lora, "vllm": self.vllm}
         return (*(name for name, settings in chosen.items() if settings is not None), *self.report_to)
+
+    def check_context(self, tokens: int) -> None:
+        """TrainingError if a model of such a context has no room for a completion."""
+        if self.max_completion_tokens >= tokens:
+            raise TrainingError(
+                f"gspo.max_completion_tokens: {self.max_completion_tokens} leave no room for a prompt in the model's "
+                f"context of {tokens} tokens; give fewer"
+            )
 
     @model_validator(mode="after")
     def _divisible(self) -> Self:

@@ -1,13 +1,12 @@
 """Models that are trained: checkpoints, and tiny ones made here. One file each.
 
-ModelSettings.load (texts, a folder) ↦ Loaded (model, tokenizer, and the path under which both are loaded again)
+ModelSettings.checkpoint (texts, a folder) ↦ Checkpoint (a path, and how it is loaded) ↦ Loaded (model, tokenizer)
 """
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
-from typing import cast
+from typing import Literal, cast
 
 from pydantic import BaseModel, ConfigDict
 
@@ -15,20 +14,9 @@ from sim2reason.errors import TrainingError
 from sim2reason.policies.parts.settings import of_kind
 from sim2reason.registry import Registry
 from sim2reason.training.extras import External
+from sim2reason.training.models.parts.checkpoint import Checkpoint, Loaded
 
-__all__ = ["MODELS", "Loaded", "ModelSettings", "model_from", "model_given"]
-
-
-@dataclass(frozen=True, slots=True)
-class Loaded:
-    """A causal language model of the transformers library, and its tokenizer, which has tokens to pad and to end."""
-
-    model: External
-    tokenizer: External
-    path: str
-    """A folder, or a name on the hub, under which both are loaded again as they were before training."""
-    revision: str | None = None
-    """Of the name on the hub."""
+__all__ = ["MODELS", "Checkpoint", "Loaded", "ModelSettings", "model_from", "model_given", "spoken_to"]
 
 
 class ModelSettings(BaseModel, ABC):
@@ -37,16 +25,25 @@ class ModelSettings(BaseModel, ABC):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     @abstractmethod
-    def load(self, texts: Iterable[str], out: Path) -> Loaded:
-        """The model and its tokenizer, ready to be trained.
+    def checkpoint(self, texts: Iterable[str], out: Path) -> Checkpoint:
+        """Where the model and its tokenizer lie, as they are before training.
 
         `texts` are what it will read and write; they are looked at only by a kind that makes its tokenizer from them.
         What is made here is saved in the folder `out`, where it is found again by the same call.
 
         Raises:
+            TrainingError: `out` holds another model.
+            MissingExtraError: a library of the extra [train] is missing.
+        """
+
+    def load(self, texts: Iterable[str], out: Path) -> Loaded:
+        """The model and its tokenizer, ready to be trained.
+
+        Raises:
             TrainingError: there is no such model, or `out` holds another.
             MissingExtraError: a library of the extra [train] is missing.
         """
+        return self.checkpoint(texts, out).load()
 
     def check(self) -> None:
         """Look whether there is such a model, before anything is made; TrainingError if not. By default it is made."""
@@ -68,3 +65,11 @@ def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSet
         UnknownNameError: no such kind.
     """
     return of_kind(MODELS, settings, place, TrainingError)
+
+
+def spoken_to(tokenizer: External, path: str, *, chat: bool | Literal["auto"]) -> bool:
+    """Whether prompts are messages; TrainingError if they shall be, and the tokenizer has no chat template."""
+    templated = tokenizer.chat_template is not None
+    if chat is True and not templated:
+        raise TrainingError(f"chat: the tokenizer of {path!r} has no chat template; set chat to false")
+    return templated if chat == "auto" else chat

@@ -6,8 +6,8 @@ from typing import Annotated
 
 from annotated_types import MinLen
 
-from sim2reason.training.models import MODELS, Loaded, ModelSettings
-from sim2reason.training.models.parts.checkpoint import Attention, Precision, check, read
+from sim2reason.training.models import MODELS, Checkpoint, ModelSettings
+from sim2reason.training.models.parts.checkpoint import Attention, Precision
 
 __all__ = ["Pretrained"]
 
@@ -20,15 +20,19 @@ class Pretrained(ModelSettings):
     revision: str | None = None
     """Of a name on the hub: a branch, a tag or a commit."""
     precision: Precision = "auto"
-    """Of the weights; by default that of the checkpoint."""
+    """Of the weights; by default that of the checkpoint, and in reinforcement learning float32 if they are trained."""
     attention: Attention = "auto"
     """How attention is computed; by default the library's choice."""
 
-    def load(self, texts: Iterable[str], out: Path) -> Loaded:
+    def checkpoint(self, texts: Iterable[str], out: Path) -> Checkpoint:
         """As it was saved; nothing is looked at, and nothing written."""
         del texts, out
-        return read(self.model, self.revision, self.precision, self.attention)
+        return self._checkpoint
 
     def check(self) -> None:
         """Read its configuration."""
-        check(self.model, self.revision)
+        self._checkpoint.check()
+
+    @property
+    def _checkpoint(self) -> Checkpoint:
+        return Checkpoint(self.model, self.revision, self.precision, self.attention)

@@ -15,8 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import External, library
-from sim2reason.training.models import MODELS, Loaded, ModelSettings
-from sim2reason.training.models.parts.checkpoint import read
+from sim2reason.training.models import MODELS, Checkpoint, ModelSettings
 from sim2reason.training.models.parts.tokenizer import ALONE, SMALLEST, made
 
 __all__ = ["Scratch"]
@@ -53,13 +52,13 @@ class Scratch(ModelSettings):
             raise ValueError(f"width: {self.width} is no multiple of {2 * self.heads}, twice the number of heads")
         return self
 
-    def load(self, texts: Iterable[str], out: Path) -> Loaded:
+    def checkpoint(self, texts: Iterable[str], out: Path) -> Checkpoint:
         """As it lies in `out`, where the first process makes it from the texts if it is not there yet."""
         state = library("accelerate").PartialState()
         with state.main_process_first():
             if state.is_main_process and not self._held(out):
                 self._make(texts, out)
-        return read(str(out), precision="float32")
+        return Checkpoint(str(out), precision="float32")
 
     def _held(self, out: Path) -> bool:
         """Whether the folder holds this model, whole; TrainingError if it holds something else."""

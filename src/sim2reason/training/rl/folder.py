@@ -11,11 +11,13 @@ from pathlib import Path
 from sim2reason.datasets.atomic_files import canonical, put_text
 from sim2reason.datasets.item import Record
 from sim2reason.training.extras import External, versions
+from sim2reason.training.models import Checkpoint
 from sim2reason.training.prefetch import prefetching
 from sim2reason.training.problem import Problem
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.rl.config import WARM_START, HeldOut, ReinforcementLearning
 from sim2reason.training.run_plan import RL_PLAN, claim, finish, result_in
+from sim2reason.training.sft.folder import SftFolder
 
 __all__ = ["Trained", "TrainingFolder"]
 
@@ -29,6 +31,8 @@ class Trained(Record):
     """The folder of the trained model, seen from that of the run."""
     initial: str
     """The checkpoint that training began with: a folder, or a name on the hub."""
+    revision: str | None = None
+    """Of the name on the hub."""
     steps: int
     prompts_consumed: int
     seconds: float
@@ -43,13 +47,14 @@ class TrainingFolder:
         """At `path`, which need not be there yet."""
         self.path = path
         self.warm_start, self.train, self.model = path / WARM_START, path / "train", path / "model"
-        self.held_out = path / "held-out"
+        self.held_out, self.initial = path / "held-out", path / "initial"
         self.learned = self.warm_start / "corpora.json"
         self.report = path / "report" / "report.json"
 
     def claim(self, config: ReinforcementLearning) -> None:
         """As `run_plan.claim` does."""
-        claim(self.path / RL_PLAN, config.decisive, config.check)
+        prepared = self.held_out, self.initial, *SftFolder(self.warm_start).prepared
+        claim(self.path / RL_PLAN, config.decisive, config.check, prepared)
 
     def result(self) -> Trained | None:
         """What came of a run that is finished."""
@@ -72,7 +77,7 @@ class TrainingFolder:
             put_text(keys, canonical(avoided), self.held_out)
         return frozenset(json.loads(keys.read_text("utf-8")))
 
-    def finish(self, run: External, tokenizer: External, initial: str) -> Trained:
+    def finish(self, run: External, tokenizer: External, initial: Checkpoint) -> Trained:
         """Save the model, with adapters merged, its tokenizer, and then the result."""
         scratch = self.path / "model.part"
         model = run.accelerator.unwrap_model(run.model)
@@ -81,7 +86,8 @@ class TrainingFolder:
         records = run.step_log.read()
         result = Trained(
             model=self.model.name,
-            initial=initial,
+            initial=initial.path,
+            revision=initial.revision,
             steps=records[-1].step if records else 0,
             prompts_consumed=run.prompts_consumed,
             seconds=sum(record.seconds.step for record in records),

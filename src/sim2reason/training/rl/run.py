@@ -10,7 +10,7 @@ from pathlib import Path
 from sim2reason.datasets.atomic_files import working_in
 from sim2reason.training.extras import External, library, quiet, require
 from sim2reason.training.gspo import make_trainer
-from sim2reason.training.models.pretrained import Pretrained
+from sim2reason.training.models import Checkpoint, spoken_to
 from sim2reason.training.prefetch import prefetching
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.processes import Advance, Begun, in_processes, launched
@@ -83,42 +83,43 @@ def _run(
         stream = ProblemStream(settings.problems, store, settings.curriculum, avoid)
         if state.is_main_process:
             stream.begin()
-        model = _model(settings, folder, avoid, begun, advance)
-        return _trained(settings, folder, model, stream, begun, advance)
+            if not folder.train.is_dir():
+                stream.probe()  # a warm start may take hours before the first problem is asked for
+        checkpoint = _checkpoint(settings, folder, avoid, begun, advance)
+        return _trained(settings, folder, checkpoint, stream, begun, advance)
 
 
-def _model(
+def _checkpoint(
     settings: ReinforcementLearning, folder: TrainingFolder, avoid: frozenset[str], begun: Begun, advance: Advance
-) -> Pretrained:
-    """The checkpoint that is trained: the given one, or the result of the warm start."""
+) -> Checkpoint:
+    """What is trained: the given one, or the result of the warm start."""
     warm = settings.warm_start
     if warm is None:
         assert settings.model is not None
-        loaded = settings.model.load((), folder.path / "initial")
-        return Pretrained(model=loaded.path, revision=loaded.revision)
+        return settings.model.checkpoint((), folder.initial)
     sft = warm.model_copy(update={"out": folder.warm_start})
     train_sft(sft, avoid=avoid, begun=begun, advance=advance)
-    return Pretrained(model=str(folder.warm_start / "model"))
+    return Checkpoint(str(folder.warm_start / "model"))
 
 
 def _trained(
     settings: ReinforcementLearning,
     folder: TrainingFolder,
-    model: Pretrained,
+    checkpoint: Checkpoint,
     stream: ProblemStream,
     begun: Begun,
     advance: Advance,
 ) -> Trained:
-    transformers = library("transformers")
-    tokenizer = transformers.AutoTokenizer.from_pretrained(model.model, revision=model.revision, padding_side="left")
-    stream.chat = tokenizer.chat_template is not None if settings.chat == "auto" else settings.chat
+    settings.gspo.check_context(checkpoint.context)
+    tokenizer = checkpoint.tokenizer(padding_side="left")
+    stream.chat = spoken_to(tokenizer, checkpoint.path, chat=settings.chat)
     rewards = [reward_function(settings.reward)]
-    run = make_trainer(model.model, tokenizer, stream, rewards, settings.gspo, folder.train)
+    run = make_trainer(checkpoint, tokenizer, stream, rewards, settings.gspo, folder.train)
     begun("reinforcement learning", settings.gspo.steps)
     run.remove_callback(library("transformers").PrinterCallback)
     run.add_callback(_told(advance, settings.gspo.minibatches))
     run.train(resume_from_checkpoint=True)
-    found = folder.finish(run, tokenizer, model.model)
+    found = folder.finish(run, tokenizer, checkpoint)
     run.accelerator.wait_for_everyone()
     run.accelerator.end_training()
     return found

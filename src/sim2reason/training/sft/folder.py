@@ -60,7 +60,12 @@ class SftFolder:
 
     def claim(self, config: FineTuning) -> None:
         """As `run_plan.claim` does."""
-        claim(self.path / SFT_PLAN, config.decisive, config.check)
+        claim(self.path / SFT_PLAN, config.decisive, config.check, self.prepared)
+
+    @property
+    def prepared(self) -> tuple[Path, ...]:
+        """What comes before the first step of training."""
+        return *(self.path / name for name in (SFT_PLAN, ROWS, CORPORA)), self.initial
 
     def result(self) -> FineTuned | None:
         """What came of a run that is finished."""

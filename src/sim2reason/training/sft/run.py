@@ -14,7 +14,8 @@ from sim2reason.errors import TrainingError
 from sim2reason.training.corpora.parts.encoding import EncodedRow, Limits, encoded
 from sim2reason.training.corpora.parts.mix import counted
 from sim2reason.training.extras import External, library, quiet, require
-from sim2reason.training.models import Loaded
+from sim2reason.training.models import Loaded, spoken_to
+from sim2reason.training.models.parts.checkpoint import context_of
 from sim2reason.training.sft.config import FineTuning, fine_tuning_from
 from sim2reason.training.sft.folder import FineTuned, SftFolder
 from sim2reason.training.sft.trainer import arguments, trainer
@@ -82,9 +83,7 @@ def _trained(
     """Train, or go on training, and save what came of it."""
     rows = folder.rows()
     loaded = config.model.load((text for row in rows for text in (row.prompt, row.completion)), folder.initial)
-    chat = loaded.tokenizer.chat_template is not None if config.chat == "auto" else config.chat
-    if chat and loaded.tokenizer.chat_template is None:
-        raise TrainingError(f"chat: the tokenizer of {loaded.path!r} has no chat template; set chat to false")
+    chat = spoken_to(loaded.tokenizer, loaded.path, chat=config.chat)
     held, left_out = _within(encoded(rows, loaded.tokenizer, chat=chat), _limits(config, loaded))
     if not held:
         raise TrainingError(f"corpora: no row is within the limits of tokens; left out: {counted(left_out)}")
@@ -114,8 +113,7 @@ def _trained(
 
 def _limits(config: FineTuning, loaded: Loaded) -> Limits:
     """Of tokens: those of the configuration, and of the model's context."""
-    context = getattr(loaded.model.config.get_text_config(), "max_position_embeddings", None) or 2**31
-    return Limits(config.max_prompt_tokens, config.max_completion_tokens, context)
+    return Limits(config.max_prompt_tokens, config.max_completion_tokens, context_of(loaded.model.config))
 
 
 def _within(rows: list[EncodedRow], limits: Limits) -> tuple[list[EncodedRow], Counter[str]]:

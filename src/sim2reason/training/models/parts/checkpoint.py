@@ -2,51 +2,96 @@
 
 from collections.abc import Generator
 from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 from sim2reason.errors import TrainingError
 from sim2reason.policies.parts.hub import loading
-from sim2reason.training.extras import library
-from sim2reason.training.models import Loaded
+from sim2reason.training.extras import External, library
 
-__all__ = ["Attention", "Precision", "check", "read"]
+__all__ = ["Attention", "Checkpoint", "Loaded", "Precision", "context_of"]
 
 Precision = Literal["auto", "float32", "bfloat16", "float16"]
 Attention = Literal["auto", "eager", "sdpa", "flash_attention_2", "flash_attention_3"]
+ENDLESS = 2**31
 SHOWN = 200  # characters of what the library says about an error
 
 
-def read(
-    path: str, revision: str | None = None, precision: Precision = "auto", attention: Attention = "auto"
-) -> Loaded:
-    """The model at `path`, a folder or a name on the hub, with weights of `precision`; TrainingError if there is none.
+@dataclass(frozen=True, slots=True)
+class Loaded:
+    """A causal language model of the transformers library, and its tokenizer, which has tokens to pad and to end."""
 
-    A tokenizer without a token to pad with pads with the one that ends a text.
-    """
-    transformers = library("transformers")
-    chosen: dict[str, Any] = {} if attention == "auto" else {"attn_implementation": attention}
-    with _explained(path):
-        source = {"revision": revision, **loading(path, revision)}
-        tokenizer = transformers.AutoTokenizer.from_pretrained(path, **source)
-        model = transformers.AutoModelForCausalLM.from_pretrained(path, dtype=precision, **source, **chosen)
-    if tokenizer.eos_token_id is None:
-        raise TrainingError(f"the tokenizer of {path!r} has no token that ends a text; set its eos_token")
-    if tokenizer.pad_token_id is None:
-        tokenizer.pad_token = tokenizer.eos_token
-    return Loaded(model, tokenizer, path, revision)
+    model: External
+    tokenizer: External
+    path: str
+    """Where it was loaded from."""
 
 
-def check(path: str, revision: str | None = None) -> None:
-    """TrainingError if there is no configuration of a model at `path`."""
-    with _explained(path):
-        library("transformers").AutoConfig.from_pretrained(path, revision=revision, **loading(path, revision))
+@dataclass(frozen=True)
+class Checkpoint:
+    """Where a model and its tokenizer are loaded from, a folder or a name on the hub, and how."""
+
+    path: str
+    revision: str | None = None
+    """Of a name on the hub."""
+    precision: Precision = "auto"
+    """Of the weights; by default as they were saved."""
+    attention: Attention = "auto"
+
+    def load(self) -> Loaded:
+        """Both; TrainingError if they are not there, or no text ends."""
+        tokenizer = self.tokenizer()
+        with self._explained():
+            kind = library("transformers").AutoModelForCausalLM
+            model = kind.from_pretrained(self.path, **{"dtype": "auto", **self.settings})
+        return Loaded(model, tokenizer, self.path)
+
+    def tokenizer(self, **settings: object) -> External:
+        """That of the checkpoint; one without a token to pad with pads with the one that ends a text."""
+        with self._explained():
+            found = library("transformers").AutoTokenizer.from_pretrained(self.path, **self._source, **settings)
+        if found.eos_token_id is None:
+            raise TrainingError(f"the tokenizer of {self.path!r} has no token that ends a text; set its eos_token")
+        if found.pad_token_id is None:
+            found.pad_token = found.eos_token
+        return found
+
+    @property
+    def context(self) -> int:
+        """How many tokens the model was made for; without end where its configuration does not say."""
+        return context_of(self._config())
+
+    def check(self) -> None:
+        """TrainingError if there is no configuration of a model."""
+        self._config()
+
+    def _config(self) -> External:
+        with self._explained():
+            return library("transformers").AutoConfig.from_pretrained(self.path, **self._source)
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """What `from_pretrained` of a model is told beside the path: what is chosen, and nothing else."""
+        chosen = {"dtype": self.precision, "attn_implementation": self.attention}
+        with self._explained():
+            return {**self._source, **{name: value for name, value in chosen.items() if value != "auto"}}
+
+    @cached_property
+    def _source(self) -> dict[str, Any]:
+        """Asked for once: out of reach, the hub takes its time."""
+        return {"revision": self.revision, **loading(self.path, self.revision)}
+
+    @contextmanager
+    def _explained(self) -> Generator[None]:
+        """Say in one line what the library could not load."""
+        try:
+            yield
+        except (OSError, ValueError, ImportError) as error:
+            why = " ".join(str(error).split())[:SHOWN]
+            raise TrainingError(f"no model could be loaded from {self.path!r}: {why}") from None
 
 
-@contextmanager
-def _explained(path: str) -> Generator[None]:
-    """Say in one line what the library could not load."""
-    try:
-        yield
-    except (OSError, ValueError, ImportError) as error:
-        why = " ".join(str(error).split())[:SHOWN]
-        raise TrainingError(f"no model could be loaded from {path!r}: {why}") from None
+def context_of(config: External) -> int:
+    """How many tokens a model of this configuration was made for."""
+    return getattr(config.get_text_config(), "max_position_embeddings", None) or ENDLESS
