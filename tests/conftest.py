@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import HealthCheck, settings
 
+from shared_items import SharedItems
 from sim2reason.datasets.worker import collect_seldom
 
 # how fast a busy machine draws examples is no property of what is tested
@@ -14,6 +15,13 @@ settings.load_profile("busy")
 def pytest_collection_finish() -> None:
     """Let the collector of garbage pass over what was loaded, as workers do: most of a run is the making of items."""
     collect_seldom()
+
+
+@pytest.fixture(scope="session")
+def numeric_items(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> SharedItems:
+    """Items of every recipe and difficulty; each of several processes has a folder of its own in a common one."""
+    own = tmp_path_factory.getbasetemp()
+    return SharedItems((own.parent if hasattr(request.config, "workerinput") else own) / "numeric-items")
 
 
 @pytest.fixture

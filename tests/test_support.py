@@ -1,8 +1,13 @@
+import fcntl
 from pathlib import Path
+from threading import Event, Thread
 
 import pytest
 
+import fake_makers
 import readme
+import shared_items
+from sim2reason.datasets.plan import Made, Request
 
 TEXT = """
 # A project
@@ -86,3 +91,29 @@ def test_pages_run_one_after_the_other_in_one_folder_until_one_fails(tmp_path: P
     assert readme.main(*map(str, pages[:2])) == 0
     assert readme.main(*map(str, pages)) == 3
     assert readme.main(str(pages[1])) == 1
+
+
+def test_shared_items_are_made_once_and_a_cell_that_another_process_makes_comes_last(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made, past = list[str](), Event()
+
+    def steady(request: Request) -> Made:
+        made.append(request.id)
+        if request.difficulty == "hard":
+            past.set()
+        return fake_makers.steady(request)
+
+    monkeypatch.setattr(shared_items, "make", steady)
+    easy, hard = ("incline", "easy"), ("incline", "hard")
+    here, there = (shared_items.SharedItems(tmp_path / "items") for _ in range(2))
+    assert len(here.of(easy, 5)) == 4, "the fourth finds no draw"
+    with (tmp_path / "items/incline-easy").open() as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        other = Thread(target=there.of_all, args=({easy: 6, hard: 2},))
+        other.start()
+        assert past.wait(60.0), "it waits for the cell, although there is another"
+    other.join()
+    assert len(made) == len(set(made)) == 8
+    assert [item.id for item in here.of_all({easy: 6})] == [f"incline-easy-numeric-77-{n}" for n in (0, 1, 2, 4, 5)]
+    assert len(made) == 8

@@ -9,9 +9,8 @@ import pytest
 
 from cells import CELLS
 from english import LETTER, NUMBER, STRING, VERB, Prose, digits, introduced, shape
+from shared_items import SharedItems
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
 
 ITEMS, MORE = 12, 30  # of each cell, and of those whose sentences are counted: 756 in all
 CEILING = {"easy": 250, "medium": 250, "hard": 400}
@@ -32,14 +31,12 @@ class Sample:
     prose: Prose
 
 
+COUNTS = {(recipe, difficulty): MORE if recipe in TOLD_SHORT else ITEMS for recipe, difficulty in CELLS}
+
+
 @pytest.fixture(scope="module")
-def batch() -> list[Sample]:
-    made = (
-        make(Request(recipe, difficulty, "numeric", 77, index)).item
-        for recipe, difficulty in CELLS
-        for index in range(MORE if recipe in TOLD_SHORT else ITEMS)
-    )
-    return [Sample(item, Prose(item.prompt, item.shape)) for item in made if item is not None]
+def batch(numeric_items: SharedItems) -> list[Sample]:
+    return [Sample(item, Prose(item.prompt, item.shape)) for item in numeric_items.of_all(COUNTS)]
 
 
 def offenders(batch: list[Sample], pattern: str) -> list[str]:
@@ -48,7 +45,7 @@ def offenders(batch: list[Sample], pattern: str) -> list[str]:
 
 
 def test_the_batch_is_whole(batch: list[Sample]) -> None:
-    assert len(batch) >= 0.99 * sum(MORE if recipe in TOLD_SHORT else ITEMS for recipe, _ in CELLS)
+    assert len(batch) >= 0.99 * sum(COUNTS.values())
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
+from shared_items import SharedItems
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import TextError
 from sim2reason.prose import describe
@@ -17,11 +16,11 @@ ITEMS = 8  # of each recipe and difficulty; benchmarks/round_trip.py takes 500 i
 
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_the_answer_follows_from_the_text(recipe: str, difficulty: str) -> None:
+def test_the_answer_follows_from_the_text(recipe: str, difficulty: str, numeric_items: SharedItems) -> None:
     """The scene is rebuilt from the words, its hidden numbers are drawn anew, and it is solved and asked again."""
-    for index in range(ITEMS):
-        item = make(Request(recipe, difficulty, "numeric", 31, index)).item
-        assert item is not None
+    items = numeric_items.of((recipe, difficulty), ITEMS)
+    assert len(items) == ITEMS
+    for index, item in enumerate(items):
         understood = parse_prompt(item.prompt, np.random.default_rng(index))
         assert understood.answer == pytest.approx(item.answer.value, rel=0.01), item.prompt
         assert understood.query.kind == item.kind
