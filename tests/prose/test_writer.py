@@ -1,6 +1,7 @@
 """Scenes in words: three voices, names, symbols, and wordings chosen by a seed."""
 
 import re
+from typing import get_args
 
 import pytest
 
@@ -8,8 +9,10 @@ from sim2reason.bodies.block import Block
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.pulley import FixedPulley
 from sim2reason.connections.string import String
+from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.template import Topic
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
 from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
@@ -119,6 +122,15 @@ def test_only_what_the_text_mentions_has_a_mention() -> None:
     assert description.mention("left.system.blocks.0") in ("block A", "crate A")
     with pytest.raises(SceneError, match="mentions no such body"):
         description.mention("left.system")
+
+
+@pytest.mark.parametrize("recipe", ["collision", "incline", "pulley", "springs", "mixed"])
+def test_a_text_knows_the_topics_that_it_speaks_of(recipe: str) -> None:
+    for index in range(6):
+        told = describe(sample(recipe, "hard", seed=3, index=index), index)
+        matter = {t for t in get_args(Topic) if told.leaving_out({t}).sentences != told.sentences}
+        assert told.topics == matter
+        assert told.leaving_out(matter).topics == set()
 
 
 def test_small_words() -> None:

@@ -176,7 +176,7 @@ class QuestionSearch:
     def _told(self, question: Question, mode: QuestionMode, rng: np.random.Generator) -> "_Told":
         """A question with its prompt, as filters look at it."""
         study = mode.study(question, self.study)
-        description = mode.described(question, self._leaving_out(irrelevant(question, study)))
+        description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
         prompt = shaped(description, question, rng)
         said, level = description.sentences, self._difficulty
         candidate = Candidate(study, question, prompt.text, said, self.words, difficulty=level)

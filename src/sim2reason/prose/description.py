@@ -28,6 +28,7 @@ class Description:
     seed: int = 0
     voice: Voice = numeric
     without: frozenset[Topic] = frozenset()  # topics on which it says nothing
+    topics: frozenset[Topic] = frozenset()  # those on which it says something
     dry: Writer | None = field(default=None, compare=False, repr=False)  # of the first pass, if it is known
 
     @property
@@ -85,7 +86,8 @@ def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collect
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
     final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told), without)
     said, order, left_out = tuple(final.sentences()), tuple(final.told), frozenset(without)
-    return Description(scene, said, names, final.symbols, final.roles, order, seed, voice, left_out, dry)
+    topics = frozenset(final.topics)
+    return Description(scene, said, names, final.symbols, final.roles, order, seed, voice, left_out, topics, dry)
 
 
 def draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:

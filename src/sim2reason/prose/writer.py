@@ -54,6 +54,7 @@ class Writer(Terms):
         super().__init__(scene, names, voice, order)
         self._rng, self._without = rng, without
         self.roles: dict[str, Role] = {}
+        self.topics = set[Topic]()  # of what is said
         self._finished: list[str] = []
 
     @property
@@ -113,8 +114,10 @@ class Writer(Terms):
             return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
         template = self.choose(wordings(saying))
         if not isinstance(saying, Each):
-            said = topic_of(saying) not in self._without and self.says_line(saying, template, part)
-            return [self._as(role_of(saying), self.finish(self.render(template, address)))] if said else []
+            topic = topic_of(saying)
+            if topic in self._without or not self.says_line(saying, template, part):
+                return []
+            return [self._as(role_of(saying), self.finish(self.render(template, address)), topic)]
         members = getattr(part, saying.field)
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
         if len(members) >= TABLE_FROM and isinstance(members[0], Body) and alike(members):
@@ -155,15 +158,17 @@ class Writer(Terms):
                 continue
             sentence = self.render(self.choose(found.wordings), "")
             said = self.render(found.of_symbol, "") if "g = $g$" in sentence else sentence
-            told.append(self._as(found.role, self.finish(said)))
+            told.append(self._as(found.role, self.finish(said), found.topic))
         return told
 
     def leaves_out(self, closing: Closing) -> bool:
         """Whether a closing that the scene needs stays unsaid."""
         return closing.topic in self._without
 
-    def _as(self, role: Role, sentence: str) -> str:
-        """A sentence whose role is kept."""
+    def _as(self, role: Role, sentence: str, topic: Topic | None) -> str:
+        """A sentence whose role and topic are kept."""
+        if topic is not None:
+            self.topics.add(topic)
         if role != "fact":
             self.roles[sentence] = role
         return sentence

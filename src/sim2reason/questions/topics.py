@@ -1,7 +1,8 @@
 """Which sentences of a text matter to some questions only, and whether they do to one."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from math import inf
+from typing import get_args
 
 from sim2reason.dsl.template import Topic
 from sim2reason.questions import KINDS, Question, Study
@@ -14,14 +15,15 @@ from sim2reason.simulation.trace import happened
 
 STRIDE = 6  # every sixth point of an unknown's range is looked at
 AXES = "x", "y", "z"
+TOPICS: tuple[Topic, ...] = get_args(Topic)
 
 
-def irrelevant(question: Question, study: Study) -> frozenset[Topic]:
-    """The topics that do not matter to a question, on which a text need say nothing.
+def irrelevant(question: Question, study: Study, among: Collection[Topic] = TOPICS) -> frozenset[Topic]:
+    """The topics among those of a text that do not matter to a question, on which it need say nothing.
 
     Of what the text leaves open, only what is so for all that its numbers could be counts.
     """
-    return frozenset(topic for topic, matters in MATTERS.items() if not matters(question, study))
+    return frozenset(topic for topic, matters in MATTERS.items() if topic in among and not matters(question, study))
 
 
 def _uses_axes(question: Question, study: Study) -> bool:
