@@ -45,8 +45,11 @@ def test_the_ends_of_a_step_are_met_exactly() -> None:
     y = wanted(1.0)
     step = dop853.advance(swing, 1.0, y, swing(1.0, y), 0.3, TOLERANCE)
     polynomial = dop853.dense(swing, 1.0, y, 0.3, step.values, step.stages)
-    assert dop853.interpolated(y, polynomial, 0.0) == list(y)
+    assert dop853.interpolated(y, polynomial, 0.0) == y
     assert dop853.interpolated(y, polynomial, 1.0) == pytest.approx(step.values, rel=1e-15)
+    for x in (0.0, 0.37, 1.0):
+        both = tuple(dop853.interpolated_one(*each, x) for each in zip(y, polynomial, strict=True))
+        assert dop853.interpolated(y, polynomial, x) == both
     assert step.stages[-1] == pytest.approx(swing(1.3, step.values), rel=1e-15)
 
 

@@ -51,13 +51,17 @@ def dense(rate: Rate, time: float, values: Values, h: float, new: Values, stages
     return _polynomial(len(values))(h, values, new, stages, more)
 
 
-def interpolated(values: Values, polynomial: tuple[Values, ...], x: float) -> list[float]:
+def interpolated(values: Values, polynomial: tuple[Values, ...], x: float) -> Values:
     """The unknowns at a fraction `x` of the step."""
+    found: Values = _interpolation(len(values))(values, polynomial, x)
+    return found
+
+
+def interpolated_one(start: float, coefficients: Values, x: float) -> float:
+    """One unknown, which begins at `start`, at a fraction `x` of the step."""
+    a, b, c, d, e, f, g = coefficients
     y = 1.0 - x
-    return [
-        start + x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
-        for start, (a, b, c, d, e, f, g) in zip(values, polynomial, strict=True)
-    ]
+    return start + x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
 
 
 def first_step(rate: Rate, time: float, values: Values, first: Values, tolerance: Sequence[float]) -> float:
@@ -116,6 +120,18 @@ def _extension(size: int) -> Callable[..., Stages]:
     lines += chain.from_iterable(_stage(number, size) for number in range(13, 16))
     lines.append("return k13, k14, k15")
     return compiled("rate, t, y, h, stages", lines)
+
+
+@cache
+def _interpolation(size: int) -> Callable[..., Values]:
+    lines = [f"{_names('y', size)} = values", "z = 1.0 - x"]
+    lines += [f"a{i}, b{i}, c{i}, d{i}, e{i}, f{i}, g{i} = polynomial[{i}]" for i in range(size)]
+    found = (
+        f"y{i} + x * (a{i} + z * (b{i} + x * (c{i} + z * (d{i} + x * (e{i} + z * (f{i} + x * g{i})))))), "
+        for i in range(size)
+    )
+    lines.append(f"return ({''.join(found)})")
+    return compiled("values, polynomial, x", lines)
 
 
 @cache

@@ -47,7 +47,7 @@ class FlowStep:
             self._polynomial = dop853.dense(rate, self.time, self.values, self.length, self.new, self.stages)
         return self._polynomial
 
-    def at(self, x: float) -> list[float]:
+    def at(self, x: float) -> dop853.Values:
         """Coordinates and rates at a fraction of the step."""
         return dop853.interpolated(self.values, self.polynomial, x)
 
@@ -71,11 +71,12 @@ class StepTable:
         self.polynomials = np.empty((dop853.COEFFICIENTS, *self.values.shape))
         self._filled = set[int]()
 
-    def fill(self, steps: Sequence[FlowStep], number: int) -> None:
-        """Look at a step."""
-        if number not in self._filled:
-            self._filled.add(number)
-            self.polynomials[:, number] = np.array(steps[number].polynomial).T
+    def fill(self, steps: Sequence[FlowStep], numbers: set[int]) -> None:
+        """Look at some steps."""
+        new = sorted(numbers - self._filled)
+        if new:
+            self._filled.update(new)
+            self.polynomials[:, new] = np.array([steps[number].polynomial for number in new]).transpose(2, 0, 1)
 
 
 class Flow:
@@ -231,7 +232,8 @@ class Flow:
             old, new = step.values[number], step.new[number]
             if old * new < 0.0 and abs(old) > REST and abs(new) > REST:
                 sign = 1.0 if old > 0.0 else -1.0
-                x = first_root(lambda x, i=number, s=sign: s * step.at(x)[i], 0.0, 1.0)
+                path = step.polynomial[number]
+                x = first_root(lambda x, o=old, p=path, s=sign: s * dop853.interpolated_one(o, p, x), 0.0, 1.0)
                 self.turns.append((step.time + x * step.length, number - n))
 
 
@@ -239,8 +241,7 @@ def sampled(flow: Flow, times: Array) -> Array:
     """Coordinates and rates at times within a flow, (m, 2n)."""
     table = flow.table
     at = np.maximum(np.searchsorted(table.starts, times, side="right") - 1, 0)
-    for number in set(at.tolist()):
-        table.fill(flow.steps, number)
+    table.fill(flow.steps, set(at.tolist()))
     x = ((times - table.starts[at]) / table.lengths[at])[:, None]
     y = 1.0 - x
     a, b, c, d, e, f, g = table.polynomials[:, at]
