@@ -122,7 +122,10 @@ def unfixed(question: Question, study: Study) -> str:
     """
     if question.given is None or not question.unknown:
         return ""
-    fine = Dependence(question.query, study, question.unknown, ENOUGH, roomy(study.scene))
+    scene = roomy(study.scene)
+    fine = Dependence(question.query, study, question.unknown, ENOUGH, scene)
+    if scene is study.scene:
+        fine.know(question.answer, question.given.value)
     scan = Scan(fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE))
     values = range_of(study.scene, question.unknown, question.answer)
     edge = scan.edge(values)

@@ -84,6 +84,7 @@ class Tape:
         self._known: dict[Node, int] = {}
         self._constant: dict[float, int] = {}
         self.names = list(inputs)
+        self._stands = False  # before that, values say nothing
         for number in range(len(inputs)):
             self.node("input", number, -1)
         self.written = 0  # operations, in the code that was written last
@@ -103,7 +104,7 @@ class Tape:
             number = len(self.nodes)
             self._known[key] = number
             self.nodes.append(key)
-            self.values.append(0.0 if operation == "input" else self._value(key))
+            self.values.append(self._value(key) if self._stands else 0.0)
         return Symbol(self, number)
 
     def binary(self, operation: str, a: Number, b: Number) -> Symbol:
@@ -140,7 +141,7 @@ class Tape:
 
     def stand(self, inputs: Sequence[float]) -> None:
         """Go to a point: give every symbol its value there, NaN where it has none."""
-        values, nodes = self.values, self.nodes
+        values, nodes, self._stands = self.values, self.nodes, True
         for number, value in enumerate(inputs):
             values[number] = value
         for number in range(len(self.names), len(nodes)):
