@@ -30,15 +30,13 @@ def make_trainer(
     *,
     weights: Sequence[float] | None = None,
 ) -> "GSPOTrainer":
-    """A trainer of `model`, in the folder `out`.
+    """A trainer of a checkpoint, given as such or by its folder or name, or of a causal language model itself.
 
-    The model is a checkpoint, the folder or name of one, or a causal language model itself. Rewards are functions as
-    TRL calls them, ``reward(prompts, completions, **columns)``, which give a number or None for each completion; what
-    is learned from is their sum, with `weights` if there are any.
-
-    ``trainer.train()`` trains, ``trainer.train(resume_from_checkpoint=True)`` goes on after a kill: `model` is then the
-    same as at the beginning, since the KL divergence is to it. All processes of ``accelerate launch`` or ``torchrun``
-    call this alike, and only the first one reads the stream.
+    It writes into the folder `out`. Rewards are functions as TRL calls them, ``reward(prompts, completions,
+    **columns)``, which give a number or None for each completion; what is learned from is their sum, with `weights` if
+    there are any. ``trainer.train()`` trains, and ``trainer.train(resume_from_checkpoint=True)`` goes on after a kill:
+    `model` is then the same as at the beginning, since the KL divergence is to it. All processes of ``accelerate
+    launch`` or ``torchrun`` call this alike, and only the first one reads the stream.
 
     Raises:
         MissingExtraError: the libraries of the extra [train] are not installed.
@@ -53,18 +51,9 @@ def make_trainer(
         args.model_init_kwargs = {**_weights(settings), **model.settings}
         model = model.path
     elif tuned is None:
-        model.float()
-        if settings.beta:
-            _save_reference(model, Path(out) / "reference", args)
-    return trainer.GSPOTrainer(
-        stream,
-        settings,
-        model=model,
-        reward_funcs=list(rewards),
-        args=args,
-        processing_class=tokenizer,
-        peft_config=tuned,
-    )
+        _prepare(model, Path(out) / "reference", args)
+    given = {"model": model, "reward_funcs": list(rewards), "processing_class": tokenizer}
+    return trainer.GSPOTrainer(stream, settings, args=args, peft_config=tuned, **given)
 
 
 def _arguments(settings: GSPOSettings, out: Path, weights: Sequence[float] | None) -> Any:  # noqa: ANN401 - TRL's own
@@ -152,8 +141,11 @@ def _rollouts(settings: GSPOSettings) -> dict[str, Any]:
     }
 
 
-def _save_reference(model: Any, folder: Path, args: Any) -> None:  # noqa: ANN401 - transformers' own
-    """Save a model from which the run begins: TRL loads its reference by path."""
+def _prepare(model: Any, folder: Path, args: Any) -> None:  # noqa: ANN401 - transformers' own
+    """Make a model in memory float32, and save it as the run begins: TRL loads its reference by path."""
+    model.float()
+    if not args.beta:
+        return
     with args.main_process_first(desc="reference"):
         if args.process_index == 0:
             model.save_pretrained(folder)
