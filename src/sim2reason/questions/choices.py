@@ -47,7 +47,7 @@ def still(trace: Trace, speeds: Array) -> float:
 
 def at(trace: Trace, time: float) -> State:
     """The motion at one instant."""
-    return trace.sample(np.array([time]))
+    return trace.at(time)
 
 
 def bears_from(trace: Trace) -> float:

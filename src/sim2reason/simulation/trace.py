@@ -79,6 +79,18 @@ class Trace:
         )
 
     @cached_property
+    def _instants(self) -> dict[float, State]:
+        """What was looked at before."""
+        return {}
+
+    def at(self, time: float) -> State:
+        """The motion at one instant, s; several readers look at the same ones."""
+        found = self._instants.get(time)
+        if found is None:
+            found = self._instants[time] = self.sample(np.array([time]))
+        return found
+
+    @cached_property
     def scan(self) -> State:
         """The motion at the engine's own knots, on both sides of every event, and at instants between them.
 
