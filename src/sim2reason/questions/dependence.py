@@ -233,10 +233,10 @@ def _ways(study: Study, time: float) -> tuple[float, ...]:
     In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and
     between them takes for ever.
     """
-    known = study.trace.sample(np.array([0.0, time]))
-    changes = known.q[-1] - known.q[0] if time else known.a[0]
+    start, end = study.trace.at(0.0), study.trace.at(time)
+    changes = end.q[0] - start.q[0] if time else start.a[0]
     largest = np.abs(changes).max()
-    turns = np.abs(known.v[-1]) * time <= TURNING * largest if time else np.zeros(len(changes), dtype=bool)
+    turns = np.abs(end.v[0]) * time <= TURNING * largest if time else np.zeros(len(changes), dtype=bool)
     return (*np.sign(np.where(np.abs(changes) > STILL * largest, changes, 0.0)).tolist(), *turns.tolist())
 
 

@@ -149,7 +149,7 @@ class ValueKind(Kind):
         time = study.time(query.moment)
         if time is None:
             return None
-        return query.target.value(study.trace.sample(np.array([query.moment.side(time)])))
+        return query.target.value(study.trace.at(query.moment.side(time)))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: what is the speed of A 0.80 s after release?"""

@@ -93,7 +93,7 @@ class Extreme(Functional):
         """The function on the scan up to a time, s, and at that time."""
         scan = trace.scan
         within = scan.times < end
-        last = self.height(trace.sample(np.array([end])), name)
+        last = self.height(trace.at(end), name)
         return np.append(scan.times[within], end), np.append(self.height(scan, name)[within], last)
 
     def _highest(self, trace: Trace, name: str, times: Array, tops: NDArray[np.intp]) -> tuple[int, float]:
