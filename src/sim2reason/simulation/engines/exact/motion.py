@@ -110,7 +110,8 @@ class Motion:
 
     def _flows(self, at: NDArray[np.intp]) -> Iterator[tuple[Segment, Flow, NDArray[np.bool_]]]:
         """The integrated ones among the segments that instants belong to, with their flows, and which instants."""
-        for number in dict.fromkeys(at.tolist()):
+        numbers: list[int] = at.tolist()
+        for number in dict.fromkeys(numbers):
             segment = self.segments[number]
             if segment.flow is not None and segment.flow.steps:
                 yield segment, segment.flow, at == number
@@ -118,7 +119,8 @@ class Motion:
     def _kinematics(self, times: Array, at: NDArray[np.intp]) -> tuple[Array, Array]:
         """Coordinates and their rates."""
         n, lone = self._widths[0], len(self.segments) == 1  # whose one row NumPy repeats by itself
-        if lone and (flow := self.segments[0].flow) is not None and flow.steps:
+        flow = self.segments[0].flow if lone else None
+        if flow is not None and flow.steps:
             values = sampled(flow, np.minimum(times, flow.time))
             return values[:, :n], values[:, n:]
         table = self._table if lone else self._table[at]
