@@ -9,15 +9,16 @@ import numpy as np
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.questions import KINDS, Query, Study
-from sim2reason.questions.study import BEYOND, SHORTEST
+from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.trace import ENGINES
+from sim2reason.simulation.trace import ENGINES, FINEST
 from sim2reason.solutions.expressions import Expression, Sum
+from sim2reason.solutions.strategies import accelerates
 
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
 LATEST = 4.0  # times that, before nothing is said to come at all
 LOOKED, EACH = 240, 2  # numbers for which the signs of a formula's sums are looked at; how often each is turned
-SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, since each turn has its price
+SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, and last of these what else is integrated
 STEEPEST = 89.0  # degrees
 EQUAL = 1e-9  # relative
 
@@ -62,6 +63,18 @@ class Variation:
     def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
         """What happens before that, in order; turns change nothing."""
         return self.study.trace.story(self.until)
+
+    @property
+    def finer(self) -> "Variation | None":
+        """The same followed by the finest steps; None if it is by then, or has no answer any more."""
+        scene, trace = self.study.scene, self.study.trace
+        if not trace.tolerance:
+            return None
+        try:
+            found = _answered(self.query, Study(scene, ENGINES[RECORDED](scene.mechanism, trace.state.times)))
+        except SimulationError:
+            return None
+        return None if found is None else Variation(self.values, *found)
 
 
 @dataclass(frozen=True)
@@ -177,13 +190,14 @@ class Variations:
         """With these numbers, followed to each of some times, s, by default as long as it may take."""
         said = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking([value for held, value in said.items() if not held.path]), None
+        error = FINEST if barren is None else ENOUGH  # far away nothing is recorded, and a formula holds or does not
         try:
             scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
             if scene.mechanism.routes != self.study.mechanism.routes:
                 return None  # the text tells another course of a string
             ends = ends or self._ends(query)
             for end in ends if barren is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
-                seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end])))
+                seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
                 found = _answered(query, seen)
                 if found is not None:
                     return Variation(self._counted(values), *found)
@@ -213,8 +227,10 @@ class Variations:
         if times and not self._waits(query):
             return (max(BEYOND * times[0], least),)
         comes = self._waits(query) or KINDS[query.kind].name == "period"
-        sooner = SOONER if comes and self.study.mechanism.attractions and LATER * here > least else ()
-        return tuple(max(factor * here, least) for factor in (*sooner, LATER))
+        mechanism = self.study.mechanism
+        sooner = SOONER if mechanism.attractions else SOONER[-1:] if accelerates(mechanism) else ()
+        tried = sooner if comes and LATER * here > least else ()
+        return tuple(max(factor * here, least) for factor in (*tried, LATER))
 
 
 def _answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:

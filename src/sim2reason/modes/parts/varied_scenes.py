@@ -16,6 +16,7 @@ NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as
 WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
 TRIES, WIDELY, ACROSS = 16, 12, 4
 SAME = 1e-6  # relative: how well the formula agrees with the engine
+CLOSE = 1e-3  # relative: what misses by more does not miss by the engine's steps
 
 
 class VariedScenes:
@@ -157,7 +158,11 @@ class VariedScenes:
             found = formula.value(other.values)
         except (ValueError, ZeroDivisionError, OverflowError):
             return False
-        return abs(found - other.answer * self._factor) <= SAME * abs(other.answer * self._factor)
+        missed, size = abs(found - other.answer * self._factor), abs(other.answer * self._factor)
+        if not SAME * size < missed <= CLOSE * size:
+            return missed <= SAME * size
+        finer = other.finer  # since what steps err by may grow on the way
+        return finer is not None and self._agrees(formula, finer)
 
 
 def _some(found: Sequence[Regime]) -> Iterator[tuple[Regime, ...]]:
