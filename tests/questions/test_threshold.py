@@ -122,6 +122,22 @@ def test_a_block_is_drawn_up_by_one_heavy_enough(friction: float) -> None:
     assert critical(scene, "rises", block, path) == pytest.approx(expected, rel=1e-6)
 
 
+def test_where_a_number_hardly_matters_the_limit_is_found_as_closely() -> None:
+    """A light block in a train of two: 1.5 kg = (m + 2.7 kg) (sin 30° + µ cos 30°), m = 11.2 g.
+
+    If what is slower than 1e-9 g times the time were at rest, the limit would be 7e-7 too low.
+    """
+    pull = sin(radians(30.0)) + 0.0615 * cos(radians(30.0))
+    expected = 1.5 / pull - 2.7
+    slope = OnPlane(plane=Plane(angle=30.0, friction=0.0615), blocks=(Block(mass=0.02), Block(mass=2.7)))
+    scene = lifted()
+    entity = scene.entities[0].entity.model_copy(update={"system": slope})
+    scene = scene.model_copy(update={"entities": (Named(name="one", entity=entity), scene.entities[1])})
+    block = "one.system.blocks.0"
+    trial = Trial(study(scene), OUTCOMES["rises"](block), f"{block}.mass")
+    assert trial.between(0.8 * expected, 1.2 * expected) == pytest.approx(expected, rel=3e-7)
+
+
 @pytest.mark.parametrize(
     ("scene", "outcome", "name", "path"),
     [

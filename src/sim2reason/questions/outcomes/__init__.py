@@ -5,6 +5,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
+import numpy as np
+
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
@@ -15,6 +17,7 @@ from sim2reason.registry import Registry
 from sim2reason.simulation.trace import Trace
 
 AT_ONCE = 0.01  # of the horizon: how long it takes to see what a release brings about
+NOTHING = 1e-12  # of g times the time: less is a slip of numbers; of what is at rest engines leave 1e-15
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +93,11 @@ class Onset(PossibleOutcome):
     def duration(self, scene: Scene) -> float:
         """A moment."""
         return AT_ONCE * scene.horizon
+
+
+def slip_of_numbers(trace: Trace) -> float:
+    """Up to which speed what is at rest may seem to move in a motion, m/s."""
+    return NOTHING * float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
 
 
 def is_steady_release(words: Words) -> bool:

@@ -2,16 +2,12 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import UP, Bodies
 from sim2reason.quantities.subjects.paths import center_path, rides
-from sim2reason.questions.outcomes import OUTCOMES, Onset, is_steady_release
+from sim2reason.questions.outcomes import OUTCOMES, Onset, is_steady_release, slip_of_numbers
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
-
-STILL = 1e-9  # of g times the time
 
 
 @OUTCOMES.register("rises")
@@ -37,8 +33,7 @@ class Rises(Onset):
 
     def excess(self, trace: Trace) -> float:
         """That velocity, but for what is none."""
-        free = float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
-        return float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - STILL * free
+        return float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - slip_of_numbers(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: block A starts to move up the slope."""

@@ -6,11 +6,9 @@ import numpy as np
 
 from sim2reason.quantities.subjects.contacts import Contacts
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
-from sim2reason.questions.outcomes import OUTCOMES, Onset, is_steady_release
+from sim2reason.questions.outcomes import OUTCOMES, Onset, is_steady_release, slip_of_numbers
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
-
-STILL = 1e-9  # of g times the time: less is a slip of numbers
 
 
 @OUTCOMES.register("slides")
@@ -35,8 +33,7 @@ class Slides(Onset):
 
     def excess(self, trace: Trace) -> float:
         """The fastest that it slips, but for what is none."""
-        free = float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
-        return float(np.abs(slip(trace.state, self.name)).max()) - STILL * free
+        return float(np.abs(slip(trace.state, self.name)).max()) - slip_of_numbers(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: block A slips on the plane."""

@@ -9,11 +9,10 @@ from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.quantities.subjects.contacts import Contacts
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
-from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
+from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome, slip_of_numbers
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
-STILL = 1e-9  # of g times the time
 ROUNDING = 1e-9  # m/s
 
 
@@ -48,8 +47,7 @@ class SlipsRolling(PossibleOutcome):
 
     def excess(self, trace: Trace) -> float:
         """The fastest that it slips, but for what is none."""
-        free = float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
-        return float(np.abs(slip(trace.state, self.name)).max()) - STILL * free
+        return float(np.abs(slip(trace.state, self.name)).max()) - slip_of_numbers(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: the cylinder slips."""
