@@ -13,6 +13,7 @@ from sim2reason.questions.dependence import Dependence, roomy
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.only_root import Scan
 from sim2reason.questions.targets import Target
+from sim2reason.questions.unknown import far_from
 from sim2reason.simulation.scenes import simulate
 
 ROOT = 2.0
@@ -92,6 +93,21 @@ def test_between_numbers_for_which_different_things_happen_more_are_tried() -> N
 def test_what_begins_to_happen_at_the_root_makes_no_other_root() -> None:
     """What is not told from the root is it."""
     assert found(lambda value: 1.0 - (value - ROOT) / 4.0, 1.001 * ROOT) is None
+
+
+@pytest.mark.parametrize(("other", "seen"), [(70.0, True), (1e4, False)])
+def test_another_root_far_beyond_the_range_is_seen(other: float, *, seen: bool) -> None:
+    """A quadratic with a root at 70 times the other, as a launch so fast that it falls back from the other side."""
+    scan = Scan(Known(lambda value: value + other * ROOT**2 / value), ROOT, ROOT * (1.0 + other), MARGIN)  # type: ignore[arg-type]
+    assert scan.another(VALUES) is None
+    assert (scan.far(far_from(VALUES, ROOT, "m/s")) is not None) is seen
+
+
+def test_what_is_far_from_a_number_has_its_sign() -> None:
+    both = (-5.0, -1.0, 0.0, 1.0, 5.0)
+    assert {at < 0.0 for at in far_from(both, -2.0, "m")} == {True}
+    assert max(map(abs, far_from(both, -2.0, "m"))) == pytest.approx(200.0)
+    assert far_from(both, 30.0, "deg") == []
 
 
 def test_a_function_that_only_rises_has_one_root() -> None:

@@ -27,7 +27,7 @@ from sim2reason.questions.only_root import Scan
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.study import COARSE, ENOUGH
 from sim2reason.questions.targets import Target, targets
-from sim2reason.questions.unknown import range_of, some
+from sim2reason.questions.unknown import far_from, range_of, some
 
 FIXED = 1e-2  # relative: how well what is given must fix the answer
 DIGITS = (2, 3)  # of what is given: as few as do
@@ -137,7 +137,10 @@ def unfixed(question: Question, study: Study) -> str:
     if other is not None:
         return f"another: {other:.3g} {question.unit} is not excluded"
     end = scan.end(values)
-    return f"end: behind {end:.3g} {question.unit} there may be another number" if end is not None else ""
+    if end is not None:
+        return f"end: behind {end:.3g} {question.unit} there may be another number"
+    far = scan.far(far_from(values, question.answer, question.unit))
+    return f"far: {far:.3g} {question.unit} is not excluded, or a number before it" if far is not None else ""
 
 
 def _noun(query: Query, words: Words) -> Noun | None:

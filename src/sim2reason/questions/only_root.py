@@ -49,6 +49,14 @@ class Scan:
         beside = sorted(self._root + side * EDGE * abs(self._root) for side in (-1.0, 1.0))
         return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
 
+    def far(self, values: Sequence[float]) -> float | None:
+        """One of some numbers far away whose answer is not clear of what is given; None if none is.
+
+        Nothing is looked for between them, nor is it waited for: beyond one more root all answers are on the wrong side.
+        """
+        clear = ((at, self._clear(at)) for at in values)
+        return next((at for at, by in clear if by is not None and by <= 1.0), None)
+
     def end(self, values: Sequence[float]) -> float | None:
         """An end of the range of `values` where answers come back so fast that there may be another root behind it.
 

@@ -14,6 +14,7 @@ from sim2reason.errors import SceneError
 
 BEYOND = 10.0  # times what it is drawn from, either way
 POINTS = 64
+FAR, STEPS = 100.0, 16  # times a value, either way, in so many equal steps on the logarithmic scale
 LEAST = 1e-2  # of the high end of a range that begins at zero
 OWN = frozenset(
     {"mass", "magnitude of the charge", "radius"}
@@ -95,6 +96,19 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     begin = max((low if unit == "deg" else max(low, high * LEAST)) / BEYOND, held.least)
     usual = spaced(begin, min(high * BEYOND, held.most), POINTS)
     return (*usual.tolist(), *_onwards(usual, min(about * BEYOND, held.most)))
+
+
+def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
+    """Numbers of one sign with a value, and beyond some others, to a hundred times it and to a hundredth of it.
+
+    They are few, the nearest ones first. Of angles there are none: far ones are others that are near.
+    """
+    if not about or unit == "deg":
+        return []
+    low, high = (values[0], values[-1]) if about > 0.0 else (-values[-1], -values[0])
+    size = abs(about)
+    tried = (size * FAR ** (side * n / STEPS) for n in range(1, STEPS + 1) for side in (1, -1))
+    return [found if about > 0.0 else -found for found in tried if found > high or found < low]
 
 
 def _onwards(points: Array, end: float) -> list[float]:
