@@ -178,6 +178,15 @@ def test_numbers_are_masses_as_the_text_has_them(scenes: list[Scene]) -> None:
                 assert parameter.measure.say(parameter.value) in shown
 
 
+def test_of_an_answer_no_drawing_shows_all_digits() -> None:
+    """A scene whose unknown a result has fixed is as good as any other."""
+    plane, block = Plane(angle=27.02527720163310, friction=0.2), Block(mass=1.091525566828)
+    scene = Scene(entities=(Named(name="ramp", entity=TwoSideMassPlane(plane=plane, blocks=(block,))),))
+    shown = {label.text for label in drawing(scene, numbers=True).labels}
+    assert "27.025°" in shown
+    assert any("1.0915 kg" in text for text in shown)
+
+
 def test_glue_does_not_show(scenes: list[Scene]) -> None:
     scene = next(s for s in scenes if any(isinstance(b, Wedge) for b in s.bodies.values()))
     wedge = next(a for a, b in scene.bodies.items() if isinstance(b, Wedge))

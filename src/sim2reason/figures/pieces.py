@@ -5,7 +5,7 @@ A piece is made for a body by its look, see `PIECES`; so an entity made of bodie
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import isclose
 from typing import TypeVar
 
@@ -18,6 +18,7 @@ from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
 from sim2reason.prose.description import Description
 
 LIKE = 1e-9  # SI units, between numbers that are one
+DIGITS = 5  # of a number in a drawing, at most: as many as worked solutions carry
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,9 +90,13 @@ class DrawingPlan:
         return self.told(parameter) if self.numbers and parameter is not None and parameter.value else ""
 
     def told(self, parameter: Parameter) -> str:
-        """A number in the voice of the text: one that it leaves open is its symbol."""
+        """A number in the voice of the text: one that it leaves open is its symbol, of a longer one five digits stand.
+
+        A result fixes an unknown to all digits that a computer has: no drawing needs them.
+        """
         symbol = self.description.symbols.get(parameter.path, parameter.measure.symbol)
-        return self.description.voice(parameter, symbol)
+        shown = parameter.value and float(f"{parameter.value:.{DIGITS}g}")
+        return self.description.voice(replace(parameter, value=shown), symbol)
 
     def stated(self, owner: str, unit: str, value: float) -> str:
         """The same for a number of an entity or a body, if one of that size and unit is stated; else nothing."""
