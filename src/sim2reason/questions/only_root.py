@@ -52,7 +52,7 @@ class Scan:
     def far(self, values: Sequence[float]) -> float | None:
         """One of some numbers far away whose answer is not clear of what is given; None if none is.
 
-        Nothing is looked for between them, nor is it waited for: beyond one more root all answers are on the wrong side.
+        Nothing is looked for between them, nor is it waited for: beyond another root answers are on the wrong side.
         """
         clear = ((at, self._clear(at)) for at in values)
         return next((at for at, by in clear if by is not None and by <= 1.0), None)
