@@ -1,7 +1,8 @@
-"""Whether what burns fuel has any left."""
+"""Whether what burns fuel has any left, and has not come down yet."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import Self
 
 from sim2reason.quantities.subjects.bodies import Bodies
@@ -15,17 +16,23 @@ THEN = 1e-9  # relative: a moment that is no farther from burn-out is that
 @REGIMES.register("burnt out")
 @dataclass(frozen=True, slots=True)
 class BurntOut(Regime):
-    """The fuel is used up before the moment that is asked about, or it is not."""
+    """The fuel is used up before the moment that is asked about, or it is not.
+
+    What may come down again has not done so: its motion ends there, but not what a symbol for a time may stand for.
+    """
 
     of = Bodies()
 
     out: bool
+    falls: bool = False
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
         """What burns fuel."""
-        named = words.called(cls.of)
-        return [cls(burn.body, out) for burn in study.mechanism.burns if burn.body in named for out in (True, False)]
+        named = [burn.body for burn in study.mechanism.burns if burn.body in words.called(cls.of)]
+        body = study.mechanism.body
+        falls = {name: "s" in words.own and any(c.lower > -inf for c in body[name].coordinates) for name in named}
+        return [held for name in named for held in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether the moment is later than burn-out, or earlier; at burn-out itself nothing need be said."""
@@ -38,6 +45,8 @@ class BurntOut(Regime):
         return True
 
     def clause(self, words: Words) -> str:
-        """As in: the rocket has used up its fuel by then."""
+        """As in: the rocket has used up its fuel by then but not come down yet."""
         called = words.called(self.of)[self.name]
-        return f"{called} has used up its fuel by then" if self.out else f"{called} still has fuel then"
+        if not self.out:
+            return f"{called} still has fuel then"
+        return f"{called} has used up its fuel by then{' but not come down yet' * self.falls}"
