@@ -363,3 +363,18 @@ def test_a_root_of_a_square_is_what_is_squared() -> None:
     assert "|" not in found.formula.latex
     assert "^{2}" not in found.formula.latex
     assert paid(found, r"\left(d - \frac{\mu m g}{k}\right) \sqrt{\frac{k}{m}}")
+
+
+def test_a_string_that_goes_slack_where_no_sum_turns_its_sign_is_not_missed() -> None:
+    """Two hands draw the box: only if one is strong, g weak and the block on top heavy, that outruns its load."""
+    found = make(Request("box", "hard", "symbolic", 1140, 5)).item
+    assert found is not None
+    assert "friction between block A and the box" in found.prompt
+    assert "Assume that all strings stay taut and that block A slides to the left on the box." in found.prompt
+
+
+def test_what_sticks_where_no_sum_turns_its_sign_is_not_missed() -> None:
+    """Blocks that rest on a box that is drawn the other way go with it, at a corner of eight numbers."""
+    found = make(Request("box", "hard", "symbolic", 1140, 8)).item
+    assert found is not None
+    assert "Assume that block A moves to the right and that block D moves down." in found.prompt

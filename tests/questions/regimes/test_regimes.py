@@ -202,3 +202,19 @@ scene:
   connections:
   - {{pivot: [{{entity: slider, direction: pivot}}, {{entity: rod, direction: base}}]}}
 """)
+
+
+def test_what_may_come_down_before_a_time_that_is_a_symbol_has_not() -> None:
+    """In deep space nothing comes down; nor does a text speak of it that says no time."""
+    seen = item(recipe="rocket", difficulty="hard", mode="symbolic", seed=20261140, index=1)
+    assert "at the instant t = $t_1$" in seen.prompt
+    assert "has used up its fuel by then but not come down yet" in seen.prompt
+    motion, words = study(rocket(10.0), 90.0), words_of(describe(rocket(10.0)))
+    assert [held.clause(words) for held in BurntOut.possible(motion, words) if "come down" in held.clause(words)] == []
+
+
+def test_where_bodies_may_collide_one_moves_only_one_way() -> None:
+    """A cart at 1 m/s and one at rest, which is struck at 1 s: of what moves to the right a text may mean either."""
+    found = [clause for clause in said(squeezed(heavy=1.0), 1.5) if " moves " in clause]
+    assert "cart B moves only to the right" in found
+    assert all("moves only" in clause for clause in found)

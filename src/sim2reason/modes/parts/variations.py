@@ -146,8 +146,12 @@ class Variations:
             for times in (exp(-width), exp(width)):
                 yield from self._moving([*here[:n], here[n] * times, *here[n + 1 :]], barren)
 
+    def having(self, values: Sequence[float], barren: list[Study] | None = None) -> Variation | None:
+        """With some numbers; None if there is no answer then, or an angle would be as good as a right one."""
+        return None if self._is_steep(values) else self._at(values, barren)
+
     def _moving(self, values: Sequence[float], barren: list[Study]) -> Iterator[Variation]:
-        found = None if self._is_steep(values) else self._at(values, barren)
+        found = self.having(values, barren)
         if found is not None:
             yield found
 

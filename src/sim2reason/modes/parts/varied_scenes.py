@@ -5,6 +5,7 @@ from itertools import chain, combinations
 
 import numpy as np
 
+from sim2reason.modes.parts.corners import Margin, leaving
 from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
 from sim2reason.questions import Formula, Study, Words
 from sim2reason.questions.regimes import FEW, Regime, regimes
@@ -29,6 +30,7 @@ class VariedScenes:
         self._near: list[Variation] = []
         self._wide: list[Variation] = []
         self._more: Iterator[Variation] | None = None
+        self._left = set[tuple[Regime, tuple[Regime, ...]]]()  # what was led out of, while what held
         self._barren: list[Study] = []  # motions far from the scene's own in which there is no answer
 
     def of_scene(self, whole: Expression) -> bool:
@@ -89,18 +91,33 @@ class VariedScenes:
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
         """The fewest regimes that leave no scene in which the formula does not hold; None if no few do.
 
-        And those that are told always, first of all. Where some few do, they also leave none that begins in another way
-        or loses one, and then has no answer: a text that does not exclude that seems to ask for it, too.
+        And those that are told always, first of all. Other scenes are looked for far from the scene's own, and then
+        where what the scene does is left though all that is told holds: a string may go slack, or what slides stick,
+        without a sum in the formula turning its sign.
         """
         kept = self._shared(words)
-        told = {held for held in kept if held.always_told(self._near[0].study)}
         excluding: list[set[Regime]] = []
         for other in self._widely(formula.expression, rng):
-            if self._agrees(formula.expression, other):
-                continue
-            excluding.append({held for held in kept if not held.holds(other.study, other.until)})
-            if not excluding[-1]:
-                return None
+            if not self._agrees(formula.expression, other):
+                excluding.append(self._leaving_out(other, kept))
+                if not excluding[-1]:
+                    return None
+        chosen = self._fewest(kept, excluding)
+        for held in kept:  # that may be what matters
+            matters = chosen is not None and (held.unseen or any(held in left for left in excluding))
+            other = self._leaving(held, chosen) if chosen is not None and matters else None
+            if other is not None and not self._agrees(formula.expression, other):
+                excluding.append(self._leaving_out(other, kept))
+                chosen = self._fewest(kept, excluding)
+        return chosen
+
+    def _fewest(self, kept: Sequence[Regime], excluding: Sequence[set[Regime]]) -> tuple[Regime, ...] | None:
+        """The fewest regimes of which one at least is in each of some sets, with those that are told always.
+
+        Where some few do, they also leave no scene that begins in another way or loses one, and then has no answer: a
+        text that does not exclude that seems to ask for it, too.
+        """
+        told = {held for held in kept if held.always_told(self._near[0].study)}
         begun = [*excluding, *self._begun_otherwise(kept)]
         fitting = [some for some in _some(kept) if told.issubset(some)]
         for left in (begun, excluding):
@@ -110,6 +127,26 @@ class VariedScenes:
             if chosen is not None:
                 return chosen
         return None
+
+    @staticmethod
+    def _leaving_out(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
+        """The regimes of which each leaves out a scene."""
+        return {held for held in kept if not held.holds(other.study, other.until)}
+
+    def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
+        """A scene that is not in a regime, or as close to its end as can be, though what is told may still hold.
+
+        None where there has been one.
+        """
+        if held in told or (held, tuple(told)) in self._left:
+            return None
+        self._left.add((held, tuple(told)))
+        among = [other for other in self._wide if not self._leaving_out(other, told)]
+        if not all(held.holds(other.study, other.until) for other in among):
+            return None
+        found = leaving(self._variations, _margin(held), [_margin(each) for each in told], self._wide)
+        self._wide += [found] if found is not None else []
+        return found
 
     def _plainer(
         self, formula: ClosedForm, assumed: tuple[Regime, ...], rng: np.random.Generator, words: Words
@@ -163,6 +200,10 @@ class VariedScenes:
             return missed <= SAME * size
         finer = other.finer  # since what steps err by may grow on the way
         return finer is not None and self._agrees(formula, finer)
+
+
+def _margin(held: Regime) -> Margin:
+    return lambda other: held.margin(other.study, other.until)
 
 
 def _some(found: Sequence[Regime]) -> Iterator[tuple[Regime, ...]]:

@@ -22,9 +22,11 @@ class Regime(ABC):
 
     Class data:
         of: the kind of subject.
+        unseen: whether it may end though no sum in a formula turns its sign there; then that is looked for by `margin`.
     """
 
     of: ClassVar[Subject]
+    unseen: ClassVar[bool] = False
 
     name: str
 
@@ -46,6 +48,13 @@ class Regime(ABC):
         """Whether another motion may have no answer because it is not so at some time; by default that says nothing."""
         del study
         return False
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """How far another motion that is in it up to a time, s, is from losing it, beside what weights do.
+
+        In any unit, since it only says which way leads there. By default nothing tells.
+        """
+        del study, until
 
     @abstractmethod
     def clause(self, words: Words) -> str:

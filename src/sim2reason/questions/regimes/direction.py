@@ -43,9 +43,20 @@ class MovesOneWay(Regime):
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
 
+    def margin(self, study: Study, until: float) -> float | None:
+        """The velocity that way then, or the acceleration at the start, as a share of what free fall has."""
+        sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
+        if sense is None:
+            return None
+        rate = (Velocity if until else Acceleration).evaluate(at(study.trace, until), self.name)[0] @ np.array(
+            sense.vector
+        )
+        return (1.0 if self.ahead else -1.0) * float(rate) / _of_free_fall(study, until)
+
     def clause(self, words: Words) -> str:
-        """As in: block A moves down the slope."""
-        return f"{words.called(self.of)[self.name]} {self.motion}"
+        """As in: block A moves down the slope; where collisions may turn it, it moves only that way."""
+        motion = self.motion.replace("moves", "moves only", 1) if words.mechanism.meetings else self.motion
+        return f"{words.called(self.of)[self.name]} {motion}"
 
     @property
     def motion(self) -> str:
@@ -54,6 +65,11 @@ class MovesOneWay(Regime):
         way = first if self.ahead else OPPOSITE[first]
         towards = f"to the {way}" if first == RIGHT else way
         return f"moves {towards}{space}{rest}"
+
+
+def _of_free_fall(study: Study, until: float) -> float:
+    """The velocity of free fall at a time, s, its acceleration at the start, or 1 if there is no gravity."""
+    return float(np.linalg.norm(study.mechanism.gravity)) * (until or 1.0) or 1.0
 
 
 def _senses(study: Study, name: str) -> list[Sense]:

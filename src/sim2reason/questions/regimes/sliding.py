@@ -35,6 +35,7 @@ class SlidesThroughout(Regime):
     """
 
     of = Contacts()
+    unseen = True
 
     slides: bool
     course: Course = ()  # its ways one after the other, where words tell them
@@ -55,6 +56,14 @@ class SlidesThroughout(Regime):
         """Whether it is so there."""
         found = _slides(study, self.name, until)
         return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """The velocity with which what slides does so then, along its way, as a share of that of free fall."""
+        if not self.slides:
+            return None
+        found = float(slip(at(study.trace, until), self.name)[0])
+        size = self.course[-1] * found if self.course else abs(found)
+        return size / ((float(np.linalg.norm(study.mechanism.gravity)) * until) or 1.0)
 
     def clause(self, words: Words) -> str:
         """As in: block A slides to the right on the plank; what may roll does so where it touches its face.

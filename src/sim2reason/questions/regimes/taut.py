@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from math import inf
 from typing import Self
 
+import numpy as np
+
 from sim2reason.quantities.subjects.strings import Strings
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
@@ -19,6 +21,7 @@ class StaysTaut(Regime):
     """A string stays taut."""
 
     of = Strings()
+    unseen = True
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
@@ -27,9 +30,21 @@ class StaysTaut(Regime):
         return [cls(name) for name in words.called(cls.of)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether there is a tension throughout."""
+        """Whether it pulls throughout; a tension that is not determined, between two at rest, is not gone."""
         scan = study.trace.scan
-        return bool((scan.tension[self.name][scan.times <= until] > SLACK).all())
+        return not bool((scan.tension[self.name][scan.times <= until] <= SLACK).any())
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """The least tension, by how fast it draws the bodies at its ends together, as a share of that of free fall."""
+        scan, mechanism = study.trace.scan, study.mechanism
+        through = mechanism.line[self.name].through
+        bodies = (mechanism.site[site].body for site in (through[0], through[-1]))
+        masses = [mechanism.body[name].mass for name in bodies if name is not None]
+        ease = sum(1.0 / mass for mass in masses if mass) or 1.0
+        tensions = scan.tension[self.name][scan.times <= until]
+        if np.isnan(tensions).any():
+            return None
+        return ease * float(tensions.min()) / (float(np.linalg.norm(mechanism.gravity)) or 1.0)
 
     def always_told(self, study: Study) -> bool:
         """Where the text says what happens if the string goes slack, as if it did."""
