@@ -58,12 +58,13 @@ V = TypeVar("V")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """One declared number of a value: its address, what it is (None: absent), what it means."""
+    """One declared number of a value: its address, what it is (None: absent), what it means, if it may be negative."""
 
     path: str
     value: float | None
     measure: Measure
     hidden: bool
+    signed: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +141,7 @@ def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
     for name, kind in field_types(type(value)).items():
         address, held = f"{prefix}.{name}" if prefix else name, getattr(value, name)
         if kind.measure is not None:
-            yield Parameter(address, held, kind.measure, kind.hidden)
+            yield Parameter(address, held, kind.measure, kind.hidden, kind.least < 0.0)
         elif isinstance(held, Model):
             yield from parameters(held, address)
         elif isinstance(held, tuple):

@@ -174,5 +174,5 @@ def _symbols(study: Study, words: Words) -> list[ProblemSymbol]:
     """All symbols of a problem in the order in which it tells them."""
     parameters = {p.path: p for p in study.scene.parameters}
     found = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]
-    said = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path) for symbol, p in found if p.value]
+    said = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path, p.signed) for symbol, p in found if p.value]
     return [*said, *(ProblemSymbol(own.symbol, words.units.spell(unit), own.value) for unit, own in words.own.items())]

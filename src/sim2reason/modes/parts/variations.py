@@ -27,13 +27,14 @@ EQUAL = 1e-9  # relative
 class ProblemSymbol:
     """A symbol of a problem: its unit and value as the text says them, and the address of its number.
 
-    What the question itself says has no address.
+    What the question itself says has no address. A `signed` one may stand for a negative number, too.
     """
 
     symbol: str
     unit: str
     value: float
     path: str = ""
+    signed: bool = False
 
     @property
     def of_world(self) -> bool:
@@ -145,6 +146,13 @@ class Variations:
         for n in range(len(here)):
             for times in (exp(-width), exp(width)):
                 yield from self._moving([*here[:n], here[n] * times, *here[n + 1 :]], barren)
+
+    def mirrored(self, barren: list[Study]) -> Iterator[Variation]:
+        """With one number alone of the other sign, where it may have either: no text tells which a symbol has."""
+        here = [held.value for held in self.symbols]
+        for n, held in enumerate(self.symbols):
+            if held.signed:
+                yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], barren)
 
     def having(self, values: Sequence[float], barren: list[Study] | None = None) -> Variation | None:
         """With some numbers; None if there is no answer then, or an angle would be as good as a right one."""
