@@ -150,7 +150,19 @@ def test_among_several_who_meets_first_is_assumed_whatever_their_numbers() -> No
     found = completed(scene, query, "m/s")
     assert paid(found, r"v_B + \frac{m_A (1 + e)(v_A - v_B)}{m_A + m_B}")
     assert found is not None
-    assert found.text.endswith(" Assume that there is no earlier collision.")
+    assert found.text.endswith("that there is no earlier collision.")
+
+
+def test_a_velocity_may_have_either_sign() -> None:
+    """Unless it meets another cart, B has moved d after d/|v_B|: for d/v_B a text says that it moves right."""
+    carts = (Glider(mass=1.0, x=-1.0, v=2.0), Glider(mass=2.0, x=0.5, v=0.3))
+    scene = Scene(
+        entities=(Named(name="t", entity=ComplexCollisionPlane(track=Track(), gliders=carts, restitution=1.0)),)
+    )
+    found = completed(scene, Query("time_to_event", None, Moved("t.gliders.1", 0.2)), "s")
+    assert paid(found, r"\frac{d}{v_B}")
+    assert found is not None
+    assert "cart B moves only to the right" in found.text
 
 
 def test_no_formula_where_only_integration_answers() -> None:

@@ -147,12 +147,18 @@ class Variations:
             for times in (exp(-width), exp(width)):
                 yield from self._moving([*here[:n], here[n] * times, *here[n + 1 :]], barren)
 
-    def mirrored(self, barren: list[Study]) -> Iterator[Variation]:
-        """With one number alone of the other sign, where it may have either: no text tells which a symbol has."""
-        here = [held.value for held in self.symbols]
-        for n, held in enumerate(self.symbols):
-            if held.signed:
-                yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], barren)
+    def mirrored(self, rng: np.random.Generator, width: float, barren: list[Study]) -> Iterator[Variation]:
+        """With one number alone of the other sign, where it may have either: no text tells which a symbol has.
+
+        Then with any signs and all numbers drawn anew, often where a motion costs little: most of these have no answer.
+        """
+        here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
+        for n in np.flatnonzero(may).tolist():
+            yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], barren)
+        tries = EACH if accelerates(self.study.mechanism) else LOOKED
+        for values in self._around(here, rng, width, tries if may.any() else 0):
+            signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0).tolist()
+            yield from self._moving([value * sign for value, sign in zip(values, signs, strict=True)], barren)
 
     def having(self, values: Sequence[float], barren: list[Study] | None = None) -> Variation | None:
         """With some numbers; None if there is no answer then, or an angle would be as good as a right one."""
