@@ -2,7 +2,6 @@
 
 from sim2reason.dsl.mechanism import Inextensible
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.questions.choices import at
 
 SMALL = 1e-9  # N
 
@@ -15,7 +14,7 @@ class Taut(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Look at the tensions just after the start."""
-        law, tension = Inextensible(), at(candidate.study.trace, 0.0).tension
+        law, tension = Inextensible(), candidate.study.trace.at(0.0).tension
         slack = [line.name for line in candidate.study.mechanism.strings if line.law == law]
         return next((f"{name} is slack from the start on" for name in slack if tension[name][0] <= SMALL), "")
 

@@ -18,7 +18,6 @@ from sim2reason.questions import (
     Words,
     mode,
 )
-from sim2reason.questions.choices import at
 from sim2reason.questions.conditions import asking_for
 from sim2reason.questions.dependence import STEP, Dependence, roomy, roots
 from sim2reason.questions.kinds import by_share
@@ -177,7 +176,7 @@ def _asking_when(study: Study, words: Words, rng: np.random.Generator) -> Questi
     time = study.time(drawn.moment) if drawn is not None and drawn.moment is not None else None
     if drawn is None or drawn.target is None or time is None:
         return None
-    value, later = (drawn.target.value(at(study.trace, when)) for when in (time, time * (1.0 + STEP)))
+    value, later = (drawn.target.value(study.trace.at(when)) for when in (time, time * (1.0 + STEP)))
     for digits in DIGITS:
         given = StatedResult.rounded(value, words.units.spell(drawn.target.unit), digits) if isfinite(value) else None
         if given is None or given.half > FIXED * abs(later - value) / STEP:

@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
+from sim2reason.dsl.state import Array
 from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.questions.targets import Target
 from sim2reason.simulation.trace import AT_ONCE, Trace
@@ -43,11 +43,6 @@ def still(trace: Trace, speeds: Array) -> float:
     """
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
     return max(STILL * float(np.abs(speeds).max(initial=0.0)), ROUNDING * fastest)
-
-
-def at(trace: Trace, time: float) -> State:
-    """The motion at one instant."""
-    return trace.at(time)
 
 
 def bears_from(trace: Trace) -> float:

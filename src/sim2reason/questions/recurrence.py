@@ -11,7 +11,7 @@ from sim2reason.dsl.fields import Magnetic, Push
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.subjects.paths import center_path, chain
-from sim2reason.questions.choices import STILL, apart, at
+from sim2reason.questions.choices import STILL, apart
 from sim2reason.questions.crossing import crossings
 from sim2reason.simulation.trace import Trace
 
@@ -51,7 +51,7 @@ def first_return(trace: Trace) -> float | None:
 
 def ends_at_rest(trace: Trace) -> bool:
     """Whether nothing moves or is accelerated at the end, and time has no part in the equations."""
-    end = at(trace, float(trace.state.times[-1]))
+    end = trace.at(float(trace.state.times[-1]))
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
     at_rest = float(np.abs(end.v).max(initial=0.0)) <= STILL * fastest and not np.any(np.abs(end.a) > STILL)
     return not trace.cut and at_rest and is_autonomous(trace.mechanism)
@@ -68,7 +68,7 @@ def flies_off(trace: Trace, name: str) -> bool:
     It recedes from each, and is faster than it must be to escape: v² > 2 Σ GM/r. Where others move, too, that one of
     them overtakes it is left out of account.
     """
-    mechanism, end = trace.mechanism, at(trace, trace.stable_until)
+    mechanism, end = trace.mechanism, trace.at(trace.stable_until)
     pulls = [pull for pull in mechanism.attractions if name in (pull.a, pull.b)]
     others = [pull.a if pull.b == name else pull.b for pull in pulls]
     weight = np.array(center_path(mechanism, name).ways).reshape(-1, 3) @ np.array(mechanism.gravity)
@@ -90,7 +90,7 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
 
     Then a sum of the coordinates that grows at the start, or of the velocities of what begins at rest, does so again.
     """
-    mechanism, start, number = trace.mechanism, at(trace, 0.0), list(numbers)
+    mechanism, start, number = trace.mechanism, trace.at(0.0), list(numbers)
     hinges = np.array([mechanism.coordinates[n].kind == "hinge" for n in number], dtype=np.bool_)
     far, fast = (float(np.abs(held[:, number]).max(initial=0.0)) for held in (trace.scan.q, trace.scan.v))
     speeds = start.v[0, number]
@@ -114,4 +114,4 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
         same = max(SAME, ERRS * trace.tolerance)
         return float(np.abs(off).max()) <= same * far and float(np.abs(changed).max()) <= same * fast
 
-    return next((time for time in islice(crossings(trace, excess), MOST) if alike(at(trace, time))), None)
+    return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)

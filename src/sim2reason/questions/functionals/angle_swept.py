@@ -8,7 +8,6 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.rotation import AngleTurned, AngularVelocity
 from sim2reason.quantities.subjects.turners import TurningBodies
-from sim2reason.questions.choices import at
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.circles import is_told_by_angles
 from sim2reason.questions.functionals.parts.integral import Integral
@@ -46,7 +45,7 @@ class AngleSwept(Integral):
     def worth(self, study: Study, name: str, end: float) -> bool:
         """Whether it turns back."""
         total = self.value(study.trace, name, end) or 0.0
-        net = abs(float(AngleTurned.evaluate(at(study.trace, end), name)[0]))
+        net = abs(float(AngleTurned.evaluate(study.trace.at(end), name)[0]))
         return total - net > DIFFERS * total and super().worth(study, name, end)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:

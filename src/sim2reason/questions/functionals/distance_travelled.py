@@ -7,7 +7,6 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import center_path
-from sim2reason.questions.choices import at
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.circles import circles, is_told_by_angles, leaves_circle
@@ -66,5 +65,5 @@ class DistanceTravelled(Integral):
         if circles(study.mechanism, name) and leaves_circle(study.trace, end):
             return False
         path = self.value(study.trace, name, end) or 0.0
-        direct = float(np.linalg.norm(Displacement.evaluate(at(study.trace, end), name)[0]))
+        direct = float(np.linalg.norm(Displacement.evaluate(study.trace.at(end), name)[0]))
         return path - direct > DIFFERS * path and super().worth(study, name, end)

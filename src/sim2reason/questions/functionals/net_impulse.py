@@ -5,7 +5,7 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.momentum import Momentum
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.questions.choices import at, only_falls
+from sim2reason.questions.choices import only_falls
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.jump import is_smooth
 from sim2reason.questions.study import Study
@@ -48,4 +48,4 @@ class NetImpulse(Functional):
 
 
 def _momentum(trace: Trace, name: str, time: float) -> np.ndarray:
-    return Momentum.evaluate(at(trace, time), name)[0]
+    return Momentum.evaluate(trace.at(time), name)[0]

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from sim2reason.dsl.mechanism import Drawn, Mechanism
 from sim2reason.quantities.subjects import Subject
 from sim2reason.quantities.tension import StringLength
-from sim2reason.questions.choices import at
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
@@ -56,7 +55,7 @@ class PullWork(Functional):
         """Its force times what it has drawn in; None where it has let out more."""
         line = trace.mechanism.line[name]
         assert isinstance(line.law, Drawn)
-        start, here = (float(at(trace, time).free_length(line)[0][0]) for time in (0.0, end))
+        start, here = (float(trace.at(time).free_length(line)[0][0]) for time in (0.0, end))
         work = line.law.force * (start - here)
         return work if work > 0.0 else None
 

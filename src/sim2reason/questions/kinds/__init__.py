@@ -9,7 +9,7 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import at, bears_from, has_met, least
+from sim2reason.questions.choices import bears_from, has_met, least
 from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
@@ -247,8 +247,8 @@ def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
     time, trace = study.time(moment), study.trace
     if time is None:
         return lambda _: False
-    start, here = at(trace, 0.0), at(trace, moment.side(time))
-    sides = [at(trace, float(np.nextafter(time, 0.0)))] if moment.event and moment.sided is None else []
+    start, here = trace.at(0.0), trace.at(moment.side(time))
+    sides = [trace.at(float(np.nextafter(time, 0.0)))] if moment.event and moment.sided is None else []
 
     def differs(target: Target) -> bool:
         value = target.value(here)

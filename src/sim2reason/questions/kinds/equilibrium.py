@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import at, pick
+from sim2reason.questions.choices import pick
 from sim2reason.questions.kinds import SAME, Kind, kind
 from sim2reason.questions.period_words import rest_called
 from sim2reason.questions.phrasing import asking
@@ -48,7 +48,7 @@ class EquilibriumKind(Kind):
         rest = equilibrium(mechanism)
         if rest is None or rest.free or float(np.abs(rest.coordinates).max()) <= STILL:
             return None
-        start, there = at(study.trace, 0.0), rest.state
+        start, there = study.trace.at(0.0), rest.state
         weights = [body.mass * float(np.linalg.norm(mechanism.gravity)) for body in mechanism.bodies]
 
         def differs(target: Target) -> bool:

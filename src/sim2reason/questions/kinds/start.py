@@ -6,7 +6,7 @@ from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
-from sim2reason.questions.choices import at, only_falls, pick
+from sim2reason.questions.choices import only_falls, pick
 from sim2reason.questions.constancy import lasts
 from sim2reason.questions.kinds import ValueKind, drawn, is_something, kind
 from sim2reason.questions.moments.all_along import AllAlong
@@ -38,7 +38,7 @@ class StartKind(ValueKind):
             return None
         if _one_line(mechanism) or _speeds_idle(mechanism):
             return None
-        here, immediate = at(trace, 0.0), [t for t in targets if QUANTITIES[t.quantity].immediate]
+        here, immediate = trace.at(0.0), [t for t in targets if QUANTITIES[t.quantity].immediate]
         target = pick(immediate, rng, lambda target: is_something(target.value(here), target, study))
         if target is None:
             return None

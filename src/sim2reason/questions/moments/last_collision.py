@@ -9,7 +9,6 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism, Meeting
 from sim2reason.dsl.state import State
 from sim2reason.quantities.kinematics import Velocity
-from sim2reason.questions.choices import at
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
@@ -63,7 +62,7 @@ class LastCollision(Moment):
 
 def _is_over(trace: Trace) -> bool:
     """Whether at the end of what was recorded everything moves freely, and no two bodies will meet."""
-    end = at(trace, float(trace.state.times[-1]))
+    end = trace.at(float(trace.state.times[-1]))
     fastest = float(np.abs(end.v).max(initial=0.0))
     if not _free(trace.mechanism) or float(np.abs(end.a).max(initial=0.0)) > 0.0:
         return False

@@ -8,7 +8,6 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.kinematics import Displacement, Velocity
 from sim2reason.quantities.subjects.paths import chain
-from sim2reason.questions.choices import at
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.turning_point import TurningPoint
 from sim2reason.questions.moments.parts.verbs import Verb
@@ -32,7 +31,7 @@ class LowestPoint(TurningPoint):
         time, hinges = study.time(self), _hinges(study.mechanism, self.name)
         assert time is not None
         turning, fastest = (
-            np.abs(state.v[:, hinges]).max(axis=0) for state in (at(study.trace, time), study.trace.scan)
+            np.abs(state.v[:, hinges]).max(axis=0) for state in (study.trace.at(time), study.trace.scan)
         )
         return not hinges or bool(np.any(turning > STANDS * fastest))
 

@@ -6,7 +6,6 @@ from typing import Self
 
 from sim2reason.quantities.inclination import deflection_at_start
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
-from sim2reason.questions.choices import at
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
@@ -31,7 +30,7 @@ class StartsAcute(Regime):
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is so in another motion."""
         del until
-        return deflection_at_start(at(study.trace, 0.0), self.name) < RIGHT
+        return deflection_at_start(study.trace.at(0.0), self.name) < RIGHT
 
     def clause(self, words: Words) -> str:
         """As in: the rod makes an acute angle with the downward vertical at first."""

@@ -6,7 +6,6 @@ from typing import Self
 
 from sim2reason.quantities.inclination import Deflection, deflection_at_start
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
-from sim2reason.questions.choices import at
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
@@ -31,7 +30,7 @@ class DeflectedBeyondStart(Regime):
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is so then; not where a slack string points nowhere."""
-        state = at(study.trace, until)
+        state = study.trace.at(until)
         more = float(Deflection.evaluate(state, self.name)[0]) - deflection_at_start(state, self.name)
         return more > APART if self.larger else more < -APART
 

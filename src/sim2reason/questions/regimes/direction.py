@@ -12,7 +12,6 @@ from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import RIGHT, UP, Bodies
 from sim2reason.quantities.subjects.paths import center_path
-from sim2reason.questions.choices import at
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
@@ -48,7 +47,7 @@ class MovesOneWay(Regime):
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         if sense is None:
             return None
-        rate = (Velocity if until else Acceleration).evaluate(at(study.trace, until), self.name)[0] @ np.array(
+        rate = (Velocity if until else Acceleration).evaluate(study.trace.at(until), self.name)[0] @ np.array(
             sense.vector
         )
         return (1.0 if self.ahead else -1.0) * float(rate) / _of_free_fall(study, until)
@@ -88,11 +87,11 @@ def _side(study: Study, name: str, way: Vector, until: float) -> int:
     scan = study.trace.scan
     within = scan.times < until
     times = np.append(scan.times[within], until)
-    last = Velocity.evaluate(at(study.trace, until), name)
+    last = Velocity.evaluate(study.trace.at(until), name)
     speeds: Array = np.concatenate([Velocity.evaluate(scan, name)[within], last]) @ np.array(way)
     fastest = float(np.abs(speeds).max(initial=0.0))
     if fastest <= STILL:
-        begins = float((Acceleration.evaluate(at(study.trace, 0.0), name) @ np.array(way))[0])
+        begins = float((Acceleration.evaluate(study.trace.at(0.0), name) @ np.array(way))[0])
         return int(begins > STILL) - int(begins < -STILL)
     idle = np.abs(speeds) <= STILL * fastest
     rests = idle[1:] & idle[:-1] & (np.diff(times) > LASTING * until)

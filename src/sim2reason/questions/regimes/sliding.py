@@ -10,7 +10,6 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.subjects.bodies import RIGHT
 from sim2reason.quantities.subjects.contacts import Contacts
-from sim2reason.questions.choices import at
 from sim2reason.questions.moments.parts.slip_change import slip
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.regimes.direction import OPPOSITE
@@ -61,7 +60,7 @@ class SlidesThroughout(Regime):
         """The velocity with which what slides does so then, along its way, as a share of that of free fall."""
         if not self.slides:
             return None
-        found = float(slip(at(study.trace, until), self.name)[0])
+        found = float(slip(study.trace.at(until), self.name)[0])
         size = self.course[-1] * found if self.course else abs(found)
         return size / ((float(np.linalg.norm(study.mechanism.gravity)) * until) or 1.0)
 
@@ -106,7 +105,7 @@ def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]
     within = (scan.times > soon) & (scan.times < until)
     end = max(soon, until)
     times = np.concatenate([[soon], scan.times[within], [end]])
-    first, last = (slip(at(study.trace, time), name) for time in (soon, end))
+    first, last = (slip(study.trace.at(time), name) for time in (soon, end))
     slips = np.concatenate([first, slip(scan, name)[within], last])
     still = np.abs(slips) <= STILL
     if still.all():

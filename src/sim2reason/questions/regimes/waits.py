@@ -9,7 +9,6 @@ import numpy as np
 from sim2reason.dsl.mechanism import Prop
 from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.questions.choices import at
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
@@ -40,8 +39,8 @@ class Waits(Regime):
         del until
         trace = study.trace
         burnt = min(*(burn.until for burn in trace.mechanism.burns if burn.body == self.name), trace.stable_until)
-        pushed = Acceleration.evaluate(at(trace, 0.0), self.name)
-        moves = Velocity.evaluate(at(trace, burnt), self.name)
+        pushed = Acceleration.evaluate(trace.at(0.0), self.name)
+        moves = Velocity.evaluate(trace.at(burnt), self.name)
         lifted = float(np.linalg.norm(pushed)) > STILL
         return (not lifted and float(np.linalg.norm(moves)) > STILL) if self.waits else lifted
 

@@ -7,7 +7,6 @@ import numpy as np
 from sim2reason.dsl.mechanism import Inextensible, Mechanism, Prop, Rigid
 from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.energy import KineticEnergy
-from sim2reason.questions.choices import at
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Event, Trace
 
@@ -18,7 +17,7 @@ BALANCE = 1e-6  # of an impulse: by how much two may differ that are one
 def jumps(trace: Trace, of: Callable[[State], Array], times: Iterable[float]) -> list[Array]:
     """By how much a function of the state differs just after each of some instants, s, from just before."""
     return [
-        np.asarray(of(at(trace, time))[0] - of(at(trace, float(np.nextafter(time, 0.0))))[0])
+        np.asarray(of(trace.at(time))[0] - of(trace.at(float(np.nextafter(time, 0.0))))[0])
         for time in dict.fromkeys(times)  # several events may share an instant
     ]
 

@@ -6,7 +6,6 @@ from math import inf
 from typing import ClassVar, Self
 
 from sim2reason.dsl.state import Array, State
-from sim2reason.questions.choices import at
 from sim2reason.questions.crossing import begins_beyond, crossings
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.simulation.trace import Trace
@@ -40,7 +39,7 @@ class Peak(Passage):
         """When it first turns back, if it never gets beyond."""
         if begins_beyond(trace, self.excess) and not self.exceeded:
             return None
-        reached = ((time, float(self.extent(at(trace, time))[0])) for time in crossings(trace, self.excess))
+        reached = ((time, float(self.extent(trace.at(time))[0])) for time in crossings(trace, self.excess))
         first = next(((time, value) for time, value in reached if value > self.above), None)
         if first is None or self.exceeded:
             return first[0] if first is not None else None
