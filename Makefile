@@ -62,7 +62,7 @@ test-train: .venv-train/done ## the tests that train models, on CPUs, and TRL's 
 # Each library that exports are for has an environment of its own in .exports, 0.6 to 2 GB large. For one of them alone:
 # make test-exports-verl. NeMo Gym needs a newer Python than others; without one it is left out, and says so.
 LIBRARIES := $(patsubst tests/exports/requirements/%.txt,%,$(wildcard tests/exports/requirements/*.txt))
-NEWER := $(shell for p in $(PYTHON) python3.12 python3.13 python3.14; do \
+NEWER := $(shell for p in $(PYTHON) python3.12 python3.13 python3.14 $(wildcard $(HOME)/.pyenv/versions/3.1[2-9].*/bin/python); do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 12))' 2>/dev/null && echo $$p && break; done)
 NEED_NEWER := nemo_gym
 
