@@ -66,6 +66,7 @@ OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Pow: operator.pow,
 }
 BARE = r"(?<![A-Za-z\\])"  # before a symbol that is a letter
+DEEPER = {"{": 1, r"\left": 1, "}": -1, r"\right": -1}  # bars, too, have a left and a right one
 FRACTION = re.compile(r"\\[td]?frac\{")
 
 
@@ -149,12 +150,10 @@ def terms(latex: str) -> list[tuple[int, int]]:
     found: list[tuple[int, int]] = []
     for at in signs:
         depth, end = 0, at + 1
-        while end < len(latex) and depth >= 0 and (depth or not re.match(r"[+-]|\\right", latex[end:])):
-            depth += {"{": 1, "(": 1, "}": -1, ")": -1}.get(latex[end], 0)
+        while end < len(latex) and depth >= 0 and (depth or latex[end] not in "+-"):
+            depth += next((by for token, by in DEEPER.items() if latex.startswith(token, end)), 0)
             end += 1
-        end -= depth < 0
-        end -= len(r"\right") if latex[:end].endswith(r"\right") else 0
-        found.append((at, end))
+        found.append((at, end - (depth < 0)))
     return found
 
 

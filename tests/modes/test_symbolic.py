@@ -337,7 +337,7 @@ def test_numbers_that_turn_a_sum_are_found_by_the_formula_alone() -> None:
     never, somewhere = Symbol("a") + Symbol("b"), Symbol("a") - Symbol("b")
     assert list(varied.turned(rng, (never,), 1.1, barren)) == []
     turned = list(varied.turned(rng, (never, somewhere), 1.1, barren))
-    assert len(turned) + len(barren) == EACH
+    assert len(turned) + len(barren) == 2 * EACH  # each of them, and just beyond where the sign turns on the way there
     signs = {each.values["a"] > each.values["b"] for each in turned}
     assert signs <= {masses[0].value < masses[1].value}
 

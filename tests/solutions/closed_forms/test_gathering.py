@@ -39,7 +39,12 @@ SLOPE = A * G * SIN + B * G * SIN - MU * A * G * COS - MU * B * G * COS
             Power(MU, 2) * Power(COS, 2) * G + Power(SIN, 2) * G - Number(2.0) * MU * COS * SIN * G,
             r"g \left(\mu \cos\theta - \sin\theta\right)^{2}",
         ),
+        (
+            Number(2.0) * Power(A, 2) + Number(2.0) * Power(B, 2) - Number(4.0) * A * B,
+            r"2\,\left(m_A - m_B\right)^{2}",
+        ),
         (Power(A, 2) + Power(B, 2) + A * B, r"m_A^{2} + m_B^{2} + m_A m_B"),  # which is no square
+        (Number(2.0) * Power(A, 2) + Power(B, 2) + A * B, r"2\,m_A^{2} + m_B^{2} + m_A m_B"),  # nor this
         (
             Quotient(MU * G * COS, A) + Quotient(MU * G * COS, A) * SIN,
             r"\frac{\mu g \cos\theta\,\left(1 + \sin\theta\right)}{m_A}",

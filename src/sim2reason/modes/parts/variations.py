@@ -18,6 +18,8 @@ from sim2reason.solutions.strategies import accelerates
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
 LATEST = 4.0  # times that, before nothing is said to come at all
 LOOKED, EACH = 240, 2  # numbers for which the signs of a formula's sums are looked at; how often each is turned
+TRIES = 8  # at most for each, where most have no answer
+BEYOND_TURN = 0.02  # of the way to numbers that turn a sum's sign: so close behind the turn things are nearly as before
 SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, and last of these what else is integrated
 STEEPEST = 89.0  # degrees
 EQUAL = 1e-9  # relative
@@ -124,21 +126,36 @@ class Variations:
     ) -> Iterator[Variation]:
         """With numbers for which a sum in formulas has another sign than in the scene, or none.
 
-        There they are likely not to hold, and numbers drawn at random may all miss a small such corner. A sum that
-        they miss is turned on purpose, if it can be.
+        There they are likely not to hold, and numbers drawn at random may all miss a small such corner. Just beyond the
+        turn, too, where most is as it was; a sum that no number drawn turns is turned on purpose.
         """
         here = [held.value for held in self.symbols]
         sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *_sums(formula)))]
-        signs, left = [_sign(each, self._counted(here)) for each in sums], [EACH] * len(sums)
+        signs, tries = [_sign(each, self._counted(here)) for each in sums], [0] * len(sums)
         for values in self._around(here, rng, width, LOOKED):
             at = self._counted(values)
-            other = [n for n, each in enumerate(sums) if left[n] and _sign(each, at) != signs[n]]
-            if other:
-                left = [count - (n in other) for n, count in enumerate(left)]
-                yield from self._moving(values, barren)
-        corners = (self._corner(sums[n], width) for n, count in enumerate(left) if count == EACH)
+            other = [n for n, each in enumerate(sums) if tries[n] < TRIES and _sign(each, at) != signs[n]]
+            closer = [self._just_beyond(values, sums[n], signs[n]) for n in other]
+            found = [self.having(numbers, barren) for numbers in dict.fromkeys((tuple(values), *closer)) if other]
+            for n in other:
+                tries[n] += TRIES // EACH if any(found) else 1
+            yield from (each for each in found if each is not None)
+        corners = (self._corner(sums[n], width) for n, count in enumerate(tries) if not count)
         for values in dict.fromkeys(corner for corner in corners if corner is not None):
             yield from self._moving(values, barren)
+
+    def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
+        """Numbers on the way from the scene's own to others, a little beyond where a sum turns its sign."""
+        low, high = 0.0, 1.0
+        while high - low > BEYOND_TURN / 2.0:
+            middle = (low + high) / 2.0
+            turned = _sign(held, self._counted(self._towards(values, middle))) != sign
+            low, high = (low, middle) if turned else (middle, high)
+        return self._towards(values, min(1.0, high + BEYOND_TURN))
+
+    def _towards(self, values: Sequence[float], share: float) -> tuple[float, ...]:
+        """Numbers some share of the way to others, on the logarithmic scale."""
+        return tuple(held.value * (to / held.value) ** share for held, to in zip(self.symbols, values, strict=True))
 
     def one_by_one(self, width: float, barren: list[Study]) -> Iterator[Variation]:
         """With one number alone far smaller, and far larger, than in the scene."""
@@ -147,11 +164,13 @@ class Variations:
             for times in (exp(-width), exp(width)):
                 yield from self._moving([*here[:n], here[n] * times, *here[n + 1 :]], barren)
 
-    def mirrored(self, rng: np.random.Generator, width: float, barren: list[Study]) -> Iterator[Variation]:
+    def mirrored(self, rng: np.random.Generator, width: float) -> Iterator[Variation]:
         """With one number alone of the other sign, where it may have either: no text tells which a symbol has.
 
-        Then with any signs and all numbers drawn anew, often where a motion costs little: most of these have no answer.
+        Then with any signs and all numbers drawn anew, often where a motion costs little: most of these have no answer,
+        and then are not what a text seems to ask for.
         """
+        barren: list[Study] = []
         here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
         for n in np.flatnonzero(may).tolist():
             yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], barren)

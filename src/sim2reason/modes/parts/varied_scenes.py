@@ -171,7 +171,7 @@ class VariedScenes:
             self._variations.across(rng, NEAR[-1], ACROSS),
             self._variations.turned(rng, (formula, *self._whole), WIDE, self._barren),
             self._variations.one_by_one(WIDE, self._barren),
-            self._variations.mirrored(rng, WIDE, self._barren),
+            self._variations.mirrored(rng, WIDE),
             self._variations.drawn(rng, WIDE, WIDELY, self._barren),
         )
         for other in self._more:

@@ -6,6 +6,7 @@ from functools import reduce
 from math import copysign, isclose, sqrt
 
 from sim2reason.solutions.closed_forms.rewriting import length
+from sim2reason.solutions.digits import simple_fraction
 from sim2reason.solutions.expressions import (
     ONE,
     ZERO,
@@ -121,25 +122,27 @@ def _product(terms: Sequence[Term]) -> Expression:
 
 
 def _square(terms: Sequence[Term]) -> Term | None:
-    """Three terms that are the square of a sum of two, a² + b² ± 2ab, as that square; None if they are not."""
-    if len(terms) != 3:
-        return None
-    for n, mixed in enumerate(terms):
-        one, other = (_root(term) for term in (*terms[:n], *terms[n + 1 :]))
+    """Three terms that are a number times the square of a sum of two, n(a² + b² ± 2ab), as that; else None."""
+    for n, mixed in enumerate(terms if len(terms) == 3 else ()):
+        first, second = (*terms[:n], *terms[n + 1 :])
+        one, other = _root(first, first.number), _root(second, first.number)
         if one is None or other is None:
             continue
-        both = Term(2.0 * one.number * other.number, one.factors + other.factors, one.below + other.below)
-        if _like(mixed, both) and isclose(abs(mixed.number), both.number):
-            signed = replace(other, number=copysign(other.number, mixed.number))
-            return Term(1.0, (_plain([one, signed]),) * 2)
+        both = Term(2.0 * first.number * other.number, one.factors + other.factors, one.below + other.below)
+        if _like(mixed, both) and isclose(abs(mixed.number), abs(both.number)):
+            signed = replace(other, number=copysign(other.number, mixed.number * first.number))
+            return Term(first.number, (_plain([one, signed]),) * 2)
     return None
 
 
-def _root(term: Term) -> Term | None:
-    """What a term is the square of, with positive signs; None if it is no square."""
-    if term.number <= 0.0 or any(side.count(held) % 2 for side in (term.factors, term.below) for held in side):
+def _root(term: Term, over: float) -> Term | None:
+    """What a term over a number is the square of, with a positive sign; None if it is that of no simple one."""
+    number = sqrt(max(term.number / over, 0.0))
+    if simple_fraction(number) is None or not number:
         return None
-    return Term(sqrt(term.number), _halved(term.factors), _halved(term.below))
+    if any(side.count(held) % 2 for side in (term.factors, term.below) for held in side):
+        return None
+    return Term(number, _halved(term.factors), _halved(term.below))
 
 
 def _halved(factors: Sequence[Expression]) -> tuple[Expression, ...]:

@@ -1,5 +1,6 @@
 """The greatest or least value of a quantity: a smooth extreme within the stretch, and none other."""
 
+from math import inf
 from typing import ClassVar
 
 import numpy as np
@@ -86,8 +87,13 @@ class Extreme(Functional):
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
         """The greatest value, wherever in the stretch it is."""
-        _, heights = self._sampled(trace, name, end)
-        return self.sign * float(heights.max()) if np.isfinite(heights).all() else None
+        times, heights = self._sampled(trace, name, end)
+        if not np.isfinite(heights).all():
+            return None
+        apart = np.append(np.diff(times) > TWIN * end, True)
+        tops, _ = _tops(heights[apart])
+        top = self._highest(trace, name, times[apart], tops)[1] if len(tops) else -inf
+        return self.sign * max(float(heights.max()), top)
 
     def _sampled(self, trace: Trace, name: str, end: float) -> tuple[Array, Array]:
         """The function on the scan up to a time, s, and at that time."""
