@@ -32,7 +32,8 @@ from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
 from sim2reason.filters.few_symbols import FewSymbols
 from sim2reason.grading import formula
-from sim2reason.modes.parts.variations import EACH, ProblemSymbol, Variations
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol
+from sim2reason.modes.parts.variations import EACH, Variations
 from sim2reason.prose.formula_numbers import said_in
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions import MODES, Query, Question, Study, Target

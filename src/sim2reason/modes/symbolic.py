@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.modes.parts.variations import ProblemSymbol, Variations
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol
+from sim2reason.modes.parts.variations import Variations
 from sim2reason.modes.parts.varied_scenes import VariedScenes
 from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import factor

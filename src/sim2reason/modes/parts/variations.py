@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 from math import copysign, exp, inf, isfinite
 
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.prose.formula_numbers import factor
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.questions import KINDS, Query, Study
 from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
 from sim2reason.simulation.certify import RECORDED
@@ -18,34 +19,12 @@ from sim2reason.solutions.strategies import accelerates
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
 LATEST = 4.0  # times that, before nothing is said to come at all
 LOOKED, EACH = 240, 2  # numbers for which the signs of a formula's sums are looked at; how often each is turned
+WIDELY = (160, 40), (24, 24)  # numbers tried, and found to have an answer; where motions are integrated
 TRIES = 8  # at most for each, where most have no answer
 BEYOND_TURN = 0.02  # of the way to numbers that turn a sum's sign: so close behind the turn things are nearly as before
 SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, and last of these what else is integrated
 STEEPEST = 89.0  # degrees
 EQUAL = 1e-9  # relative
-
-
-@dataclass(frozen=True, slots=True)
-class ProblemSymbol:
-    """A symbol of a problem: its unit and value as the text says them, and the address of its number.
-
-    What the question itself says has no address. A `signed` one may stand for a negative number, too.
-    """
-
-    symbol: str
-    unit: str
-    value: float
-    path: str = ""
-    signed: bool = False
-
-    @property
-    def of_world(self) -> bool:
-        """Whether it is a number of the world, as g is, and of nothing in it."""
-        return self.path.startswith("world.")
-
-    def counted(self, value: float) -> float:
-        """A value of it as formulas count: in radians and metres, where it is said in degrees or kilometres."""
-        return value * factor(self.unit)
 
 
 @dataclass(frozen=True)
@@ -104,6 +83,11 @@ class Variations:
             found = self._at(values, barren)
             if found is not None:
                 yield found
+
+    def widely(self, rng: np.random.Generator, width: float, barren: list[Study]) -> Iterator[Variation]:
+        """Many that are drawn so; fewer where motions are integrated, and cost ten times as much."""
+        tries, wanted = WIDELY[bool(accelerates(self.study.mechanism))]
+        yield from islice(self.drawn(rng, width, tries, barren), wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
         """With the question's own numbers on the other side of where the motion starts, and all as far from there.

@@ -6,7 +6,8 @@ from itertools import chain, combinations
 import numpy as np
 
 from sim2reason.modes.parts.corners import Margin, leaving
-from sim2reason.modes.parts.variations import ProblemSymbol, Variation, Variations
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol
+from sim2reason.modes.parts.variations import Variation, Variations
 from sim2reason.questions import Formula, Study, Words
 from sim2reason.questions.regimes import FEW, Regime, regimes
 from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, shortened
@@ -15,7 +16,7 @@ from sim2reason.solutions.expressions import Expression
 POINTS = 8  # beside the scene's own
 NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
 WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
-TRIES, WIDELY, ACROSS = 16, 12, 4
+TRIES, ACROSS = 16, 4
 SAME = 1e-6  # relative: how well the formula agrees with the engine
 CLOSE = 1e-3  # relative: what misses by more does not miss by the engine's steps
 
@@ -172,7 +173,7 @@ class VariedScenes:
             self._variations.turned(rng, (formula, *self._whole), WIDE, self._barren),
             self._variations.one_by_one(WIDE, self._barren),
             self._variations.mirrored(rng, WIDE),
-            self._variations.drawn(rng, WIDE, WIDELY, self._barren),
+            self._variations.widely(rng, WIDE, self._barren),
         )
         for other in self._more:
             self._wide.append(other)
