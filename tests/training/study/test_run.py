@@ -97,7 +97,7 @@ def test_a_run_that_fails_is_named_and_the_others_are_made(tmp_path: Path) -> No
     with pytest.raises(TrainingError, match=r"arms\.broken: .*rows\.jsonl: no such file"):
         train_study(study(tmp_path / "study", arms=arms, seeds=[0]))
     assert not (tmp_path / "study" / "runs" / "broken-0").exists()
-    (tmp_path / "rows.jsonl").write_text('{"prompt": "1?", "completion": "1"}\n{')
-    with pytest.raises(TrainingError, match=r"1 of 2 runs failed.*broken-0: .*rows\.jsonl:2: no JSON"):
+    arms["broken"] = {"gspo": {"steps": 2, "learning_rate": 1e30, "warmup_steps": 0}}
+    with pytest.raises(TrainingError, match=r"1 of 2 runs failed.*broken-0: .*training has diverged"):
         train_study(study(tmp_path / "study", arms=arms, seeds=[0]))
     assert (tmp_path / "study" / "runs" / "ours-0" / "result.json").is_file()
