@@ -3,8 +3,8 @@
 # transformers and torch are an extra, and are spoken to in this module alone:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
-from collections.abc import Generator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from functools import cached_property
 from importlib import import_module
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
@@ -13,7 +13,7 @@ from annotated_types import Ge, Le
 
 from sim2reason.errors import MissingExtraError, PolicyError
 from sim2reason.policies import POLICIES, Completion, Finish, Policy, SampleRequest
-from sim2reason.policies.parts.hub import loading
+from sim2reason.policies.parts.hub import explained, loading
 from sim2reason.policies.parts.quiet import quiet
 
 __all__ = ["LocalModel"]
@@ -83,16 +83,10 @@ class LocalModel(Policy):
 
     @property
     def _source(self) -> dict[str, Any]:
-        return {"revision": self.revision, **loading(self.model, self.revision)}
+        return loading(self.model, self.revision)
 
-    @contextmanager
-    def _explained(self) -> Generator[None]:
-        """Say in one line what the library could not load."""
-        try:
-            yield
-        except (OSError, ValueError) as error:
-            why = " ".join(str(error).split())[:200]
-            raise PolicyError(f"policy {self.name!r}: no model could be loaded from {self.model!r}: {why}") from None
+    def _explained(self) -> AbstractContextManager[None]:
+        return explained(self.model, lambda why: PolicyError(f"policy {self.name!r}: {why}"))
 
     def _device(self, torch: Any) -> str:  # noqa: ANN401 - a module of an extra
         """Where the model is put; PolicyError, which lists what there is, if there is no such device."""

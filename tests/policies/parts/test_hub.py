@@ -34,9 +34,9 @@ def test_a_hub_out_of_reach_is_said_at_once() -> None:
 
 @pytest.mark.usefixtures("unreachable")
 def test_what_is_kept_here_and_a_folder_need_no_hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert loading(str(tmp_path)) == {}
+    assert loading(str(tmp_path), "v1") == {"revision": "v1"}
     monkeypatch.setattr("huggingface_hub.try_to_load_from_cache", lambda *_, **__: str(tmp_path))
-    assert loading("somebody/something") == {"local_files_only": True}
+    assert loading("somebody/something") == {"revision": None, "local_files_only": True}
 
 
 def test_what_the_hub_answers_is_left_to_the_library(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -47,7 +47,7 @@ def test_what_the_hub_answers_is_left_to_the_library(monkeypatch: pytest.MonkeyP
     assert not out_of_reach("somebody/something", "dataset")
     refused = RepositoryNotFoundError("no", response=Response(404, request=Request("GET", "https://a")))
     monkeypatch.setattr("huggingface_hub.HfApi.repo_info", told(refused))
-    assert loading("somebody/something") == {}
+    assert loading("somebody/something") == {"revision": None}
 
 
 def test_a_path_of_no_folder_is_no_name() -> None:

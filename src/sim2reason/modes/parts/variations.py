@@ -24,7 +24,6 @@ TRIES = 8  # at most for each, where most have no answer
 BEYOND_TURN = 0.02  # of the way to numbers that turn a sum's sign: so close behind the turn things are nearly as before
 SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, and last of these what else is integrated
 STEEPEST = 89.0  # degrees
-EQUAL = 1e-9  # relative
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,16 @@
 # huggingface_hub is an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import Any, Literal
 
-__all__ = ["loading", "out_of_reach"]
+__all__ = ["explained", "loading", "out_of_reach"]
 
 PATIENCE = 10.0  # s
+SHOWN = 200  # characters of what the library says about an error
 
 
 def out_of_reach(name: str, kind: Literal["model", "dataset"], revision: str | None = None) -> bool:
@@ -38,8 +41,18 @@ def loading(path: str, revision: str | None = None) -> dict[str, Any]:
         FileNotFoundError: there is no such folder, the hub is out of reach, and the model is not kept here.
     """
     if Path(path).exists() or not out_of_reach(path, "model", revision):
-        return {}
+        return {"revision": revision}
     hub: Any = import_module("huggingface_hub")
     if not isinstance(hub.try_to_load_from_cache(path, "config.json", revision=revision), str):
         raise FileNotFoundError("no such folder, and the hub cannot be reached")
-    return {"local_files_only": True}
+    return {"revision": revision, "local_files_only": True}
+
+
+@contextmanager
+def explained(path: str, error: Callable[[str], Exception]) -> Generator[None]:
+    """Say in one line what the library could not load from a path: raises the `error` made of that line."""
+    try:
+        yield
+    except (OSError, ValueError, ImportError) as found:
+        why = " ".join(str(found).split())[:SHOWN]
+        raise error(f"no model could be loaded from {path!r}: {why}") from None

@@ -1,13 +1,12 @@
 """A checkpoint and its tokenizer, read by the transformers library; no code that comes with one is run."""
 
-from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.hub import loading
+from sim2reason.policies.parts.hub import explained, loading
 from sim2reason.training.extras import External, library
 
 __all__ = ["Attention", "Checkpoint", "Loaded", "Precision", "context_of"]
@@ -15,7 +14,6 @@ __all__ = ["Attention", "Checkpoint", "Loaded", "Precision", "context_of"]
 Precision = Literal["auto", "float32", "bfloat16", "float16"]
 Attention = Literal["auto", "eager", "sdpa", "flash_attention_2", "flash_attention_3"]
 ENDLESS = 2**31
-SHOWN = 200  # characters of what the library says about an error
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,16 +78,10 @@ class Checkpoint:
     @cached_property
     def _source(self) -> dict[str, Any]:
         """Asked for once: out of reach, the hub takes its time."""
-        return {"revision": self.revision, **loading(self.path, self.revision)}
+        return loading(self.path, self.revision)
 
-    @contextmanager
-    def _explained(self) -> Generator[None]:
-        """Say in one line what the library could not load."""
-        try:
-            yield
-        except (OSError, ValueError, ImportError) as error:
-            why = " ".join(str(error).split())[:SHOWN]
-            raise TrainingError(f"no model could be loaded from {self.path!r}: {why}") from None
+    def _explained(self) -> AbstractContextManager[None]:
+        return explained(self.path, TrainingError)
 
 
 def context_of(config: External) -> int:
