@@ -131,14 +131,14 @@ def test_what_begins_otherwise_and_then_has_no_answer_is_excluded() -> None:
 
 def test_motions_without_an_answer_are_kept_apart() -> None:
     """What is steeper than its angle of friction slides; all else has no answer."""
-    barren: list[Study] = []
+    unanswered: list[Study] = []
     seen = QuestionSearch(ramp(friction=0.5), 0).study
     symbols = [ProblemSymbol(r"\mu", "", 0.5, "ramp.plane.friction"), ProblemSymbol("d", "m", 0.5)]
     varied = Variations(seen, Query("time_to_event", None, Moved(BLOCK, 0.5)), symbols)
-    answered = list(varied.drawn(np.random.default_rng(0), 1.1, 24, barren))
+    answered = list(varied.drawn(np.random.default_rng(0), 1.1, 24, unanswered))
     assert answered
-    assert barren
-    assert all(other.mechanism.contacts[BLOCK].friction > tan(radians(30.0)) for other in barren)
+    assert unanswered
+    assert all(other.mechanism.contacts[BLOCK].friction > tan(radians(30.0)) for other in unanswered)
 
 
 def test_among_several_who_meets_first_is_assumed_whatever_their_numbers() -> None:
@@ -334,11 +334,13 @@ def test_numbers_that_turn_a_sum_are_found_by_the_formula_alone() -> None:
     symbols = [ProblemSymbol(name, "kg", p.value, p.path) for name, p in zip("ab", masses, strict=False)]
     symbols.append(ProblemSymbol("d", "m", 0.5))
     varied = Variations(search.study, query, symbols)
-    rng, barren = np.random.default_rng(0), list[Study]()
+    rng, unanswered = np.random.default_rng(0), list[Study]()
     never, somewhere = Symbol("a") + Symbol("b"), Symbol("a") - Symbol("b")
-    assert list(varied.turned(rng, (never,), 1.1, barren)) == []
-    turned = list(varied.turned(rng, (never, somewhere), 1.1, barren))
-    assert len(turned) + len(barren) == 2 * EACH  # each of them, and just beyond where the sign turns on the way there
+    assert list(varied.turned(rng, (never,), 1.1, unanswered)) == []
+    turned = list(varied.turned(rng, (never, somewhere), 1.1, unanswered))
+    assert (
+        len(turned) + len(unanswered) == 2 * EACH
+    )  # each of them, and just beyond where the sign turns on the way there
     signs = {each.values["a"] > each.values["b"] for each in turned}
     assert signs <= {masses[0].value < masses[1].value}
 

@@ -20,14 +20,14 @@ class Counting(ProblemSource):
     """Problems that are their own coordinates; every seventh request is filled by none."""
 
     held: tuple[str, ...] = ("easy", "hard")
-    barren: bool = False
+    empty: bool = False
 
     @property
     def cells(self) -> tuple[str, ...]:
         return self.held
 
     def at(self, cell: str, index: int) -> Problem | None:
-        if self.barren or index % 7 == 6:
+        if self.empty or index % 7 == 6:
             return None
         name = f"{self.name}-{cell}-{index}"
         item = BenchmarkItem(id=name, prompt=f"{name}?", scoring="numeric", reference={})
@@ -89,13 +89,13 @@ def test_prefetched_problems_are_the_same() -> None:
 
 
 def test_a_barren_source_is_an_error_that_names_it() -> None:
-    stream = ProblemStream([Counting(name="a", barren=True)])
+    stream = ProblemStream([Counting(name="a", empty=True)])
     with pytest.raises(TrainingError, match=r"a/easy gave nothing in 200 draws"):
         stream.next_prompts(1)
 
 
 def test_a_probe_finds_a_barren_cell_and_moves_nothing() -> None:
-    stream = ProblemStream([Counting(name="a"), Counting(name="b", weight=0.01, barren=True)])
+    stream = ProblemStream([Counting(name="a"), Counting(name="b", weight=0.01, empty=True)])
     before = stream.state()
     with pytest.raises(TrainingError, match=r"b/easy gave nothing in 200 draws"):
         stream.probe()

@@ -161,7 +161,7 @@ def _write(journal: Journal, overlap: FindsOverlap, number: int, outcomes: Seque
     requests = [(outcome, config.request(outcome.position)) for outcome in outcomes]
     wanted = [((r.mode, each.wanted, r.recipe), 1) for each, r in requests if each.wanted]
     failed = [RefusedPosition.of(each.position, r, each.failure) for each, r in requests if each.failure]
-    barren = [(each, r) for each, r in requests if not each.failure and each.item is None]
+    empty = [(each, r) for each, r in requests if not each.failure and each.item is None]
     shard = Shard(
         number=number,
         positions=(positions.start, positions.stop),
@@ -172,7 +172,7 @@ def _write(journal: Journal, overlap: FindsOverlap, number: int, outcomes: Seque
         cells=table(wanted, ((item.mode, item.kind, item.recipe) for _, item in made)),
         quarantined=tuple(failed),
         contaminated=tuple(RefusedPosition.of(k, config.request(k), found.told) for k, found in overlaps.items()),
-        unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in barren),
+        unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in empty),
     )
     journal.note(shard, marks(made, scenes=len(config.split) > 1))
 

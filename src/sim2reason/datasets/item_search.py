@@ -17,10 +17,11 @@ from sim2reason.recipes import RECIPES, Difficulty, known
 SCENES = 60  # drawn for one item, at most
 TOGETHER = 3  # of them are asked for the first kind before another one has its turn
 TRIES = 2  # questions of one kind about one scene
-BARREN = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
+EMPTY = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
 KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, BARREN, KNOWN
+ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, ABSENT
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -40,18 +41,23 @@ class ItemSearch:
         self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
+        self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
         self.wanted = ""  # the first kind of its order that a scene offers
 
     def found(self) -> CertifiedQuestion | None:
         """The first question that passes every filter; None if none does within the budget."""
         for turn, first in enumerate(range(0, SCENES, TOGETHER)):
             begin = turn % len(self._kinds)
-            kinds = sorted((*self._kinds[begin:], *self._kinds[:begin]), key=lambda kind: self._known[kind] >= KNOWN)
+            kinds = sorted((*self._kinds[begin:], *self._kinds[:begin]), key=self._is_last)
             found = self._among(range(first, first + TOGETHER), kinds)
-            barren = not self.wanted and self.rejected[NOTHING] >= BARREN
-            if found is not None or barren:
+            hopeless = not self.wanted and self.rejected[NOTHING] >= EMPTY
+            if found is not None or hopeless:
                 return found
         return None
+
+    def _is_last(self, kind: str) -> bool:
+        """Whether few scenes of the cell offer a kind, or few laws answer what is asked of it."""
+        return self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
 
     def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
         """A question about one of some scenes."""
@@ -105,6 +111,7 @@ class ItemSearch:
             if kind in search.kinds:
                 self.wanted = self.wanted or kind
                 return found
+            self._absent[kind] += 1
         self.rejected[NOTHING] += 1
         return None
 

@@ -27,7 +27,7 @@ from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.strategies import Strategy
 
 DRAWS = 3  # of questions of one kind
-BARREN = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
+UNDERIVED = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
 ASSUME, JOINT = "Assume that ", " and that "
 
 
@@ -59,7 +59,7 @@ class Symbolic(QuestionMode):
         kinds = [name for name in names if name in formulas]
         refused = study.once("refused", set[Query])
         for name in (name for name in kinds for _ in range(DRAWS)):
-            question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < BARREN else None
+            question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < UNDERIVED else None
             if question is not None and _derived(question.query, study, words) is not None:
                 refused.clear()
                 return replace(question, mode=self.name)

@@ -15,7 +15,7 @@ from sim2reason.training.sources import ProblemSource
 
 __all__ = ["ProblemStream", "StreamState"]
 
-BARREN = 200  # requests of one cell in a row that no draw fills, after which none is expected to
+EMPTY = 200  # requests of one cell in a row that no draw fills, after which none is expected to
 
 
 class StreamState(BaseModel):
@@ -134,8 +134,8 @@ class ProblemStream:
     def _at_or_after(self, key: str, start: int) -> tuple[int, Problem]:
         """The first problem of a cell from an index on, and its own."""
         source, cell = self._cells[key]
-        for index in range(start, start + BARREN):
+        for index in range(start, start + EMPTY):
             found = self.prefetcher.at(source, cell, index)
             if found is not None and not {found.item.prompt, found.fingerprint} & self.avoid:
                 return index, found
-        raise TrainingError(f"problems: {key} gave nothing in {BARREN} draws; choose other recipes, kinds or weights")
+        raise TrainingError(f"problems: {key} gave nothing in {EMPTY} draws; choose other recipes, kinds or weights")

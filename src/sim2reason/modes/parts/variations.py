@@ -72,21 +72,21 @@ class Variations:
         return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
 
     def drawn(
-        self, rng: np.random.Generator, width: float, tries: int, barren: list[Study] | None = None
+        self, rng: np.random.Generator, width: float, tries: int, unanswered: list[Study] | None = None
     ) -> Iterator[Variation]:
         """With every number times a factor whose logarithm is at most `width`; those that have an answer.
 
-        The motions of those that have none are added to `barren`.
+        The motions of those that have none are added to `unanswered`.
         """
         for values in self._around([held.value for held in self.symbols], rng, width, tries):
-            found = self._at(values, barren)
+            found = self._at(values, unanswered)
             if found is not None:
                 yield found
 
-    def widely(self, rng: np.random.Generator, width: float, barren: list[Study]) -> Iterator[Variation]:
+    def widely(self, rng: np.random.Generator, width: float, unanswered: list[Study]) -> Iterator[Variation]:
         """Many that are drawn so; fewer where motions are integrated, and cost ten times as much."""
         tries, wanted = WIDELY[bool(accelerates(self.study.mechanism))]
-        yield from islice(self.drawn(rng, width, tries, barren), wanted)
+        yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
         """With the question's own numbers on the other side of where the motion starts, and all as far from there.
@@ -105,7 +105,7 @@ class Variations:
                 yield found
 
     def turned(
-        self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, barren: list[Study]
+        self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, unanswered: list[Study]
     ) -> Iterator[Variation]:
         """With numbers for which a sum in formulas has another sign than in the scene, or none.
 
@@ -119,13 +119,13 @@ class Variations:
             at = self._counted(values)
             other = [n for n, each in enumerate(sums) if tries[n] < TRIES and _sign(each, at) != signs[n]]
             closer = [self._just_beyond(values, sums[n], signs[n]) for n in other]
-            found = [self.having(numbers, barren) for numbers in dict.fromkeys((tuple(values), *closer)) if other]
+            found = [self.having(numbers, unanswered) for numbers in dict.fromkeys((tuple(values), *closer)) if other]
             for n in other:
                 tries[n] += TRIES // EACH if any(found) else 1
             yield from (each for each in found if each is not None)
         corners = (self._corner(sums[n], width) for n, count in enumerate(tries) if not count)
         for values in dict.fromkeys(corner for corner in corners if corner is not None):
-            yield from self._moving(values, barren)
+            yield from self._moving(values, unanswered)
 
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
         """Numbers on the way from the scene's own to others, a little beyond where a sum turns its sign."""
@@ -140,12 +140,12 @@ class Variations:
         """Numbers some share of the way to others, on the logarithmic scale."""
         return tuple(held.value * (to / held.value) ** share for held, to in zip(self.symbols, values, strict=True))
 
-    def one_by_one(self, width: float, barren: list[Study]) -> Iterator[Variation]:
+    def one_by_one(self, width: float, unanswered: list[Study]) -> Iterator[Variation]:
         """With one number alone far smaller, and far larger, than in the scene."""
         here = [held.value for held in self.symbols]
         for n in range(len(here)):
             for times in (exp(-width), exp(width)):
-                yield from self._moving([*here[:n], here[n] * times, *here[n + 1 :]], barren)
+                yield from self._moving([*here[:n], here[n] * times, *here[n + 1 :]], unanswered)
 
     def mirrored(self, rng: np.random.Generator, width: float) -> Iterator[Variation]:
         """With one number alone of the other sign, where it may have either: no text tells which a symbol has.
@@ -153,21 +153,21 @@ class Variations:
         Then with any signs and all numbers drawn anew, often where a motion costs little: most of these have no answer,
         and then are not what a text seems to ask for.
         """
-        barren: list[Study] = []
+        unanswered: list[Study] = []
         here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
         for n in np.flatnonzero(may).tolist():
-            yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], barren)
+            yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
         tries = EACH if accelerates(self.study.mechanism) else LOOKED
         for values in self._around(here, rng, width, tries if may.any() else 0):
             signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0).tolist()
-            yield from self._moving([value * sign for value, sign in zip(values, signs, strict=True)], barren)
+            yield from self._moving([value * sign for value, sign in zip(values, signs, strict=True)], unanswered)
 
-    def having(self, values: Sequence[float], barren: list[Study] | None = None) -> Variation | None:
+    def having(self, values: Sequence[float], unanswered: list[Study] | None = None) -> Variation | None:
         """With some numbers; None if there is no answer then, or an angle would be as good as a right one."""
-        return None if self._is_steep(values) else self._at(values, barren)
+        return None if self._is_steep(values) else self._at(values, unanswered)
 
-    def _moving(self, values: Sequence[float], barren: list[Study]) -> Iterator[Variation]:
-        found = self.having(values, barren)
+    def _moving(self, values: Sequence[float], unanswered: list[Study]) -> Iterator[Variation]:
+        found = self.having(values, unanswered)
         if found is not None:
             yield found
 
@@ -205,26 +205,28 @@ class Variations:
                 yield values
 
     def _at(
-        self, values: Sequence[float], barren: list[Study] | None, ends: tuple[float, ...] = ()
+        self, values: Sequence[float], unanswered: list[Study] | None, ends: tuple[float, ...] = ()
     ) -> Variation | None:
         """With these numbers, followed to each of some times, s, by default as long as it may take."""
         said = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking([value for held, value in said.items() if not held.path]), None
-        error = FINEST if barren is None else ENOUGH  # far away nothing is recorded, and a formula holds or does not
+        error = (
+            FINEST if unanswered is None else ENOUGH
+        )  # far away nothing is recorded, and a formula holds or does not
         try:
             scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
             if scene.mechanism.routes != self.study.mechanism.routes:
                 return None  # the text tells another course of a string
             ends = ends or self._ends(query)
-            for end in ends if barren is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
+            for end in ends if unanswered is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
                 seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
                 found = _answered(query, seen)
                 if found is not None:
                     return Variation(self._counted(values), *found)
         except (SceneError, SimulationError, UnsupportedError, ValueError):
             return None
-        if barren is not None and seen is not None:
-            barren.append(seen)
+        if unanswered is not None and seen is not None:
+            unanswered.append(seen)
         return None
 
     def _counted(self, values: Sequence[float]) -> dict[str, float]:

@@ -32,7 +32,7 @@ class VariedScenes:
         self._wide: list[Variation] = []
         self._more: Iterator[Variation] | None = None
         self._left = set[tuple[Regime, tuple[Regime, ...]]]()  # what was led out of, while what held
-        self._barren: list[Study] = []  # motions far from the scene's own in which there is no answer
+        self._unanswered: list[Study] = []  # motions far from the scene's own in which there is no answer
 
     def of_scene(self, whole: Expression) -> bool:
         """Whether a formula holds with the scene's own numbers, which are those that cost least."""
@@ -170,10 +170,10 @@ class VariedScenes:
         yield from self._wide
         self._more = self._more or chain(
             self._variations.across(rng, NEAR[-1], ACROSS),
-            self._variations.turned(rng, (formula, *self._whole), WIDE, self._barren),
-            self._variations.one_by_one(WIDE, self._barren),
+            self._variations.turned(rng, (formula, *self._whole), WIDE, self._unanswered),
+            self._variations.one_by_one(WIDE, self._unanswered),
             self._variations.mirrored(rng, WIDE),
-            self._variations.widely(rng, WIDE, self._barren),
+            self._variations.widely(rng, WIDE, self._unanswered),
         )
         for other in self._more:
             self._wide.append(other)
@@ -189,7 +189,7 @@ class VariedScenes:
         """For each scene without an answer, the regimes that it is not in from the very start on, or loses, if any."""
         own = self._near[0].study
         first = [held for held in kept if held.holds(own, 0.0)]
-        found = ({h for h in first if not h.holds(other, 0.0) or h.is_lost(other)} for other in self._barren)
+        found = ({h for h in first if not h.holds(other, 0.0) or h.is_lost(other)} for other in self._unanswered)
         yield from filter(None, found)
 
     def _agrees(self, formula: Expression, other: Variation) -> bool:

@@ -15,7 +15,7 @@ from sim2reason.training.sources.fresh import Fresh
 __all__ = ["RowsOf", "drawn_rows"]
 
 TOGETHER = 16  # problems that a process makes before it gives them back, at most
-BARREN = 50  # requests for each problem that is wanted, after which too few are found
+EMPTY = 50  # requests for each problem that is wanted, after which too few are found
 RowsOf = Callable[[Request], list[Row] | None]
 """The rows of a problem: none if it can have no rows, None if there is no such problem. A pure function."""
 
@@ -37,7 +37,7 @@ def drawn_rows(
                     yield from rows
                 elif not rows:
                     left_out[reason] += 1
-            if found >= items or number > BARREN * ceil(items / size):
+            if found >= items or number > EMPTY * ceil(items / size):
                 break
             ahead.append(pool.submit(_stretch, problems, rows_of, number, size))
         pool.shutdown(wait=True, cancel_futures=True)
