@@ -150,6 +150,12 @@ def test_dead_hits_are_told() -> None:
         check_told(track([(1.0, 0.0, 3.0), (2.0, 1.5, 0.0)], 0.0, right=9.0), seed)
 
 
+def test_the_order_on_the_track_is_told() -> None:
+    """Symbols of places do not say who is where, and who can meet whom."""
+    scene = track([(1.0, -1.0, 2.0), (2.0, 0.0, 0.0)])
+    assert all("named in order of increasing x" in describe(scene, seed).text for seed in range(10))
+
+
 @pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
 def test_what_is_said_of_collisions_is_true_of_walls(restitution: float) -> None:
     """No sentence on the restitution of all speaks of two bodies: one and a wall collide, too."""

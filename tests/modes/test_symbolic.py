@@ -166,6 +166,23 @@ def test_a_velocity_may_have_either_sign() -> None:
     assert "cart B moves only to the right" in found.text
 
 
+def test_velocities_turn_while_places_keep_their_order() -> None:
+    """A cart that is struck may have moved either way before; a mirrored scene has its carts in another order."""
+    carts = (Glider(mass=2.0, x=-1.0, v=1.5), Glider(mass=1.0, x=0.0, v=-2.0))
+    entity = ComplexCollisionPlane(track=Track(), gliders=carts, restitution=0.5)
+    scene = Scene(entities=(Named(name="t", entity=entity),))
+    search = QuestionSearch(scene, 0)
+    query = Query("event", Target("velocity", "t.gliders.0"), Collided("t.gliders.0 & t.gliders.1"))
+    paths = ("t.gliders.0.x", "t.gliders.0.v", "t.gliders.1.x", "t.gliders.1.v")
+    symbols = [
+        ProblemSymbol(path, "m/s"[: 3 if path.endswith("v") else 1], float(scene.value(path)), path, signed=True)
+        for path in paths
+    ]
+    found = list(Variations(search.study, query, symbols).mirrored(np.random.default_rng(0), 1.1))
+    assert sum(other.values[paths[1]] < 0.0 for other in found) >= 10
+    assert all(other.values[paths[0]] < other.values[paths[2]] for other in found)
+
+
 def test_no_formula_where_only_integration_answers() -> None:
     """The time of a large swing is no elementary function."""
     scene = swing()

@@ -78,9 +78,9 @@ class ComplexCollisionPlane(Entity):
     }
     says = (
         either(
-            "{gliders:#} small {gliders:s} move along {track}; x is measured along it, {track.ahead}.",
-            "on {track} there are {gliders:#} small {gliders:s}; x is counted along it, {track.ahead}.",
-            "{track}, along which x is measured {track.ahead}, carries {gliders:#} small {gliders:s}.",
+            "{gliders:#} small {gliders:s}, named in order of increasing x, move along {track}; x is measured along it, {track.ahead}.",
+            "on {track} there are {gliders:#} small {gliders:s}, named in order of increasing x, which is counted along it, {track.ahead}.",
+            "{track}, along which x is measured {track.ahead}, carries {gliders:#} small {gliders:s}, named in order of increasing x.",
         ),
         each(
             "gliders",

@@ -2,14 +2,25 @@
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import Literal
+from typing import Literal, cast
 
+import numpy as np
+
+from sim2reason.dsl.state import Array
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Scalar, Symbol, Values, added, parenthesized
 
 Function = Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
+OF_ONE = {"arctan": "atan", "arccos": "acos", "arcsin": "asin"}  # what NumPy calls otherwise than `math`
+
+
+def _applied(name: str, inside: Scalar) -> Scalar:
+    """A function of a number, or of each of many."""
+    if isinstance(inside, np.ndarray):
+        return getattr(np, name)(inside)
+    return getattr(cmath if isinstance(inside, complex) else math, OF_ONE.get(name, name))(inside)
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,8 +87,7 @@ class Root(_OfOne):
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """The root; ValueError below zero."""
-        inside = self.inside.value(at, digits)
-        return cmath.sqrt(inside) if isinstance(inside, complex) else math.sqrt(inside)
+        return _applied("sqrt", self.inside.value(at, digits))
 
     def latex(self) -> str:
         """Under its sign."""
@@ -103,9 +113,7 @@ class Call(Expression):
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """The value of the function."""
-        inside = self.argument.value(at, digits)
-        name = {"arctan": "atan", "arccos": "acos", "arcsin": "asin", "ln": "log"}.get(self.function, self.function)
-        return getattr(cmath if isinstance(inside, complex) else math, name)(inside)
+        return _applied("log" if self.function == "ln" else self.function, self.argument.value(at, digits))
 
     def latex(self) -> str:
         """The sine of an angle without parentheses, where that is a symbol."""
@@ -126,6 +134,8 @@ class Absolute(_OfOne):
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Never negative; of a complex value, the value of which the real part is not, so that it has a derivative."""
         inside = self.inside.value(at, digits)
+        if isinstance(inside, np.ndarray):
+            return np.abs(inside)
         return -inside if inside.real < 0.0 else inside
 
     def latex(self) -> str:
@@ -182,3 +192,10 @@ def summed(parts: Iterable[Expression]) -> Expression:
 def squares(parts: Iterable[Expression]) -> Expression:
     """The sum of the squares, without those of zeros."""
     return summed(Power(part, 2) for part in parts if part != ZERO)
+
+
+def values(held: Expression, at: Mapping[str, Array]) -> Array:
+    """The values of a formula for many numbers under each symbol, (m,); not a number where it has none."""
+    with np.errstate(all="ignore"):
+        found = held.value(cast("Values", at))
+    return np.where(np.isfinite(found), found, np.nan) * np.ones_like(next(iter(at.values())))

@@ -1,5 +1,7 @@
 """What a motion does throughout, in words, and in which other motions it does so."""
 
+from math import cos, radians, sin
+
 import numpy as np
 import pytest
 
@@ -24,6 +26,7 @@ from sim2reason.questions.regimes import regimes
 from sim2reason.questions.regimes.acute import StartsAcute
 from sim2reason.questions.regimes.burnt_out import BurntOut
 from sim2reason.questions.regimes.collisions import CollideInTurn
+from sim2reason.questions.regimes.sliding import SlidesThroughout
 from sim2reason.recipes import RECIPES
 from sim2reason.scene_files import loads
 
@@ -50,6 +53,15 @@ def test_a_block_slides_down_what_is_steep_enough() -> None:
     assert "the block slides down the plane" in said(ramp(friction=0.3), 0.5)
     assert "the block slides up the plane" in said(ramp(friction=0.3, speed=2.0), 0.1)
     assert said(ramp(friction=0.7), 0.5) == {"the block does not slide on the plane"}
+
+
+def test_the_margin_of_sliding_tells_from_the_very_start() -> None:
+    """As a share of what free fall has, sin θ − µ cos θ: there is no speed yet by which it could be told."""
+    (block,) = ramp().mechanism.contacts
+    slides = SlidesThroughout(block, slides=True, course=(-1,))
+    for friction in (0.1, 0.3):
+        margin = slides.margin(study(ramp(friction=friction)), 0.0)
+        assert margin == pytest.approx(sin(radians(30.0)) - friction * cos(radians(30.0)), rel=1e-6)
 
 
 def test_what_slides_up_and_down_again_is_told_to() -> None:

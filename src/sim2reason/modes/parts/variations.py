@@ -2,17 +2,20 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import islice
 from math import copysign, exp, inf, isfinite
 
 import numpy as np
 
+from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.questions import KINDS, Query, Study
 from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
+from sim2reason.solutions import functions
 from sim2reason.solutions.expressions import Expression, Sum
 from sim2reason.solutions.strategies import accelerates
 
@@ -24,6 +27,7 @@ TRIES = 8  # at most for each, where most have no answer
 BEYOND_TURN = 0.02  # of the way to numbers that turn a sum's sign: so close behind the turn things are nearly as before
 SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, and last of these what else is integrated
 STEEPEST = 89.0  # degrees
+FARTHEST = 2.0  # times the largest of a unit: how far numbers with a sign are shifted
 
 
 @dataclass(frozen=True)
@@ -115,9 +119,10 @@ class Variations:
         here = [held.value for held in self.symbols]
         sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *_sums(formula)))]
         signs, tries = [_sign(each, self._counted(here)) for each in sums], [0] * len(sums)
-        for values in self._around(here, rng, width, LOOKED):
-            at = self._counted(values)
-            other = [n for n, each in enumerate(sums) if tries[n] < TRIES and _sign(each, at) != signs[n]]
+        drawn = [*self._around(here, rng, width, LOOKED)]
+        turns = [self._turns(each, sign, drawn) for each, sign in zip(sums, signs, strict=True)]
+        for number, values in enumerate(drawn):
+            other = [n for n, turned in enumerate(turns) if tries[n] < TRIES and turned[number]]
             closer = [self._just_beyond(values, sums[n], signs[n]) for n in other]
             found = [self.having(numbers, unanswered) for numbers in dict.fromkeys((tuple(values), *closer)) if other]
             for n in other:
@@ -126,6 +131,13 @@ class Variations:
         corners = (self._corner(sums[n], width) for n, count in enumerate(tries) if not count)
         for values in dict.fromkeys(corner for corner in corners if corner is not None):
             yield from self._moving(values, unanswered)
+
+    def _turns(self, held: Expression, sign: float | None, drawn: Sequence[Sequence[float]]) -> list[bool]:
+        """For which of some numbers a sum has another sign, or none where it has one."""
+        columns = zip(self.symbols, np.array(drawn).T, strict=True)
+        found = functions.values(held, {symbol.symbol: column * symbol.counted(1.0) for symbol, column in columns})
+        turned = np.isfinite(found) if sign is None else np.isnan(found) | (np.copysign(1.0, found) != sign)
+        return turned.tolist()
 
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
         """Numbers on the way from the scene's own to others, a little beyond where a sum turns its sign."""
@@ -150,17 +162,26 @@ class Variations:
     def mirrored(self, rng: np.random.Generator, width: float) -> Iterator[Variation]:
         """With one number alone of the other sign, where it may have either: no text tells which a symbol has.
 
-        Then with any signs and all numbers drawn anew, often where a motion costs little: most of these have no answer,
-        and then are not what a text seems to ask for.
+        Then with any signs and all numbers drawn anew, and again with such numbers shifted, far or a little, which may
+        turn signs while the rest stays as it is. Often where a motion costs little: most of these have no answer, and
+        then are not what a text seems to ask for.
         """
         unanswered: list[Study] = []
         here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
         for n in np.flatnonzero(may).tolist():
             yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
-        tries = EACH if accelerates(self.study.mechanism) else LOOKED
+        tries = (EACH if accelerates(self.study.mechanism) else LOOKED) // 2  # of either
         for values in self._around(here, rng, width, tries if may.any() else 0):
-            signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0).tolist()
-            yield from self._moving([value * sign for value, sign in zip(values, signs, strict=True)], unanswered)
+            signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0)
+            shifts = rng.uniform(0.0, FARTHEST) * self._sizes * rng.uniform(-1.0, 1.0, len(may))
+            yield from self._moving((values * signs).tolist(), unanswered)
+            yield from self._moving(np.where(may, np.array(here) + shifts, values).tolist(), unanswered)
+
+    @cached_property
+    def _sizes(self) -> Array:
+        """Of each number, the size of the largest in its unit."""
+        held = self.symbols
+        return np.array([max(abs(other.value) for other in held if other.unit == each.unit) for each in held])
 
     def having(self, values: Sequence[float], unanswered: list[Study] | None = None) -> Variation | None:
         """With some numbers; None if there is no answer then, or an angle would be as good as a right one."""
@@ -198,11 +219,8 @@ class Variations:
         self, middle: Sequence[float], rng: np.random.Generator, width: float, tries: int
     ) -> Iterator[list[float]]:
         """Numbers around some, but for angles that would be steep, as good as right ones, where the text's are not."""
-        for _ in range(tries):
-            factors = np.exp(rng.uniform(-width, width, len(self.symbols))).tolist()
-            values = [number * factor for number, factor in zip(middle, factors, strict=True)]
-            if not self._is_steep(values):
-                yield values
+        factors = np.exp(rng.uniform(-width, width, (tries, len(self.symbols))))
+        yield from (values for values in (np.array(middle) * factors).tolist() if not self._is_steep(values))
 
     def _at(
         self, values: Sequence[float], unanswered: list[Study] | None, ends: tuple[float, ...] = ()

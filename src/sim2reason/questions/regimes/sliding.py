@@ -57,12 +57,13 @@ class SlidesThroughout(Regime):
         return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
 
     def margin(self, study: Study, until: float) -> float | None:
-        """The velocity with which what slides does so then, along its way, as a share of that of free fall."""
+        """The velocity with which what slides does so then, or soon, along its way, as a share of that of free fall."""
         if not self.slides:
             return None
-        found = float(slip(study.trace.at(until), self.name)[0])
+        end = max(_soon(study, until), until)
+        found = float(slip(study.trace.at(end), self.name)[0])
         size = self.course[-1] * found if self.course else abs(found)
-        return size / ((float(np.linalg.norm(study.mechanism.gravity)) * until) or 1.0)
+        return size / ((float(np.linalg.norm(study.mechanism.gravity)) * end) or 1.0)
 
     def clause(self, words: Words) -> str:
         """As in: block A slides to the right on the plank; what may roll does so where it touches its face.
@@ -100,7 +101,7 @@ def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
 
 def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]:
     """Whether it slides throughout, if only to and fro; None if it does for a while. And its course."""
-    soon = min(SOON * (until or 1.0), float(study.trace.state.times[-1]))
+    soon = _soon(study, until)
     scan = study.trace.scan
     within = (scan.times > soon) & (scan.times < until)
     end = max(soon, until)
@@ -113,3 +114,8 @@ def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]
     course = tuple(sense for sense, _ in groupby(np.sign(slips[~still]).astype(int).tolist()))
     stays = still[1:] & still[:-1] & (np.diff(times) > LASTING * until)  # what turns back is still for no time
     return (None if still[0] or stays.any() else True), course
+
+
+def _soon(study: Study, until: float) -> float:
+    """By when what is released has begun to slide, s."""
+    return min(SOON * (until or 1.0), float(study.trace.state.times[-1]))
