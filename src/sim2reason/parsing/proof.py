@@ -51,9 +51,10 @@ class ScriptedWriter(Writer):
         """What is left out has no place in the script."""
 
     def leaves_out(self, closing: Closing) -> bool:
-        """That on a start which the text leaves out, too."""
-        mute = closing.name not in self._state.closings and _of_untold_start(closing, self._state)
-        return mute or super().leaves_out(closing)
+        """That on a start only where the text does: it may say of one that it does not tell that it is from rest."""
+        if closing.role == "start":
+            return closing.name not in self._state.closings and _of_untold_start(closing, self._state)
+        return super().leaves_out(closing)
 
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
         if isinstance(saying, PartLines):

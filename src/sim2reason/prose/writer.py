@@ -55,6 +55,7 @@ class Writer(Terms):
         self._rng, self._without = rng, without
         self.roles: dict[str, Role] = {}
         self.topics = set[Topic]()  # of what is said
+        self._left_out = set[Topic]()  # of lines that are not said
         self._finished: list[str] = []
 
     @property
@@ -115,7 +116,10 @@ class Writer(Terms):
         template = self.choose(wordings(saying))
         if not isinstance(saying, Each):
             topic = topic_of(saying)
-            if topic in self._without or not self.says_line(saying, template, part):
+            if not self.says_line(saying, template, part):
+                return []
+            if topic is not None and topic in self._without:
+                self._left_out.add(topic)
                 return []
             return [self._as(role_of(saying), self.finish(self.render(template, address)), topic)]
         members = getattr(part, saying.field)
@@ -162,8 +166,8 @@ class Writer(Terms):
         return told
 
     def leaves_out(self, closing: Closing) -> bool:
-        """Whether a closing that the scene needs stays unsaid."""
-        return closing.topic in self._without
+        """Whether a closing stays unsaid: a start from rest, too, where the line on its place is left out."""
+        return closing.topic in self._without or (closing.role == "start" and "start" in self._left_out)
 
     def _as(self, role: Role, sentence: str, topic: Topic | None) -> str:
         """A sentence whose role and topic are kept."""
