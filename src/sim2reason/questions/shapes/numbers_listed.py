@@ -54,12 +54,12 @@ class NumbersListed(PromptShape):
 
 
 def _numbers(description: Description, marked: Description) -> dict[str, str] | None:
-    """By symbol, the numbers that a text tells, in its order, but for g; None if an unknown has another symbol."""
+    """By symbol, the numbers that a text tells, in its order, but those that stay; None if an unknown has another one."""
     found: dict[str, str] = {}
     parameters = {parameter.path: parameter for parameter in description.scene.parameters}
     for path in description.told:
         symbol, parameter = marked.symbols.get(path), parameters.get(path)
-        if symbol is None or parameter is None or _is_gravity(parameter):
+        if symbol is None or parameter is None or _stays(parameter):
             continue
         spoken = description.voice(parameter, description.symbols.get(path, ""))
         if spoken.startswith("$") and spoken != f"${symbol}$":
@@ -69,15 +69,16 @@ def _numbers(description: Description, marked: Description) -> dict[str, str] | 
     return found
 
 
-def _is_gravity(parameter: Parameter) -> bool:
-    return parameter.path.startswith("world.")
+def _stays(parameter: Parameter) -> bool:
+    """Whether it is said where it stands: g, and zero, which a problem in symbols would list as its only number."""
+    return parameter.path.startswith("world.") or parameter.value == 0.0
 
 
 def _symbols_for(voice: Voice) -> Voice:
-    """Symbols, but for g, which stays as a voice says it."""
+    """Symbols, but for what stays as a voice says it."""
 
     def said(parameter: Parameter, symbol: str) -> str:
-        return voice(parameter, symbol) if _is_gravity(parameter) else symbolic(parameter, symbol)
+        return voice(parameter, symbol) if _stays(parameter) else symbolic(parameter, symbol)
 
     return said
 
