@@ -11,6 +11,7 @@ import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.prose.description import Description
+from sim2reason.prose.symbol_names import with_names
 from sim2reason.prose.voices import hiding
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS, Kind
@@ -115,8 +116,8 @@ class QuestionMode(ABC):
         return question
 
     def described(self, question: Question, description: Description) -> Description:
-        """The text of the scene as a question needs it; by default with its unknown, if it has one."""
-        return description.voiced(hiding(question.unknown)) if question.unknown else description
+        """The text of the scene as a question needs it; by default with its unknown, if it has one, by its name."""
+        return with_names(description.voiced(hiding(question.unknown))) if question.unknown else description
 
     @abstractmethod
     def parsed(self, text: str, study: Study, words: Words) -> Reading | None:

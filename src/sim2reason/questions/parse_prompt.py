@@ -106,7 +106,7 @@ def _drafts(text: str) -> Iterator[tuple[str, Draft]]:
 def _stated(draft: Draft, given: Mapping[str, str]) -> Draft:
     """With the numbers of symbols of which the story speaks."""
     told = {symbol: said for symbol, said in given.items() if f"${symbol}$" in draft.story}
-    return replace(draft, story=without_names(draft.story), given={**draft.given, **told}) if told else draft
+    return replace(draft, story=without_names(draft.story), given={**draft.given, **told})
 
 
 def _understood(
