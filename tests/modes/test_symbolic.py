@@ -151,7 +151,7 @@ def test_among_several_who_meets_first_is_assumed_whatever_their_numbers() -> No
     found = completed(scene, query, "m/s")
     assert paid(found, r"v_B + \frac{m_A (1 + e)(v_A - v_B)}{m_A + m_B}")
     assert found is not None
-    assert found.text.endswith("that there is no earlier collision.")
+    assert found.text.endswith("that there is no collision before then.")
 
 
 def test_a_velocity_may_have_either_sign() -> None:

@@ -144,11 +144,11 @@ def test_collisions_in_turn() -> None:
     def listed(until: float) -> list[str]:
         return [r.clause(words) for r in regimes(motion, words, until) if isinstance(r, CollideInTurn)]
 
-    assert listed(0.5) == ["there is no earlier collision"]
+    assert listed(0.5) == ["there is no collision before then"]
     assert listed(1.0) == listed(0.5), "the one that is asked about does not come before itself"
-    assert listed(1.5) == ["the only earlier collision is that of carts A and B"]
-    both = "first that of carts A and B, then that of cart B with the wall"
-    assert listed(2.5) == [f"the only earlier collisions are {both}"]
+    assert listed(1.5) == ["the only collision before then is between carts A and B"]
+    both = "between carts A and B and between cart B and the wall"
+    assert listed(2.5) == [f"the only collisions before then are, in this order, {both}"]
 
 
 def rocket(rate: float) -> Scene:
@@ -197,7 +197,7 @@ def test_a_rod_that_may_start_above_its_hinge_is_said_to_start_below() -> None:
     """A trolley comes to rest first as its rod is level if that starts above: the momentum along the rail is zero."""
     words = words_of(describe(swung(40.0)))
     acute = next(held for held in regimes(study(swung(40.0)), words, 0.5) if isinstance(held, StartsAcute))
-    assert acute.clause(words).endswith("makes an acute angle with the downward vertical at first")
+    assert acute.clause(words).endswith("makes an acute angle with the downward vertical at the start")
     assert acute.holds(study(swung(89.0)), 0.5)
     assert not acute.holds(study(swung(100.0)), 0.5)
 

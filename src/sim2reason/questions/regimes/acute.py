@@ -33,5 +33,5 @@ class StartsAcute(Regime):
         return deflection_at_start(study.trace.at(0.0), self.name) < RIGHT
 
     def clause(self, words: Words) -> str:
-        """As in: the rod makes an acute angle with the downward vertical at first."""
-        return f"{words.called(self.of)[self.name]} makes an acute angle with the downward vertical at first"
+        """As in: the rod makes an acute angle with the downward vertical at the start."""
+        return f"{words.called(self.of)[self.name]} makes an acute angle with the downward vertical at the start"

@@ -6,6 +6,8 @@ from itertools import product
 from typing import Self
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.template import COUNT_WORDS
+from sim2reason.prose.phrases import join
 from sim2reason.quantities.subjects.pairs import AND, Pairs
 from sim2reason.questions.moments.bounced import GROUND, WALL, struck
 from sim2reason.questions.regimes import REGIMES, Regime
@@ -42,14 +44,15 @@ class CollideInTurn(Regime):
         return len(_meetings(study.mechanism)) > 1 or any(len(names) > 1 for names in self.order)
 
     def clause(self, words: Words) -> str:
-        """As in: the only earlier collision is that of balls A and B; it follows the question."""
+        """As in: the only collision before then is between balls A and B; it follows the question."""
         said = [_said(names, words) for names in self.order]
         if not said:
-            return "there is no earlier collision"
+            return "there is no collision before then"
         if len(said) == 1:
-            lone = words.called(Pairs()).get(AND.join(self.order[0])) if len(_meetings(words.mechanism)) == 1 else None
-            return f"{lone} have collided by then" if lone else f"the only earlier collision is {said[0]}"
-        return f"the only earlier collisions are first {', then '.join(said)}"
+            return f"the only collision before then is {said[0]}"
+        if len(set(said)) == 1:
+            return f"there are exactly {COUNT_WORDS[len(said)]} collisions before then, each {said[0]}"
+        return f"the only collisions before then are, in this order, {join(said)}"
 
 
 def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
@@ -58,10 +61,10 @@ def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
 
 
 def _said(names: Sequence[str], words: Words) -> str:
-    """A collision as a noun phrase; empty where the text has none, or none that tells it from another one."""
+    """Between whom a collision is; empty where the text has none, or none that tells it from another one."""
     if len(names) > 1:
         found = words.called(Pairs()).get(AND.join(names), "")
-        return found and f"that of {found}"
+        return found and f"between {found}"
     (name,) = names
     what = struck(words, name)
-    return f"that of {words.mentions[name]} with {what}" if what in (GROUND, WALL) else ""
+    return f"between {words.mentions[name]} and {what}" if what in (GROUND, WALL) else ""
