@@ -42,8 +42,8 @@ class Planet(Body):
     vy: OrbitalVelocity
 
     nouns = ("planet", "comet")
-    lone = ("a {noun}", "a single {noun}")
-    named = ("{noun} {letter}", "the {noun} {letter}")
+    lone = ("a {noun}", "a {noun} of negligible mass")
+    named = ("{noun} {letter}", "{noun} {letter}, of negligible mass,")
     listed = "{letter}"
     words = {"among": Word("x", {}, "do not attract")}
     symbols = {"vx": "v_x", "vy": "v_y"}

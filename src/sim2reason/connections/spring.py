@@ -32,13 +32,13 @@ class SpringConnection(Straight):
         "damped": Word("damping", {0.0: ""}, ", and beside it acts a light dashpot of damping constant {damping}"),
     }
     says: ClassVar[Wordings] = either(
-        "a light spring of stiffness {stiffness}{dashpot}, at first {strain}, joins {a} to {b}.",
-        "{a} is joined to {b} by a light spring of stiffness {stiffness}, {strain} at first{damped}.",
+        "a light spring of stiffness {stiffness}{dashpot}, initially {strain}, joins {a} to {b}.",
+        "{a} is joined to {b} by a light spring of stiffness {stiffness}, initially {strain}{damped}.",
         "between {a} and {b} runs a light spring of stiffness {stiffness}{dashpot}; at the start the spring is {strain}.",
     )
     leads: ClassVar[Wordings] = either(
-        "from {a} a light spring of stiffness {stiffness}{dashpot}, at first {strain}, {way} to {b}.",
-        "a light spring of stiffness {stiffness} is fastened to {a}; {strain} at first, it {way} to {b}{damped}.",
+        "from {a} a light spring of stiffness {stiffness}{dashpot}, initially {strain}, {way} to {b}.",
+        "a light spring of stiffness {stiffness} is fastened to {a}; initially {strain}, it {way} to {b}{damped}.",
         "a light spring of stiffness {stiffness}{dashpot}, fastened to {a}, {way} to {b} and is {strain} at the start.",
     )
 

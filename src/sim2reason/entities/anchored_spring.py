@@ -29,7 +29,7 @@ class AnchoredSpring(Entity):
         "ties": Word(
             "support",
             {
-                "wall": "{spring} joins a wall to {block}, which lies on a smooth level floor on its right",
+                "wall": "{spring} joins {block}, which lies on a smooth level floor, to a wall on its left",
                 "ceiling": "{spring} leads from the ceiling straight down to {block}",
                 "floor": "{spring} leads from the floor straight up to {block}",
             },

@@ -31,9 +31,9 @@ class DirectedMass(Entity):
             "a smooth horizontal guide lets {block} slide to the left and right.",
         ),
         either(
-            "at first a small fixed pulley on its left is {left_distance} away from it, {left_angle} {left_side} the guide, and another on its right is {right_distance} away, {right_angle} {right_side} the guide.",
+            "initially a small fixed pulley on its left is {left_distance} away from it, {left_angle} {left_side} the guide, and another on its right is {right_distance} away, {right_angle} {right_side} the guide.",
             "at the start its distance from a small fixed pulley on the left is {left_distance}, at an angle of {left_angle} {left_side} the guide; from a second one on the right it is {right_distance}, at {right_angle} {right_side} the guide.",
-            "two small pulleys are fixed near by: seen from it, one is at first on the left, {left_angle} {left_side} the guide and {left_distance} away, the other on the right, {right_angle} {right_side} the guide and {right_distance} away.",
+            "two small pulleys are fixed near by: seen from it, one is initially on the left, {left_angle} {left_side} the guide and {left_distance} away, the other on the right, {right_angle} {right_side} the guide and {right_distance} away.",
         ),
     )
     side_1 = StringEnd(

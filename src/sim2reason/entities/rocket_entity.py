@@ -33,13 +33,13 @@ class RocketEntity(Entity):
     says = (
         either(
             "{rocket} {place}.",
-            "at first {rocket} {place}.",
+            "until t = 0 {rocket} {place}.",
             "before t = 0 {rocket} {place}.",
         ),
         starting(
-            "at t = 0 the engine starts: it burns fuel at the rate of {rate} and ejects the gas backwards at speed {exhaust} relative to {rocket} until no fuel is left.",
-            "from t = 0 on {rocket} burns fuel at the rate of {rate}, ejecting the gas backwards at speed {exhaust} relative to itself, until none is left.",
-            "its engine, started at t = 0, ejects gas backwards at speed {exhaust} relative to {rocket} and burns fuel at the rate of {rate} until none is left.",
+            "at t = 0 the engine starts: it burns fuel at a rate of {rate} and ejects the gas backwards at speed {exhaust} relative to {rocket} until no fuel is left.",
+            "from t = 0 on {rocket} burns fuel at a rate of {rate}, ejecting the gas backwards at speed {exhaust} relative to itself, until none is left.",
+            "its engine, started at t = 0, ejects gas backwards at speed {exhaust} relative to {rocket} and burns fuel at a rate of {rate} until none is left.",
         ),
     )
 

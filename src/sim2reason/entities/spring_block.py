@@ -73,7 +73,7 @@ class SpringBlock(Entity):
         ),
         DASHPOTS,
         placing(
-            "at first {block} is at the point ({x}, {y}).",
+            "initially {block} is at the point ({x}, {y}).",
             "the starting point of {block} is ({x}, {y}).",
             "at the start {block} is at ({x}, {y}).",
         ),

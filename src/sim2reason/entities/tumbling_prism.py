@@ -35,7 +35,7 @@ class TumblingPrism(Entity):
         either(
             "at t = 0 it begins to tip over its {plane.edge} with an angular velocity of {rate}.",
             "it starts with an angular velocity of {rate} about its {plane.edge}, over which it tips.",
-            "a sudden push makes it tip over its {plane.edge}, at first with an angular velocity of {rate}.",
+            "a sudden push makes it tip over its {plane.edge}, with an initial angular velocity of {rate}.",
         ),
     )
 

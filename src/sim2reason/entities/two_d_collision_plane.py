@@ -91,7 +91,7 @@ class TwoDCollisionPlane(Entity):
                 "the {columns} of each {noun} at t = 0 are the following.",
                 "at t = 0 each {noun} has the {columns} in its row below.",
                 "the list below gives each {noun}'s {columns} at t = 0.",
-                "each {noun} begins, at t = 0, with the {columns} in its row below.",
+                "each {noun}'s row below gives its {columns} at t = 0.",
                 "listed below are the {columns} of each {noun} at t = 0.",
             ),
         ),

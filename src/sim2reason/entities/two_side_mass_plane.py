@@ -23,9 +23,9 @@ class TwoSideMassPlane(Entity):
         ),
         FRICTION_ON_PLANE,
         either(
-            "at t = 0 {blocks:it moves/they move} {plane.uphill} at speed {speed}.",
-            "{blocks:its/their} velocity at t = 0 is {speed}, directed {plane.uphill}.",
-            "{blocks:it is/they are} launched {plane.uphill} at t = 0 with a speed of {speed}.",
+            "at t = 0 {blocks} {blocks:moves/move} {plane.uphill} at speed {speed}.",
+            "the velocity of {blocks} at t = 0 is {speed}, directed {plane.uphill}.",
+            "{blocks} {blocks:is/are} launched {plane.uphill} at t = 0 with a speed of {speed}.",
         ),
     )
     left = End(

@@ -85,10 +85,10 @@ RELEASES = (
     "everything is released from rest{taut}.",
     "everything starts from rest{taut}.",
     "everything is let go from rest{taut}.",
-    "at first everything is held at rest{taut}, then released.",
+    "everything is initially held at rest{taut}, then released.",
     "the motion starts from rest{taut}.",
     "the system is let go from rest{taut}.",
-    "all bodies are held at rest at first{taut}.",
+    "all bodies are initially held at rest{taut}.",
     "until t = 0 everything is held at rest{taut}.",
     "the system starts from rest{taut}.",
     "the bodies are held at rest{taut}, and then let go.",
@@ -101,8 +101,8 @@ LONE_RELEASES = (
 TAUT = ("", " with the string taut", " with all strings taut")
 STRETCHED = (
     (),
-    ("the string is taut at the start.", "at first the string is taut.", "the string is taut to begin with."),
-    ("all strings are taut at the start.", "at first all strings are taut.", "every string is taut to begin with."),
+    ("the string is taut at the start.", "initially the string is taut.", "the string is taut to begin with."),
+    ("all strings are taut at the start.", "initially all strings are taut.", "every string is taut to begin with."),
 )
 
 
@@ -152,16 +152,16 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
     ),
 }
 ROOM = {  # by whether there are several pulleys, and whether there are edges
-    (False, False): ("no body reaches it", "nothing reaches it", "there is room to move"),
+    (False, False): ("no body reaches it", "nothing reaches it", "there is ample room to move"),
     (True, False): ("no body reaches a pulley", "every string is long enough", "nothing reaches a pulley"),
     (False, True): (
         "no body reaches it or an edge",
-        "there is room to move",
+        "there is ample room to move",
         "nothing reaches it or an edge",
     ),
     (True, True): (
         "nothing reaches a pulley or an edge",
-        "there is room to move",
+        "there is ample room to move",
         "no body gets to an edge or a pulley",
     ),
 }
@@ -197,7 +197,7 @@ CLOSINGS: tuple[Closing, ...] = (
     Closing(
         "room on faces",
         _has_faces,
-        ("nothing reaches an edge.", "no body gets to an edge.", "there is room to move."),
+        ("nothing reaches an edge.", "no body gets to an edge.", "there is ample room to move."),
     ),
     Closing(
         "g",

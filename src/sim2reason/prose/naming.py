@@ -33,7 +33,7 @@ def called(noun: str, letter: str, *, full: bool) -> str:
 
 def listed(noun: str, letters: list[str], *, full: bool) -> str:
     """Several bodies of one noun by their letters: *blocks A and B*, or *A and B* where `full` is off."""
-    plural = f"{noun}s " if full or letters[0][0].isdigit() else ""
+    plural = f"{noun}s " if full or letters[0][:1].isdigit() else ""
     return plural + join(letters)
 
 

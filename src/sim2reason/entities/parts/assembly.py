@@ -60,7 +60,7 @@ class WeldedArm(Entity):
             "the far end of {arm} is {reach} from the axle.",
             "{arm} reaches to {reach} from the axle.",
         ),
-        placing("at first {start}.", "{start} at first.", "when the motion begins, {start}."),
+        placing("initially {start}.", "at the start {start}.", "when the motion begins, {start}."),
         starting(
             "{arm} starts turning at {rate}, {sent}.",
             "at t = 0 {arm} turns at {rate}, {sent}.",

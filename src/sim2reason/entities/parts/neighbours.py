@@ -114,9 +114,9 @@ WALLS = (
 
 JOINED = each(
     "joined",
-    "{joined.*.spring}, relaxed at first, joins {joined.*.first>gliders} to {joined.*.second>gliders}.",
-    "{joined.*.first>gliders} is joined to {joined.*.second>gliders} by {joined.*.spring}, which is relaxed at first.",
-    "between {joined.*.first>gliders} and {joined.*.second>gliders} runs {joined.*.spring} that is fixed to both and relaxed at first.",
+    "{joined.*.spring}, initially relaxed, joins {joined.*.first>gliders} to {joined.*.second>gliders}.",
+    "{joined.*.first>gliders} is joined to {joined.*.second>gliders} by {joined.*.spring}, which is initially relaxed.",
+    "between {joined.*.first>gliders} and {joined.*.second>gliders} runs {joined.*.spring} that is fixed to both and initially relaxed.",
 )
 """The lines of an entity whose `gliders` have `joined`: springs that are fixed to both."""
 

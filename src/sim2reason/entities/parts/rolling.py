@@ -99,7 +99,7 @@ class Sliding(Start):
     says = (
         either(
             "at t = 0 it slides {way} at speed {speed} without turning.",
-            "it is set sliding {way} at speed {speed}, at first without any rotation.",
+            "it is set sliding {way} at speed {speed}, initially without any rotation.",
             "its velocity at t = 0 is {speed}, directed {way}, and it is not turning then.",
         ),
     )
@@ -139,10 +139,10 @@ class Hole(Part):
         "place": Word(
             "bearing",
             {0.0: "the hole is straight above its centre", 180.0: "the hole is straight below its centre"},
-            "the line from its centre to the hole makes {bearing} with the upward vertical, on the {towards} side",
+            "the line from its centre to the hole makes an angle of {bearing} with the upward vertical, on the {towards} side",
         ),
     }
-    says = (placing("at first {place}.", "to begin with, {place}.", "when the motion begins, {place}."),)
+    says = (placing("initially {place}.", "to begin with, {place}.", "when the motion begins, {place}."),)
 
     @model_validator(mode="after")
     def _is_said(self) -> Self:

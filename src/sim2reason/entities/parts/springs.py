@@ -53,4 +53,4 @@ STRAINED = Word(
 )
 """How an entity with `springs` tells which of them has a `strain`: its word *strained*, which `AT_FIRST` uses."""
 
-AT_FIRST = either("at first {strained}.", "at the start {strained}.", "to begin with, {strained}.")
+AT_FIRST = either("initially {strained}.", "at the start {strained}.", "to begin with, {strained}.")

@@ -6,7 +6,7 @@ from sim2reason.authoring import Length, Range, placing
 
 StartLength = Annotated[Length, Range(0.2, 1.0)]
 AT_FIRST = placing(
-    "at first {spring} is {start} long.",
+    "initially {spring} has a length of {start}.",
     "the length of {spring} at the start is {start}.",
     "the initial length of {spring} is {start}.",
 )

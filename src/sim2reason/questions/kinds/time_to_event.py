@@ -48,7 +48,7 @@ class TimeToEventKind(Kind):
         takes = f"how long does {clause.subject} take {clause.takes}, counted from {since}?"
         return (
             takes if clause.takes else f"how long after {since} {clause.question}?",
-            f"what time passes from {since} until {clause.statement}?",
+            f"how much time passes from {since} until {clause.statement}?",
             f"find the time from {since} until {clause.statement}.",
             f"what is the time from {since} until {clause.statement}?",
             f"determine how long after {since} {clause.statement}.",

@@ -56,7 +56,7 @@ class DipoleMagnetic(MagneticField):
 
     says = (
         either(
-            "a magnetic field in the {way} direction falls off as the cube of the distance from the point ({x}, {y}); its strength times that cube is {strength}.",
+            "a magnetic field in the {way} direction falls off as the inverse cube of the distance from the point ({x}, {y}); its strength times the cube of the distance is {strength}.",
             "around the point ({x}, {y}) there is a magnetic field in the {way} direction; its strength times the cube of the distance from there is everywhere {strength}.",
             "a magnetic field points in the {way} direction; its strength is {strength} divided by the cube of the distance from the point ({x}, {y}).",
         ),

@@ -26,7 +26,7 @@ class OscillatingElectric(ElectricField):
 
     says = (
         either(
-            "a uniform electric field in the {way} direction oscillates as the cosine of time, with amplitude {strength} and angular frequency {frequency}.",
+            "a uniform electric field in the {way} direction varies as the cosine of time, with amplitude {strength} and angular frequency {frequency}.",
             "in the {way} direction there is a uniform electric field that varies as a cosine of time; its amplitude is {strength}, its angular frequency {frequency}.",
             "a uniform electric field oscillates with an angular frequency of {frequency}; it is greatest at t = 0, when it is {strength} in the {way} direction.",
         ),
