@@ -6,13 +6,17 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.spring import NailedSpring
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.errors import SimulationError, TextError, UnsupportedError
 from sim2reason.prose import describe
 from sim2reason.prose.description import Description
-from sim2reason.prose.voices import hiding
+from sim2reason.prose.voices import hiding, symbolic_but_zero
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS, shaped, unit_in_words
@@ -102,6 +106,19 @@ def test_what_a_voice_hides_is_in_no_list() -> None:
     for shape in SHAPES.values():
         text = shape.compose(hidden, question.text, np.random.default_rng(0))
         assert text is None or f"${hidden.symbols[path]}$" in text
+
+
+def test_a_list_of_symbols_has_no_zeros() -> None:
+    """They stand in the text: the list of a problem in symbols would consist of them."""
+    springs = (NailedSpring(stiffness=80.0, length=0.3, x=0.0, y=0.0),)
+    entity = SpringBlock(block=Block(mass=2.0), springs=springs, x=0.1, y=0.2)
+    shown = describe(Scene(entities=(Named(name="table", entity=entity),)))
+    compose = SHAPES["numbers_listed"].compose
+    listed = compose(shown, "How fast is it?", np.random.default_rng(0))
+    assert listed is not None
+    assert "(0 m, 0 m)" in listed
+    assert "= 0 m" not in listed
+    assert compose(shown.voiced(symbolic_but_zero), "How fast is it?", np.random.default_rng(0)) is None
 
 
 @pytest.mark.parametrize("change", ["kg", "$m"])

@@ -185,4 +185,7 @@ def test_where_a_block_on_springs_starts_matters_only_to_what_is_measured_from_t
     )
     assert "start" in irrelevant(held, study(scene))
     assert "start" not in irrelevant(beside, study(scene))
-    assert "0.1" not in describe(scene, without=("start",)).text
+    untold = describe(scene, without=("start",)).text
+    assert "0.1" not in untold
+    assert " rest" in describe(scene).text
+    assert " rest" not in untold, "from nowhere in particular nothing is let go"
