@@ -263,8 +263,8 @@ def test_an_unknown_that_fits_beyond_its_range_only_is_found() -> None:
     read = parse_prompt(
         "On a stationary plane inclined at 12° to the horizontal there is a uniform sphere of radius $R$ and mass 6.9 "
         "kg with a spherical hole of radius 0.060 m whose centre lies 0.094 m from that of the sphere; it can roll "
-        "straight up or down the slope. To begin with, the line from its centre to the hole makes 121° with the "
-        "upward vertical, on the downhill side. It rolls without slipping. The motion begins from rest. Use g = "
+        "straight up or down the slope. To begin with, the line from its centre to the hole makes an angle of 121° "
+        "with the upward vertical, on the downhill side. It rolls without slipping. The motion begins from rest. Use g = "
         "9.8 m/s². For which value of $R$ is the magnitude of the friction force exerted on the sphere by the "
         "plane just after release equal to 4.89 N? Write the answer in m, to three significant figures, "
         r"in \boxed{}."
@@ -386,7 +386,7 @@ PUCKS = (
     "| B | 8.5 | −0.97 | −0.08 | 0.09 | −2.63 |\n"
     "| C | 12 | 1.29 | 0.54 | −2.83 | −1.68 |\n"
     "| D | 7.8 | −0.02 | −1.37 | −2.31 | 1.79 |\n\n"
-    "All collisions are elastic. Calculate $R$, if the distance between puck B and its starting point when puck A is "
+    "All collisions are elastic. Calculate $R$ if the distance between puck B and its starting point when puck A is "
     "first 3.0 m from its starting point is 1.09 m. State the answer in m to three significant figures, inside "
     "\\boxed{}."
 )

@@ -160,7 +160,7 @@ def test_numbers_are_found_again_by_their_unit_alone(value: float, unit: str) ->
 ROCKS = (
     "A slider (mass $M$) slides freely along a straight horizontal rail. A straight light arm can turn in a vertical "
     "plane about a horizontal axle. Rigidly attached to the arm is a small ball of mass $m$, a distance $d$ from the "
-    "axle. Initially the line from the axle to the ball points an angle $\\theta$ to the right of the downward "
+    "axle. Initially the line from the axle to the ball points at an angle $\\theta$ to the right of the downward "
     "vertical. "
     "The arm is attached to the slider by a frictionless hinge. A light string tied to the slider runs along "
     "the rail to the left and ends in a hand that pulls with a steady force of $F_1$. A second light string tied to "

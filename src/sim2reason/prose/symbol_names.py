@@ -11,8 +11,8 @@ from sim2reason.dsl.units import parse_unit
 from sim2reason.prose.description import Description
 
 NOUNS = (
-    (r"\bin a direction ", "deg", "at an angle ", ""),
-    (r"\b(?:at|points) ", "deg", "an angle ", ""),
+    (r"\b(?:in a direction|points) ", "deg", "at an angle ", ""),
+    (r"\bat ", "deg", "an angle ", ""),
     (r"(?<!of )", "m", "a height ", r" above\b"),
     (r"(?<!of )", "m", "a distance ", r" (?:from|beyond)\b"),
 )

@@ -34,12 +34,12 @@ def _stated(told: tuple[str, ...], unknown: str, counted: str) -> Iterator[str]:
             yield f"{statement}{counted}. Find {unknown}."
             yield f"{statement}{counted}. Determine {unknown}."
     yield f"find {unknown}, given that {told[0]}{counted}."
-    yield f"calculate {unknown}, if {told[0]}{counted}."
-    yield f"what is {unknown}, if {told[0]}{counted}?"
+    yield f"calculate {unknown} if {told[0]}{counted}."
+    yield f"what is {unknown} if {told[0]}{counted}?"
 
 
 def _wanted(called: str, value: str, unknown: str, symbol: str, counted: str) -> Iterator[str]:
     """The result as what shall be."""
-    yield f"what must {unknown} be, if {called} is to be {value}{counted}?"
+    yield f"what must {unknown} be if {called} is to be {value}{counted}?"
     yield f"determine {unknown} so that {called} is {value}{counted}."
     yield f"for which value of {symbol} is {called} equal to {value}{counted}?"

@@ -12,7 +12,7 @@ TILTED = "an angle of {angle} with the downward vertical"
 AT_FIRST = placing("initially {start}.", "at the start {start}.", "to begin with, {start}.")
 SENT_OFF = starting(
     "{bob} is set moving {sent} at speed {speed}.",
-    "{bob} is given a speed of {speed} {sent}.",
+    "{bob} starts moving {sent} at speed {speed}.",
     "{bob} is launched {sent} with a speed of {speed}.",
     topic="start",
 )

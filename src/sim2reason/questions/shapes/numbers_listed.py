@@ -54,7 +54,7 @@ class NumbersListed(PromptShape):
 
 
 def _numbers(description: Description, marked: Description) -> dict[str, str] | None:
-    """By symbol, the numbers that a text tells, in its order, but those that stay; None if an unknown has another one."""
+    """By symbol, the numbers that a text tells, in its order, but what stays; None if an unknown has another one."""
     found: dict[str, str] = {}
     parameters = {parameter.path: parameter for parameter in description.scene.parameters}
     for path in description.told:

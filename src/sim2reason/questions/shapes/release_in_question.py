@@ -21,8 +21,8 @@ from sim2reason.questions.shapes.parts.units import (
 
 CLAUSES = (
     "If the motion starts from rest{taut}, ",
-    "After a release from rest{taut}, ",
-    "Given a release from rest{taut}, ",
+    "Assuming that the motion starts from rest{taut}, ",
+    "Given that the motion starts from rest{taut}, ",
 )
 ALL = "If everything is released from rest{taut}, "
 _TAUT = "|".join(re.escape(taut) for taut in sorted(TAUT, key=len, reverse=True))
@@ -41,7 +41,8 @@ class ReleaseInQuestion(PromptShape):
         """Of texts that say in a closing of their own that all starts from rest."""
         rests = [sentence for sentence in description.sentences if sentence in RESTS]
         clause = one_of(CLAUSES if is_lone(description.scene) else (ALL, *CLAUSES), rng)
-        if len(rests) != 1 or not begins_plainly(question):
+        again = f" {clause.partition(' ')[0].lower()} " in question  # one condition would hang on another
+        if len(rests) != 1 or again or not begins_plainly(question):
             return None
         rest = [sentence for sentence in description.sentences if sentence != rests[0]]
         return text_of([*rest, clause.replace("{taut}", RESTS[rests[0]]) + lowered(question)])
