@@ -168,17 +168,22 @@ class Dependence:
         return (beside - here) / (STEP * value)
 
     def solved(self, value: float, near: float) -> float | None:
-        """Where the answer is `value`, looked for by secants beginning close to one end; None if they lead nowhere."""
+        """Where the answer is `value`, looked for by secants beginning close to one end; None if they lead nowhere.
+
+        Where the answer is good to `EXACT`, one more secant leads to the number, which without it a weak dependence
+        would leave the worse known; that step is so short that what it leads to need not be tried.
+        """
         a, b = near, near * (1.0 + STEP)
         fa, fb = self._excess(a, value), self._excess(b, value)
         for _ in range(SECANTS):
             if fa is None or fb is None or not (isfinite(fa) and isfinite(fb)):
                 return None
-            if abs(fb) <= EXACT * abs(value):
-                return b
+            close = abs(fb) <= EXACT * abs(value)
             if fa == fb:
-                return None
+                return b if close else None
             a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
+            if close:
+                return b
             fb = self._excess(b, value)
         return None
 
