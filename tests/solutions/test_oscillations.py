@@ -22,6 +22,7 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
@@ -237,3 +238,12 @@ def test_the_impulse_of_a_string_that_a_spring_pulls_is_the_momentum_of_what_han
     query = StretchQuery("sum", None, AtTime(time), "impulse of a tension", made.mechanism.strings[0].name)
     fast = G * hung / ((MASS + hung) * rate) * sin(rate * time)
     assert found(made, query, "oscillation", "normal modes") == pytest.approx(hung * (G * time - fast), rel=1e-9)
+
+
+@pytest.mark.parametrize("quantity", ["net force", "acceleration"])
+def test_what_nothing_drives_back_has_no_share_in_an_acceleration(quantity: str) -> None:
+    """Three free carts: how fast their centre of mass goes on need not be told."""
+    scene = row((1.5, 4.8, 4.3), (122.0, 41.0), "free", speed=0.9)
+    for moment in (MostStretched(spring(scene)), AtTime(0.4)):
+        setting = asked(scene, Query("event", Target(quantity, cart(scene)), moment))
+        sound(by(STRATEGIES["normal modes"], setting), setting)

@@ -5,6 +5,7 @@ Goldstein, Poole and Safko, Classical Mechanics, § 6.3.
 """
 
 from collections.abc import Sequence
+from math import inf
 
 import numpy as np
 
@@ -21,6 +22,9 @@ from sim2reason.solutions.setting import joined
 from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_SPEED, KILOGRAMS, METRES, SPEED
 
 FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
+ACCELERATED = 2  # the order of an acceleration
+Form = tuple[Array, int]
+"""A sum of places, by the weight of each free coordinate (n,), and the order of its derivative."""
 
 
 class NormalModes(ModeLaws):
@@ -28,15 +32,31 @@ class NormalModes(ModeLaws):
 
     # ---- shapes
 
-    def _counts(self, n: int, forms: Sequence[Array]) -> bool:
-        """Whether a mode shows in any of some sums of places."""
+    def _counts(self, n: int, forms: Sequence[Form]) -> bool:
+        """Whether a mode that the start excites shows in any of some sums of places, or derivatives of them."""
         shape = self.shapes[:, n] / np.abs(self.shapes[:, n]).max()
-        return any(abs(float(form @ shape)) > FAINT * float(np.abs(form).max()) for form in forms)
+        last = self._last(n)
+        held = (parts for parts, order in forms if order <= last)
+        return any(abs(float(parts @ shape)) > FAINT * float(np.abs(parts).max()) for parts in held)
 
-    def excited(self, forms: Sequence[Array]) -> list[Mode]:
+    def _last(self, n: int) -> float:
+        """The order of the last derivative in which a mode shows that the start excites.
+
+        What nothing drives back goes on at a constant speed, or with a constant acceleration.
+        """
+        if n >= self.zeros:
+            return inf
+        return ACCELERATED if self._pushed(n) else ACCELERATED - 1
+
+    def _pushed(self, n: int) -> bool:
+        """Whether forces push a mode away from where it begins."""
+        shape = self.shapes[:, n]
+        return abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max())
+
+    def excited(self, forms: Sequence[Form]) -> list[Mode]:
         """The modes in which the start leaves anything moving, with their shapes and what is excited.
 
-        `forms` (n,) are the sums of places that are asked for; modes in which none of them changes are left out.
+        `forms` are the sums of places, or derivatives of them, that are asked for; modes that change none are left out.
         """
         sizes: list[float] = []
         for n in range(self.size):
@@ -114,7 +134,7 @@ class NormalModes(ModeLaws):
             mode.rate = self.book.fresh(r"\omega", str(n))
             self.book.told("rate", "Its angular frequency is", mode.rate, Root(mode.square), ANGULAR_SPEED)
         shape = self.shapes[:, mode.number]
-        if push != ZERO and abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max()):
+        if push != ZERO and self._pushed(mode.number):
             below = own * mode.square if mode.square != ZERO else own
             unit = METRES if mode.square != ZERO else ACCELERATION
             said = "It balances at" if mode.square != ZERO else "It is accelerated by"

@@ -6,7 +6,6 @@ from functools import cached_property
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.most_compressed import MostCompressed
@@ -24,7 +23,7 @@ from sim2reason.solutions.linear_motion import fewest_free
 from sim2reason.solutions.linear_way import LinearWay
 from sim2reason.solutions.measured_period import measured_period
 from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, speed
-from sim2reason.solutions.normal_modes import NormalModes
+from sim2reason.solutions.normal_modes import Form, NormalModes
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
@@ -35,6 +34,8 @@ from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_SPEED, METRES,
 
 SCAN = 2001
 Law = Callable[[list[Mode], int, Symbol], Expression]
+LAWS: tuple[Law, ...] = place, speed, acceleration, jerk  # each the derivative of the one before
+ORDERS = {"s": 0, "v": 1, "a": 2}  # of what goals use
 
 
 @strategy
@@ -84,21 +85,27 @@ class _Modal(LinearWay):
         return self._all.excited(self._forms)
 
     @cached_property
-    def _forms(self) -> list[Array]:
-        """The sums of places that the moment and the goal are about, over the free coordinates."""
-        parts: list[dict[int, float]] = []
+    def _forms(self) -> list[Form]:
+        """The sums of places, or derivatives of them, that the moment and the goal are about."""
+        found: list[tuple[int, dict[int, float]]] = []
         if not isinstance(self.query.moment, AtTime) or self.greatest:
-            parts.append(self._condition[1])
+            _, parts, law = self._condition
+            found.append((LAWS.index(law), parts))
         if self.target is not None and self.goal is not None:
             lines = [*self.goal.lines(self.target)]
-            parts += (
-                [self._grows(lines[0])] if lines else [{k: 1.0} for k in (*self.asked_coordinates(), *self.gaining)]
-            )
-        forms: list[Array] = []
-        for part in parts:
-            form = [sum(w * self.motion.ratio(k, i) for k, w in part.items()) for i in self.motion.free]
-            forms.append(np.array(form))
-        return forms
+            own = [self._grows(lines[0])] if lines else [{k: 1.0} for k in (*self.asked_coordinates(), *self.gaining)]
+            found += [(self._order, parts) for parts in own]
+        ratio, free = self.motion.ratio, self.motion.free
+        return [(np.array([sum(w * ratio(k, i) for k, w in of.items()) for i in free]), order) for order, of in found]
+
+    @property
+    def _order(self) -> int:
+        """Of the lowest derivative of places that the goal hangs on; an acceleration on a ring hangs on speeds."""
+        assert self.target is not None
+        assert self.goal is not None
+        order = ORDERS.get(self.goal.uses, 0)
+        on_a_ring = any(self._ring(body) is not None for body in self.goal.bodies(self.target))
+        return min(order, 1) if on_a_ring else order
 
     def write(self) -> Symbol:
         """By the kind of the query."""
@@ -191,10 +198,9 @@ class _Modal(LinearWay):
         """What is zero where the quantity has its greatest value: the next derivative of what it hangs on."""
         assert self.target is not None
         assert self.goal is not None
-        laws: dict[str, Law] = {"s": speed, "v": acceleration, "a": jerk}
-        if self.goal.uses not in laws:
+        if self.goal.uses not in ORDERS:
             raise UnsolvedError("the greatest value is of a force")
-        law = laws[self.goal.uses]
+        law = LAWS[ORDERS[self.goal.uses] + 1]
         said = "The greatest value is taken"
         lines, bodies = [*self.goal.lines(self.target)], [*self.goal.bodies(self.target)]
         if lines:
