@@ -4,24 +4,27 @@ from dataclasses import replace
 from functools import cache
 from math import pi
 
+import numpy as np
 import pytest
 
-from plain_scenes import atwood
+from plain_scenes import atwood, row
 from sim2reason.bodies.charge import ChargedBead, Launched
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.plan import Request
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import parse_unit
 from sim2reason.entities.em_entity import EmEntity
 from sim2reason.entities.parts.fields.uniform_magnetic import UniformMagnetic
-from sim2reason.questions import StatedResult
+from sim2reason.questions import MODES, Query, Question, StatedResult, Target
+from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.spoken_units import CGS, SI
-from sim2reason.solutions import Solution, solve, solve_prompt
+from sim2reason.solutions import Setting, Solution, solve, solve_prompt
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.check import faults
 from sim2reason.solutions.cross_elimination import CrossElimination, SymbolicEquation
@@ -82,6 +85,20 @@ def test_a_solution_in_symbols_holds_at_every_binding_and_is_graded_right(recipe
         text = read(solution.text, point)
         assert not text.unread
         assert not text.broken, solution.text
+
+
+def test_a_symbol_of_what_a_text_does_not_tell_is_free_for_its_question() -> None:
+    """A relaxed spring is strained by d = 0; the d of the text is how far the cart has moved."""
+    search = QuestionSearch(row((2.0,), (50.0,), "left", speed=1.5), 0)
+    query = Query("event", Target("velocity", "row.carts.0"), Moved("row.carts.0", 0.05))
+    plain, symbolic = Question("symbolic", query, "", 1.0, "m/s"), MODES["symbolic"]
+    question = symbolic.completed(plain, search.study, search.words, np.random.default_rng(0))
+    assert question is not None
+    text = symbolic.described(question, search.description)
+    solution = solve(Setting.of(question, search.study, search.words, text))
+    assert "d" in solution.values
+    assert not solution.text.startswith("Given")
+    assert not read(solution.text, {"d": 0.05, "m": 2.0, "k": 50.0, "v": 1.5}).broken
 
 
 def test_a_prompt_in_other_units_with_an_unknown_is_solved() -> None:

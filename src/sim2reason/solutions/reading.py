@@ -101,7 +101,10 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
             equalities.append(Equality(chain, both, (*one[1], *other[1]), one[2] | other[2]))
     _follow(equalities, values)
     for match in ANSWER.finditer(text):
-        equalities += _ending(match, table)
+        try:
+            equalities += [*_ending(match, table)]
+        except Refused as refused:
+            unread.append(f"{match[0]}: {refused}")
     given = text.partition("\n")[0] if text.startswith("Given") else ""
     told = [*known, *(name for chain in FORMULA.findall(given) if (name := _name(chain, table)))]
     sums = label_sums(text, lambda formula: _excess(formula, table), told, sorted(values))

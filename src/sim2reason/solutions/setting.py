@@ -41,8 +41,13 @@ class Setting:
 
     @classmethod
     def of(cls, question: Question, study: Study, words: Words, description: Description) -> Self:
-        """Of a question about the motion that has its answer; what the text leaves unknown is called as it says."""
+        """Of a question about the motion that has its answer; what the text leaves unknown is called as it says.
+
+        A text in symbols has none for what it does not tell, such as a strain of zero: the question may use that one.
+        """
         symbols = {**description.voiced(numeric).symbols, **description.symbols}
+        if question.formula is not None:
+            symbols = {path: symbol for path, symbol in symbols.items() if path in description.told}
         asked = question.query, question.unknown, question.given
         return cls(study.scene, words, symbols, study, *asked, formula=question.formula)
 
