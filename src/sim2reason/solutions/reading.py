@@ -193,11 +193,12 @@ def _side(text: str, table: frozenset[str]) -> tuple[Node, tuple[Node, ...], fro
 
 
 def _terms(tokens: list[Token]) -> Iterator[list[Token]]:
-    """The tokens between plus and minus signs outside of all brackets."""
-    depth, part = 0, list[Token]()
+    """The tokens between plus and minus signs outside of all brackets and bars; bars within bars stand in brackets."""
+    depth, in_bars, part = 0, False, list[Token]()
     for token in tokens:
         depth += (token.kind == "open") - (token.kind == "close")
-        if depth == 0 and token.kind in SIGNS:
+        in_bars ^= depth == 0 and token.kind == "bar"
+        if depth == 0 and not in_bars and token.kind in SIGNS:
             if part:
                 yield part
             part = []
