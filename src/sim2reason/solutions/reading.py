@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import reduce
 from itertools import pairwise
 
 from sim2reason.dsl.units import parse_unit
@@ -15,10 +16,13 @@ from sim2reason.solutions.label_sums import LabelSum, label_sums
 from sim2reason.solutions.unit_latex import DEGREES, unit_of
 
 FORMULA = re.compile(r"\$((?:(?!\\boxed)[^$])*=(?:(?!\\boxed)[^$])*)\$")
+DEEP = 12  # braces within braces
+BRACED = reduce(lambda inside, _: rf"(?:[^{{}}$]|\{{{inside}\}})*", range(DEEP), "[^{}$]*")
 ANSWER = re.compile(
     r"\$(?P<goal>[^$=]*?)(?: = (?P<number>[^$=]*?))? (?P<sign>\\approx|=) "
-    r"\\boxed\{(?P<boxed>(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*)\}(?P<unit>[^$]*)\$"
+    rf"\\boxed\{{(?P<boxed>{BRACED})\}}(?P<unit>[^$]*)\$"
 )
+BOX = r"\boxed{"
 BOXED = 6e-3  # relative: what three digits leave
 CLOSE = 6e-5  # relative: what five digits leave of a number, at most
 STEP = 1e-6  # relative, of a derivative
@@ -100,7 +104,9 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
             both = (one[0], other[0])
             equalities.append(Equality(chain, both, (*one[1], *other[1]), one[2] | other[2]))
     _follow(equalities, values)
-    for match in ANSWER.finditer(text):
+    endings = [*ANSWER.finditer(text)]
+    unread += [text.rpartition("\n")[2]] if text.count(BOX) > len(endings) else []
+    for match in endings:
         try:
             equalities += [*_ending(match, table)]
         except Refused as refused:
