@@ -43,6 +43,7 @@ class Study:
         self.scene, self.trace, self.change = scene, trace, change
         self._times: dict[Timed, float | None] = {}
         self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
+        self._shorter: dict[tuple[object, float], Study] = {}  # variants that are known for longer than is asked
         self._readings: dict[str, Study | None] = {}
         self._known: dict[Hashable, object] = {}
         self._scenes: dict[tuple[tuple[str, float], ...], Scene | None] = {}
@@ -120,14 +121,20 @@ class Study:
         end = float(self.trace.state.times[-1])
         until = end if until is None else min(max(until, SHORTEST * end), end)
         known, reaches = self._variants.get(key, (None, -1.0))
-        if reaches < until:
-            until = until if reaches < 0.0 else end  # who asks again will ask once more
+        if reaches < until or (known is None and reaches > until):
+            reaches = until if reaches < 0.0 or reaches > until else end  # who asks again will ask once more
             try:
-                known = _made(make(), until, error)
+                known = _made(make(), reaches, error)
             except (SceneError, SimulationError, UnsupportedError):
                 known = None
-            self._variants[key] = known, until
-        return known
+            self._variants[key] = known, reaches
+        return known if known is None or reaches == until else self._cut(key, known, until)
+
+    def _cut(self, key: object, known: "Study", until: float) -> "Study":
+        """A variant as if nobody had asked to follow it any longer: what one question finds hangs on no other."""
+        if (key, until) not in self._shorter:
+            self._shorter[key, until] = Study(known.scene, known.trace.until(until), known.change)
+        return self._shorter[key, until]
 
 
 def _one_after(first: Change, then: Change) -> Change:

@@ -67,14 +67,19 @@ class Trace:
         count = int(np.searchsorted(times, time, side="right")) + 2
         if count >= len(times):
             return self
-        end = float(times[count - 1])
-        events = tuple(event for event in self.events if event.time <= end)
-        shorter = self.stable_until > end
+        return self.until(float(times[count - 1]))
+
+    def until(self, time: float) -> "Trace":
+        """The same motion as if it had been followed no longer than to a time, s."""
+        times = self.state.times
+        if time >= times[-1]:
+            return self
+        shorter = self.stable_until > time
         return replace(
             self,
-            state=self.sample(times[:count]),
-            events=events,
-            stable_until=end if shorter else self.stable_until,
+            state=self.sample(np.append(times[times < time], time)),
+            events=tuple(event for event in self.events if event.time <= time),
+            stable_until=time if shorter else self.stable_until,
             cut="" if shorter else self.cut,
         )
 
