@@ -49,16 +49,18 @@ class Equality:
         found = (arithmetic.value(term, values) for term in self.terms)
         return sum(abs(size) for size in found if size is not None)
 
-    def holds(self, values: Mapping[str, float]) -> bool:
-        """Whether both sides agree as well as numbers of five digits can."""
-        excess = self.excess(values)
-        if excess is None:
-            return False
+    def rounding(self, values: Mapping[str, float], excess: float) -> float:
+        """By what the excess would change if each term, and each number, changed by as much as itself."""
         sizes = [self.sizes(values)]
         for name in self.symbols:
             moved = self.excess({**values, name: values[name] * (1.0 + STEP)})
             sizes.append(abs(moved - excess) / STEP if moved is not None else 0.0)
-        return abs(excess) <= self.close * sum(sizes)
+        return sum(sizes)
+
+    def holds(self, values: Mapping[str, float]) -> bool:
+        """Whether both sides agree as well as numbers of five digits can."""
+        excess = self.excess(values)
+        return excess is not None and abs(excess) <= self.close * self.rounding(values, excess)
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +148,7 @@ def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
     """Give values to what the text says no number of, where an equality has it alone and linearly.
 
-    Of several such equalities that one tells which magnifies the rounding of its terms least.
+    Of several such equalities that one tells which magnifies the rounding of its terms and numbers least.
     """
     for _ in equalities:
         found = [each for equality in equalities if (each := _solved(equality, values)) is not None]
@@ -169,7 +171,7 @@ def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str
     if one == zero or abs(two - 2.0 * one + zero) > 1e-6 * abs(one - zero):
         return None
     value = -zero / (one - zero)
-    sizes = equality.sizes({**values, name: value})
+    sizes = equality.rounding({**values, name: value}, 0.0)
     return sizes / abs(one - zero) / abs(value) if value else sizes, name, value
 
 
