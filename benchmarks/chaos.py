@@ -4,7 +4,7 @@ One item in a hundred goes wrong: it ends its process by a segmentation fault or
 can't be pickled or told, or asks for more memory than there is. Then the same run is killed (SIGKILL) at random times
 and gone on with until it ends; four processes make a part each at once; and a run meets disks that are full at several
 sizes. Told are how many of the other items are there, which are lost or there twice, files that are torn, and whether
-the bytes at the end are those of a run that nobody disturbed. By default 1000 items and 50 kills. Exit code 1:
+the bytes at the end are those of a run that nobody disturbed. By default 2500 items and 50 kills. Exit code 1:
 something is lost, there twice, torn or of other bytes, or there were fewer kills.
 """
 
@@ -199,7 +199,7 @@ def full_disk(folder: Path, whole: Path, items: int) -> bool:
     return good
 
 
-def main(items: int = 1000, kills: int = 50) -> bool:
+def main(items: int = 2500, kills: int = 50) -> bool:
     """Whether all is as it should be."""
     with TemporaryDirectory() as scratch:
         folder = Path(scratch)
