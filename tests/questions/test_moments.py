@@ -8,8 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plain_scenes import G, atwood, ramp, row, squeezed, table
+from plain_scenes import G, arm, atwood, ramp, row, squeezed, table
+from sim2reason.bodies.hoop import Hoop
+from sim2reason.bodies.incline import Incline
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.parts.rolling import NoSlipping, Rolling, Rough, Sliding, Spinning
+from sim2reason.entities.rolling_entity import RollingEntity
 from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import pair
@@ -195,6 +200,34 @@ def test_what_friction_holds_from_the_start_never_comes_to_rest() -> None:
     trace = simulate(scene)
     assert Stopped("row.carts.0").time(trace) is None
     assert Stopped("row.carts.1").time(trace) is not None
+
+
+@pytest.mark.parametrize(
+    ("grip", "start", "told"),
+    [
+        (NoSlipping(), None, "hoop first comes to rest again"),
+        (NoSlipping(), Rolling(way="up the slope", speed=2.0), "hoop first comes to rest"),
+        (Rough(friction=0.15), Sliding(way="up the slope", speed=2.0), "centre of the hoop first comes to rest"),
+        (
+            Rough(friction=0.9),
+            Spinning(way="up the slope", spin=9.0),
+            "centre of the hoop first comes to rest again",
+        ),
+    ],
+)
+def test_of_what_may_spin_on_the_centre_comes_to_rest(
+    grip: NoSlipping | Rough, start: Rolling | Sliding | Spinning | None, told: str
+) -> None:
+    entity = RollingEntity(plane=Incline(angle=20.0), body=Hoop(mass=2.0, radius=0.1), grip=grip, start=start)
+    scene = Scene(entities=(Named(name="roller", entity=entity),))
+    assert Stopped("roller.body").phrases(words_of(describe(scene)))[0] == f"when the {told}"
+
+
+def test_what_an_arm_carries_comes_to_rest_again_only_if_the_arm_was_at_rest() -> None:
+    for rate, told in ((None, "comes to rest again"), (2.0, "comes to rest")):
+        scene = arm(rate=rate)
+        (sphere,) = (name for name in scene.bodies if "pieces" in name)
+        assert Stopped(sphere).does(words_of(describe(scene))).told == told
 
 
 def test_a_spring_is_not_asked_about_where_it_is_stretched_or_compressed_the_most() -> None:

@@ -111,10 +111,10 @@ def swing(angle: float = 60.0) -> Scene:
     return Scene(entities=(Named(name="swing", entity=entity),))
 
 
-def arm(angle: float = 60.0) -> Scene:
-    """A sphere of 2 kg and a radius of 0.2 m on a light arm, its centre 0.9 m from the axle, let go."""
+def arm(angle: float = 60.0, rate: float | None = None) -> Scene:
+    """A sphere of 2 kg and a radius of 0.2 m on a light arm, its centre 0.9 m from the axle, let go or set turning."""
     piece = RoundPiece(body=Sphere(mass=2.0, radius=0.2), distance=0.9)
-    return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=(piece,), angle=angle)),))
+    return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=(piece,), angle=angle, rate=rate)),))
 
 
 def row(

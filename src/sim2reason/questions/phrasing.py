@@ -82,11 +82,14 @@ def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str,
 
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:
     """The words for a moment, *when it stops*, after a noun phrase that names what it is about and no other body."""
-    subject = moment.subject(words)
-    if not (subject and moment.pronoun and subject in noun):
+    subject, pronoun = moment.subject(words), moment.pronoun
+    part, of, whole = subject.rpartition(" of ")
+    if of and whole in noun and subject not in noun and pronoun == "it":  # the centre of what the phrase names
+        pronoun = f"its {part.removeprefix('the ')}"
+    elif not (subject and pronoun and subject in noun):
         return when
     others = (said for said in words.mentions.values() if said in noun and said not in subject)
-    return when if any(others) else when.replace(subject, moment.pronoun, 1)
+    return when if any(others) else when.replace(subject, pronoun, 1)
 
 
 def _plain(noun: str, when: str, again: str) -> tuple[str, ...]:

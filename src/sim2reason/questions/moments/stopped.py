@@ -1,13 +1,16 @@
 """The first time that a body that was moving comes to rest."""
 
 from dataclasses import dataclass
+from math import hypot, inf
 from typing import ClassVar
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.vectors import add, scale
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import rides
+from sim2reason.quantities.subjects.paths import EVEN, extended, rides, ways_of
 from sim2reason.questions.choices import STILL, still
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence
@@ -35,10 +38,17 @@ class Stopped(Occurrence):
         called = words.called(cls.of).items()
         return {name: said for name, said in called if not rides(mechanism, name)}
 
+    def subject(self, words: Words) -> str:
+        """What slips as it rolls may go on spinning while its centre is at rest, which then is what is spoken of."""
+        name = words.called(self.of)[self.name]
+        if not _spins_on(words.mechanism, self.name):
+            return name
+        point = self.of.point(words.mechanism, self.name, name)
+        return f"the centre of {name}" if point == name else point
+
     def does(self, words: Words) -> Verb:
         """It comes to rest again, where it is at rest at the start."""
-        moving = any(coordinate.speed for coordinate in words.mechanism.body[self.name].coordinates)
-        return self.verb if moving else self.again
+        return self.verb if _starts(words.mechanism, self.name) else self.again
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
@@ -55,3 +65,17 @@ class Stopped(Occurrence):
         before = speeds[times < event.time - STILL * times[-1]]  # the scan knows both sides of an event, too
         moved = len(before) > 0 and float(before[-1]) > slowest
         return moved and float(speeds[np.searchsorted(times, event.time)]) <= slowest
+
+
+def _spins_on(mechanism: Mechanism, name: str) -> bool:
+    """Whether a body that has a size turns and slides, and no face lets the one go only with the other."""
+    kinds = {coordinate.kind for coordinate in mechanism.body[name].coordinates}
+    face = mechanism.contacts.get(name)
+    return kinds == {"slide", "hinge"} and extended(mechanism, name) and (face is None or face.friction < inf)
+
+
+def _starts(mechanism: Mechanism, name: str) -> bool:
+    """Whether its centre of mass moves at the start, by whatever coordinate, its own or one of what carries it."""
+    speeds = {coordinate.name: coordinate.speed for coordinate in mechanism.coordinates}
+    ways = ways_of(mechanism, name, mechanism.body[name].center)
+    return hypot(*add(*(scale(speeds[number], way) for number, way in ways.items()))) > EVEN
