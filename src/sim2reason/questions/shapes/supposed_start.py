@@ -17,7 +17,7 @@ from sim2reason.questions.shapes.parts.units import (
     without_assumptions,
 )
 
-FRONTS = ("Suppose that ", "Suppose now that ", "Imagine that ")
+FRONTS = ("Suppose that ", "Imagine that ")
 
 
 @shape
