@@ -77,8 +77,8 @@ class AngleTurned(Angle):
     """The angle from the start, in degrees, positive about the axis of the body's innermost hinge."""
 
     name, unit, symbol = "angle turned", "deg", "φ"
-    magnitude = "the angle between {body} and its starting position"
-    how = "by what angle is {body} turned from its starting position {when}?"
+    magnitude = "the angle through which {body} has turned from its starting position"
+    how = "through what angle has {body} turned from its starting position {when}?"
     weight = 2.0
     floor, least = 1.0, 0.1
     from_start = True
