@@ -119,7 +119,7 @@ class Spinning(Start):
         either(
             "it is set down spinning at {spin}, its centre at rest, as if it rolled {way}.",
             "at t = 0 its centre is at rest, and it spins at {spin} in the sense in which it would roll {way}.",
-            "at t = 0 it spins at {spin} on the spot, the way in which it turns when it rolls {way}.",
+            "at t = 0 it is spinning at {spin} on the spot, in the sense in which it would turn if it rolled {way}.",
         ),
     )
 

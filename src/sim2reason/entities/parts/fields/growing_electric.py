@@ -28,9 +28,9 @@ class GrowingElectric(ElectricField):
 
     says = (
         either(
-            "a uniform electric field has a component in the {way} direction only; this component is {strength} at t = 0 and {trend} at the rate {growth}.",
-            "there is a uniform electric field; its component in the {way} direction, the only one, is {strength} at t = 0 and {trend} at the rate {growth}.",
-            "a uniform electric field has no component but that in the {way} direction, which is {strength} at t = 0 and {trend} at the rate {growth}.",
+            "a uniform electric field has a component in the {way} direction only; this component is {strength} at t = 0 and {trend} at a rate of {growth}.",
+            "there is a uniform electric field whose only component, in the {way} direction, is {strength} at t = 0 and {trend} at a rate of {growth}.",
+            "a uniform electric field has a single component, in the {way} direction; it is {strength} at t = 0 and {trend} at a rate of {growth}.",
         ),
     )
 

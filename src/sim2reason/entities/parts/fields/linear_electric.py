@@ -34,9 +34,9 @@ class LinearElectric(ElectricField):
 
     says = (
         either(
-            "an electric field has a component in the {way} direction only; this component is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
-            "there is an electric field; its component in the {way} direction, the only one, is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
-            "an electric field has a single component, in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
+            "an electric field has a component in the {way} direction only; this component is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "there is an electric field whose only component, in the {way} direction, is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "an electric field has a single component, in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
         ),
     )
 

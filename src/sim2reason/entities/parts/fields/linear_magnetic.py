@@ -29,9 +29,9 @@ class LinearMagnetic(MagneticField):
 
     says = (
         either(
-            "a magnetic field has a component in the {way} direction only; this component is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
-            "there is a magnetic field; its component in the {way} direction, the only one, is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
-            "a magnetic field has a single component, in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at the rate {slope}.",
+            "a magnetic field has a component in the {way} direction only; this component is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "there is a magnetic field whose only component, in the {way} direction, is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "a magnetic field has a single component, in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
         ),
     )
 
