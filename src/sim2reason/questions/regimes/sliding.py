@@ -68,7 +68,7 @@ class SlidesThroughout(Regime):
     def clause(self, words: Words) -> str:
         """As in: block A slides to the right on the plank; what may roll does so where it touches its face.
 
-        One that turns back: block A first slides up the slope and later down it.
+        One that turns back has done so by the end: block A first slides up the slope and is sliding down it by then.
         """
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
         rolls = len(words.mechanism.contacts[self.name].slip) > 1
@@ -76,8 +76,9 @@ class SlidesThroughout(Regime):
             return f"{called} rolls without slipping" if rolls else f"{called} does not slide on {surface}"
         ways = [_ways(words.mechanism, self.name)[way] for way in self.course]
         where = f"{ways[0] if ways else 'on'} {surface}{' at the point of contact' * bool(rolls and ways)}"
-        back = f" and later {ways[-1]} it" if len(ways) > 1 else ""
-        return f"{called} {'first ' * bool(back)}{'slips' if rolls else 'slides'} {where}{back}"
+        slides, sliding = ("slips", "slipping") if rolls else ("slides", "sliding")
+        back = f" and is {sliding} {ways[-1]} it by then" if len(ways) > 1 else ""
+        return f"{called} {'first ' * bool(back)}{slides} {where}{back}"
 
 
 def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
