@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -118,7 +119,20 @@ def test_a_list_of_symbols_has_no_zeros() -> None:
     assert listed is not None
     assert "(0 m, 0 m)" in listed
     assert "= 0 m" not in listed
-    assert compose(shown.voiced(symbolic_but_zero), "How fast is it?", np.random.default_rng(0)) is None
+    symbols = shown.voiced(symbolic_but_zero)
+    assert compose(symbols, "How fast is it?", np.random.default_rng(0)) is None
+    assert "($x_1$, $y_1$)" in symbols.text  # the origin takes no index from what is told by symbols
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_list_does_not_begin_as_the_sentence_before_it(seed: int) -> None:
+    """Let g = 9.8 m/s². Let $m$ = 2.0 kg and $v$ = 1.5 m/s."""
+    description = describe(sample("incline", "medium", seed=seed), seed)
+    texts = (SHAPES["numbers_listed"].compose(description, "How?", np.random.default_rng(n)) for n in range(9))
+    found = [units(text) for text in texts if text is not None]
+    assert found
+    for said in found:
+        assert not any(one.split()[0] == other.split()[0] in {"Let", "Take", "Use"} for one, other in pairwise(said))
 
 
 @pytest.mark.parametrize("change", ["kg", "$m"])

@@ -10,7 +10,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Word, slots
 from sim2reason.prose.naming import Names, listed, symbols
 from sim2reason.prose.phrases import another, join
-from sim2reason.prose.voices import Hiding, Voice
+from sim2reason.prose.voices import Hiding, Voice, symbolic
 
 
 class Terms(ABC):
@@ -42,6 +42,8 @@ class Terms(ABC):
         said = [p for p in every if not p.hidden and p.value is not None and not self._by_word(p.path)]
         if isinstance(self._voice, Hiding):
             said = [p for p in said if p.path in self._voice.paths]
+        if self._voice is not symbolic:  # else zeros are told by their symbols
+            said = _zeros_last(said)
         return symbols(said, self.scene.bodies, self.names)
 
     def word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:
@@ -111,3 +113,13 @@ class Terms(ABC):
         if first.alike and len(alike) == 1:
             return f"{listed(noun, letters, full=True)} {alike.pop()}"
         return f"{noun}s " + join([self._of_body(first.listed, address) for address in members])
+
+
+def _zeros_last(said: list[Parameter]) -> list[Parameter]:
+    """Numbers in their order, but for the places at the origin and the like, which would take an index of no use.
+
+    They are told as zeros, and after the others they leave them x₁, x₂. A place with one zero keeps its turn: it has
+    one index for all its coordinates.
+    """
+    kinds = {(p.path.rpartition(".")[0], p.measure.name) for p in said if p.value}
+    return sorted(said, key=lambda p: (p.path.rpartition(".")[0], p.measure.name) not in kinds)

@@ -38,9 +38,12 @@ class NumbersListed(PromptShape):
             return None
         if sum(_COMPONENT.fullmatch(symbol) is not None for symbol in told) > COMPONENTS:
             return None
-        story = with_names(marked).text
+        named = with_names(marked)
+        story = named.text
         if _FORMULA.search(story):
             return None
+        if not after and named.sentences[-1].startswith(lead):
+            lead = LEADS[0]  # no two sentences in a row begin alike: let g = 9.8 m/s²
         listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in told.items()])}."
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 
