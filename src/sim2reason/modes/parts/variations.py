@@ -171,7 +171,8 @@ class Variations:
         for n in np.flatnonzero(may).tolist():
             yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
         tries = (EACH if accelerates(self.study.mechanism) else LOOKED) // 2  # of either
-        for values in self._around(here, rng, width, tries if may.any() else 0):
+        for drawn in self._around(here, rng, width, tries if may.any() else 0):
+            values = np.array(drawn)
             signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0)
             shifts = rng.uniform(0.0, FARTHEST) * self._sizes * rng.uniform(-1.0, 1.0, len(may))
             yield from self._moving((values * signs).tolist(), unanswered)
