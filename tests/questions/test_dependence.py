@@ -1,10 +1,18 @@
 """The number of a scene at which an answer has a given value, however little the answer changes with it."""
 
-from math import exp
+from math import exp, log
 
+import numpy as np
 import pytest
 
+from sim2reason.bodies.rocket import LevelGround, Rocket
+from sim2reason.dsl.entity import Named
+from sim2reason.dsl.scene import Scene
+from sim2reason.entities.rocket_entity import RocketEntity
+from sim2reason.questions import Study
 from sim2reason.questions.dependence import Dependence
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
 
 ROOT = 3.0
 
@@ -24,3 +32,26 @@ def test_a_weak_dependence_leaves_the_number_as_well_known(power: float) -> None
     for away in (0.01, -0.008, 0.005, 0.002, -0.001, 0.0003):
         found = Weak(power).solved(exp(1.0), ROOT * (1.0 + away))
         assert found == pytest.approx(ROOT, rel=1e-13 / abs(power))
+
+
+@pytest.mark.parametrize(("time", "height"), [(50.0, None), (100.0, 5150.0)])
+def test_what_has_come_down_lies_there(time: float, height: float | None) -> None:
+    """A rocket is back on the ground after 75 s: it has travelled twice its greatest height, of 5150 m.
+
+    At burn-out h = u t_b − u (m_1/r) ln(m_0/m_1) − g t_b²/2 and v = u ln(m_0/m_1) − g t_b; it rises by v²/2g more.
+    """
+    mass, dry, exhaust, rate, g = 574.0, 220.0, 440.0, 22.0, 9.8
+    entity = RocketEntity(rocket=Rocket(mass=mass, dry=dry), place=LevelGround(), exhaust=0.44, rate=rate)
+    scene = Scene(entities=(Named(name="rocket", entity=entity),))
+    study = Study.of(scene, np.array([0.0, 20.0]))
+    query = StretchQuery("sum", None, AtTime(time), "distance travelled", "rocket.rocket")
+    burnt = (mass - dry) / rate
+    speed = exhaust * log(mass / dry) - g * burnt
+    top = exhaust * (burnt - dry / rate * log(mass / dry)) - 0.5 * g * burnt**2 + speed**2 / (2.0 * g)
+    found = Dependence(query, study, "rocket.rocket.mass")(mass)
+    assert found is not None
+    if height is None:
+        assert found < 2.0 * top
+    else:
+        assert found == pytest.approx(2.0 * top, rel=1e-5)
+        assert top == pytest.approx(height, rel=1e-3)

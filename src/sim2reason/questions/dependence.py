@@ -13,6 +13,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.kinds import KINDS
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import flies_off, nothing_new
@@ -29,6 +30,7 @@ STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
 
 ROOMY = 100.0  # times: how much longer a string may be
+LANDED = "limit"  # the event that ends the motion of what comes down
 TURNING = 1e-6  # of the mean speed: what is slower turns
 STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
 
@@ -110,13 +112,24 @@ class Dependence:
                 self._note(value, other)
                 return found if isfinite(found) else None
             if other.trace.cut or other.trace.stable_until < until:
-                return None
+                return self._lying(other)
             if self._later_counts:
                 if self._never(other.trace):
                     break
                 self._late.add(value)
         self._times[value] = inf
         return inf if kind.measured(self._query).name == "time" else None
+
+    def _lying(self, study: Study) -> float | None:
+        """The answer at a time of the clock by which something has come down and lies: no text says that it has not.
+
+        So far as it lasts: lengths, and what a stretch of motion adds up to. Speeds and forces are another motion's.
+        """
+        moment, end = self._query.moment, study.trace.stable_until * (1.0 - AT_ONCE)
+        lasts = isinstance(self._query, StretchQuery) or KINDS[self._query.kind].measured(self._query).unit == "m"
+        if study.trace.cut != LANDED or moment is None or not lasts or not self._ends(moment) or moment.kind == "start":
+            return None
+        return KINDS[self._query.kind].loose_answer(replace(self._query, moment=moment.having([end])), study)
 
     def _never(self, trace: Trace) -> bool:
         """Whether what has not come by the end of a motion is known not to come any more."""
