@@ -14,8 +14,9 @@ from sim2reason.datasets.item import Item
 
 ITEMS, MORE = 12, 30  # of each cell, and of those whose sentences are counted: 756 in all
 CEILING = {"easy": 250, "medium": 250, "hard": 400}
-# words; easy ones had at most 90 until short questions with short answers were no problems any more (filters/few_laws)
-TARGET = {"easy": (40, 95), "medium": (50, 150), "hard": (100, 250)}
+# words; easy ones had at most 90 until short questions with short answers were no problems any more (filters/few_laws),
+# and 95 while the friction of a slope beside a pulley was too long to tell
+TARGET = {"easy": (40, 97), "medium": (50, 150), "hard": (100, 250)}
 FORMULA = 9  # words; sentences as short as "Take g = 9.8 m/s²." have the shape that they have in every book
 MACHINES = ("pulley", "incline", "hybrid")  # in which weight acts, and friction is that of faces
 TOLD_SHORT = (*MACHINES, "collision")  # solid bodies and planets take more words to tell

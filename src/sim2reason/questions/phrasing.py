@@ -84,7 +84,7 @@ def again(moment: Moment, noun: str, when: str, words: Words) -> str:
     """The words for a moment, *when it stops*, after a noun phrase that names what it is about and no other body."""
     subject, pronoun = moment.subject(words), moment.pronoun
     part, of, whole = subject.rpartition(" of ")
-    if of and whole in noun and subject not in noun and pronoun == "it":  # the centre of what the phrase names
+    if moment.part and of and whole in noun and subject not in noun:  # the centre of what the phrase names
         pronoun = f"its {part.removeprefix('the ')}"
     elif not (subject and pronoun and subject in noun):
         return when

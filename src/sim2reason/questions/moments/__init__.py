@@ -23,6 +23,7 @@ class Moment(ABC):
         event: whether it is an event of the engines, which both must see; else its channels must be certified.
         own: whether it is of its own subjects that quantities are asked at it first, as at a collision.
         pronoun: what may stand for its `subject` in a sentence that has named it.
+        part: whether that subject may be the centre of a body, by whose name alone it is known, too.
     """
 
     kind: ClassVar[str]
@@ -30,6 +31,7 @@ class Moment(ABC):
     event: ClassVar[bool] = False
     own: ClassVar[bool] = False
     pronoun: ClassVar[str] = "it"
+    part: ClassVar[bool] = False
 
     @property
     def subjects(self) -> tuple[str, ...]:

@@ -28,6 +28,7 @@ class Stopped(Occurrence):
     own = True
     kinds = ("turn", "stick", "slip")
     of = Bodies()
+    part = True
     verb = Verb("comes to rest", "come to rest")
     again: ClassVar[Verb] = Verb("comes to rest again", "come to rest again")
 
