@@ -12,6 +12,7 @@ from sim2reason.bodies.ball import Ball, FixedBall
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.hanger import Cord
+from sim2reason.bodies.rocket import LevelGround, Rocket
 from sim2reason.bodies.spring import Coil
 from sim2reason.bodies.track import RoughTrack, Track
 from sim2reason.datasets import item_search
@@ -25,6 +26,7 @@ from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.parts.pieces import OTHER, BallPiece
 from sim2reason.entities.parts.springs import Blow, Strained
 from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.spring_mass_chain import SpringMassChain
 from sim2reason.errors import SceneError
@@ -46,6 +48,7 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
+from sim2reason.scene_files import loads
 from sim2reason.solutions.expressions import Symbol
 
 SYMBOLIC = MODES["symbolic"]
@@ -410,3 +413,38 @@ def test_what_sticks_where_no_sum_turns_its_sign_is_not_missed() -> None:
     found = make(Request("box", "hard", "symbolic", 1140, 8)).item
     assert found is not None
     assert "Assume that block A moves to the right and that block D moves down." in found.prompt
+
+
+SPRUNG = """
+scene:
+  name: scene
+  entities:
+  - name: slope
+    type: SpringMassIncline
+    parameters:
+      {plane: {angle: 43.0, friction: 0.0}, block: {mass: 6.2}, spring: {stiffness: 60.0, length: 0.33}, start: 0.5}
+  - name: pulley
+    type: MassWithFixedPulley
+    parameters: {system: {kind: hanging, length: 2.9, blocks: [{mass: 4.8}]}, pulley: {mass: 0.0}}
+  connections:
+  - tendon: [{entity: slope, direction: right}, {entity: pulley, direction: tail}]
+    free: 3.8
+"""
+
+
+def test_a_string_that_goes_slack_near_the_end_of_a_stroke_is_not_missed() -> None:
+    """T = m_B (g + x''): of a spring that is stretched far it is gone before A turns, if A goes down all the while."""
+    found = completed(loads(SPRUNG), Query("state", Target("displacement", "slope.block"), AtTime(0.4)), "m")
+    assert found is not None
+    assert "A moves down the slope" in found.text
+    assert "the string stays taut" in found.text
+
+
+def test_symbols_do_not_say_that_a_thrust_is_more_than_a_weight() -> None:
+    """The velocity u ln(m_0/m_1) - g t after burn-out is that of a rocket that lifts off at once."""
+    rocket = RocketEntity(rocket=Rocket(mass=1000.0, dry=300.0), place=LevelGround(), exhaust=2.0, rate=30.0)
+    scene = Scene(entities=(Named(name="rocket", entity=rocket),))
+    found = completed(scene, Query("state", Target("velocity", "rocket.rocket"), AtTime(30.0)), "m/s")
+    assert paid(found, r"\left|u \ln(m_0/m_1) - g t_1\right|")
+    assert found is not None
+    assert "lifts off as soon as its engine starts" in found.text

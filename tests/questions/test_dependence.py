@@ -9,10 +9,13 @@ from sim2reason.bodies.rocket import LevelGround, Rocket
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.questions import Study
+from sim2reason.questions import Query, Study, Target
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.farthest import Farthest
+from sim2reason.questions.study import ENOUGH
+from sim2reason.scene_files import loads
 
 ROOT = 3.0
 
@@ -55,3 +58,27 @@ def test_what_has_come_down_lies_there(time: float, height: float | None) -> Non
     else:
         assert found == pytest.approx(2.0 * top, rel=1e-5)
         assert top == pytest.approx(height, rel=1e-3)
+
+
+PLANETS = """
+scene:
+  name: scene
+  entities:
+  - name: system
+    type: SolarSystem
+    parameters:
+      star: {mass: 0.89}
+      planets:
+      - {kind: heavy_planet, mass: 0.23, x: 0.5, y: -0.36, vx: 3.58, vy: 6.67}
+      - {kind: heavy_planet, mass: 0.34, x: -0.7, y: -1.07, vx: 5.05, vy: -1.91}
+"""
+
+
+def test_what_goes_round_may_overtake_what_flies_off() -> None:
+    """Planet B escapes from a star of 0.343 solar masses, but A goes round: they are farthest apart after 7.4 years."""
+    study = Study.of(loads(PLANETS), np.array([0.0, 0.3]))
+    pair = Farthest("system.planets.0 & system.planets.1")
+    query = Query("event", Target("kinetic energy", "system.planets.0"), pair)
+    dependence = Dependence(query, study, "system.star.mass", ENOUGH)
+    assert dependence(0.89) == pytest.approx(9.2, rel=1e-3)
+    assert dependence(0.343) == pytest.approx(9.2, rel=0.02)

@@ -132,10 +132,15 @@ class Dependence:
         return KINDS[self._query.kind].loose_answer(replace(self._query, moment=moment.having([end])), study)
 
     def _never(self, trace: Trace) -> bool:
-        """Whether what has not come by the end of a motion is known not to come any more."""
+        """Whether what has not come by the end of a motion is known not to come any more.
+
+        Of two that move, while one flies off the other may go round, and overtake it again and again.
+        """
         moment = self._query.moment
-        lost = moment is not None and moment.comes_round
-        return nothing_new(trace) or (lost and any(flies_off(trace, body.name) for body in _of(moment, trace)))
+        if moment is None or not moment.comes_round:
+            return nothing_new(trace)
+        flying = [flies_off(trace, body.name) for body in _of(moment, trace) if body.coordinates]
+        return nothing_new(trace) or (all(flying) if moment.subjects else any(flying))
 
     @property
     def _later_counts(self) -> bool:

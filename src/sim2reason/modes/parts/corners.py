@@ -15,8 +15,9 @@ from sim2reason.modes.parts.variations import Variation, Variations
 Margin = Callable[[Variation], float | None]
 """How far a scene is from where something is no longer done; None where that says nothing."""
 
-LOW, HIGH, SIDES = 0, 2, 3  # of a number: the low end of its range, the high one; between them it is as it was
-GUESSES, SEED = 2000, 0  # choices of ends that are guessed for
+GUESSES, SEED = 4000, 0  # choices of ends that are guessed for
+STARTS, APART = 3, 8  # of the best guesses: how many are gone on from, and every which
+PASSES, FINE = 3, 9  # of all numbers, at most; factors of those that the question says
 SAME = 1e-9  # of a margin: less is no change
 
 
@@ -25,8 +26,9 @@ def leaving(
 ) -> Variation | None:
     """The scene with numbers at ends of their ranges where a margin is least while others are more than nothing.
 
-    Which ends these are is guessed as if all that each of them changes, as is `known` of it alone, added up; then each
-    number is tried at its other ends. None if nothing is known of the margin.
+    Which ends these are is guessed as if all that each of them changes, as is `known` of it alone, added up. From a few
+    of the best guesses on, and of the `known` scenes, each number is tried at its ends. None if nothing is known of the
+    margin.
     """
     own = variations.own()
     here = [each(own) for each in (margin, *others)] if own is not None else [None]
@@ -34,53 +36,81 @@ def leaving(
         return None
     told = [each for each, found in zip((margin, *others), here, strict=True) if found is not None]
     factors, changes = _alone(variations, told, known, own)
-    ends = np.random.default_rng(SEED).integers(0, SIDES, (GUESSES, len(factors)))
+    ends = np.random.default_rng(SEED).integers(0, factors.shape[1], (GUESSES, len(factors)))
     for n, held in enumerate(variations.symbols):  # what is asked about comes sooner, where that is all the same
         if not held.path and np.abs(changes[0, n]).max() <= SAME:
-            ends[:, n] = LOW
+            ends[:, n] = np.argmin(factors[n])
     start = np.array([found for found in here if found is not None])
     guessed = start[:, None] + changes[:, np.arange(len(factors)), ends].sum(2)
     fitting = np.flatnonzero((guessed[1:] > 0.0).all(0))
-    if not fitting.size:
-        return None
-    return _descended(variations, told, factors, ends[fitting[np.argmin(guessed[0, fitting])]].tolist())
+    chosen = fitting[np.argsort(guessed[0, fitting], kind="stable")][: STARTS * APART : APART]
+    starts = [factors[np.arange(len(factors)), ends[each]].tolist() for each in chosen]
+    best: tuple[Variation | None, float] = None, inf
+    for times in (*starts, *_least(told, known, own)):
+        best = min(best, _descended(variations, told, factors, times), key=lambda found: found[1])
+        if best[1] <= 0.0:
+            break
+    return best[0]
+
+
+def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
+    """What multiplies the numbers in those scenes whose margin is least while the others are more than nothing."""
+    within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in told[1:])]
+    margins = {n: found for n, other in enumerate(within) if (found := told[0](other)) is not None}
+    least = sorted(margins, key=lambda n: margins[n])[:STARTS]
+    return [[by / own.values[symbol] for symbol, by in within[n].values.items()] for n in least]
 
 
 def _alone(
     variations: Variations, told: Sequence[Margin], known: Sequence[Variation], own: Variation
 ) -> tuple[Array, Array]:
-    """What either end multiplies each number by, (n, 3), and by how much that alone changes each margin, (m, n, 3)."""
-    symbols = [held.symbol for held in variations.symbols]
-    factors, changes = np.ones((len(symbols), SIDES)), np.zeros((len(told), len(symbols), SIDES))
-    here = np.array([each(own) or 0.0 for each in told])
-    for other in known:
-        moved = [n for n, symbol in enumerate(symbols) if other.values[symbol] != own.values[symbol]]
-        if len(moved) == 1:
-            times = other.values[symbols[moved[0]]] / own.values[symbols[moved[0]]]
-            side = HIGH if times > 1.0 else LOW
-            factors[moved[0], side] = times
-            changes[:, moved[0], side] = np.array([each(other) or 0.0 for each in told]) - here
-    return factors, changes
+    """What each end multiplies each number by, (n, s), and by how much that alone changes each margin, (m, n, s).
+
+    The first is the number itself; those that are fewer than others have it several times.
+    """
+    here, single = np.array([each(own) or 0.0 for each in told]), list[dict[float, Array]]()
+    for held in variations.symbols:
+        others = [other for other in known if _moved(other, own) == [held.symbol]]
+        gained = {o.values[held.symbol] / own.values[held.symbol]: [each(o) or 0.0 for each in told] for o in others}
+        single.append({1.0: 0.0 * here, **{by: np.array(found) - here for by, found in gained.items() if by > 0.0}})
+    most = max(map(len, single))
+    factors = np.array([[*found, *([1.0] * (most - len(found)))] for found in single])
+    changes = np.array([[found.get(by, 0.0 * here) for by in row] for found, row in zip(single, factors, strict=True)])
+    return factors, changes.transpose(2, 0, 1)
 
 
-def _descended(variations: Variations, told: Sequence[Margin], factors: Array, ends: list[int]) -> Variation | None:
-    """The scene with some ends, and then with each number at another end where that lessens the first margin."""
+def _moved(other: Variation, own: Variation) -> list[str]:
+    return [symbol for symbol, value in other.values.items() if value != own.values[symbol]]
 
-    def at(ends: Sequence[int]) -> tuple[Variation | None, float]:
-        times = factors[np.arange(len(ends)), ends].tolist()
-        found = variations.having([held.value * by for held, by in zip(variations.symbols, times, strict=True)])
+
+def _descended(
+    variations: Variations, told: Sequence[Margin], factors: Array, times: list[float]
+) -> tuple[Variation | None, float]:
+    """A scene with its numbers multiplied, then each by another factor where that lessens the first margin; and that.
+
+    What is asked about may come at the wrong time for that at both ends: its numbers have some factors in between.
+    """
+
+    def at(times: Sequence[float]) -> tuple[Variation | None, float]:
+        found = variations.having([held.value * by for held, by in zip(variations.symbols, times, strict=True)], [])
         if found is None or any((each(found) or 0.0) < 0.0 for each in told[1:]):
             return found, inf
         least = told[0](found)
         return found, inf if least is None else least
 
-    best, least = at(ends)
-    for n, side in product(range(len(ends)), range(SIDES)):
-        if least <= 0.0:
+    found, since = at(times), 0  # a change: no more than all factors
+    tried = [(n, by) for n, held in enumerate(variations.symbols) for by in _steps(factors[n], fine=not held.path)]
+    for _, (n, factor) in product(range(PASSES), tried):
+        if found[1] <= 0.0 or since == len(tried):
             break
-        if factors[n, side] != factors[n, ends[n]]:
-            tried = [*ends[:n], side, *ends[n + 1 :]]
-            other, found = at(tried)
-            if found < least:
-                ends, best, least = tried, other, found
-    return best
+        since += 1
+        other = [*times[:n], factor, *times[n + 1 :]]
+        if other != times and (better := at(other))[1] < found[1]:
+            times, found, since = other, better, 0
+    return found
+
+
+def _steps(factors: Array, *, fine: bool) -> list[float]:
+    ends: list[float] = np.unique(factors).tolist()
+    between: list[float] = np.geomspace(ends[0], ends[-1], FINE).tolist()
+    return between if fine else ends

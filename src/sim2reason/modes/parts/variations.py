@@ -1,6 +1,6 @@
 """The same question about scenes with other numbers, each simulated by the exact engine."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
@@ -8,15 +8,16 @@ from math import copysign, exp, inf, isfinite
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
+from sim2reason.modes.parts.signs import sign_of, sums_in, turned
 from sim2reason.questions import KINDS, Query, Study
+from sim2reason.questions.dependence import roomy
 from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
-from sim2reason.solutions import functions
-from sim2reason.solutions.expressions import Expression, Sum
+from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.strategies import accelerates
 
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
@@ -117,12 +118,12 @@ class Variations:
         turn, too, where most is as it was; a sum that no number drawn turns is turned on purpose.
         """
         here = [held.value for held in self.symbols]
-        sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *_sums(formula)))]
-        signs, tries = [_sign(each, self._counted(here)) for each in sums], [0] * len(sums)
+        sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *sums_in(formula)))]
+        signs, tries = [sign_of(each, self._counted(here)) for each in sums], [0] * len(sums)
         drawn = [*self._around(here, rng, width, LOOKED)]
         turns = [self._turns(each, sign, drawn) for each, sign in zip(sums, signs, strict=True)]
         for number, values in enumerate(drawn):
-            other = [n for n, turned in enumerate(turns) if tries[n] < TRIES and turned[number]]
+            other = [n for n, turns_at in enumerate(turns) if tries[n] < TRIES and turns_at[number]]
             closer = [self._just_beyond(values, sums[n], signs[n]) for n in other]
             found = [self.having(numbers, unanswered) for numbers in dict.fromkeys((tuple(values), *closer)) if other]
             for n in other:
@@ -135,17 +136,15 @@ class Variations:
     def _turns(self, held: Expression, sign: float | None, drawn: Sequence[Sequence[float]]) -> list[bool]:
         """For which of some numbers a sum has another sign, or none where it has one."""
         columns = zip(self.symbols, np.array(drawn).T, strict=True)
-        found = functions.values(held, {symbol.symbol: column * symbol.counted(1.0) for symbol, column in columns})
-        turned = np.isfinite(found) if sign is None else np.isnan(found) | (np.copysign(1.0, found) != sign)
-        return turned.tolist()
+        return turned(held, sign, {symbol.symbol: column * symbol.counted(1.0) for symbol, column in columns})
 
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
         """Numbers on the way from the scene's own to others, a little beyond where a sum turns its sign."""
         low, high = 0.0, 1.0
         while high - low > BEYOND_TURN / 2.0:
             middle = (low + high) / 2.0
-            turned = _sign(held, self._counted(self._towards(values, middle))) != sign
-            low, high = (low, middle) if turned else (middle, high)
+            beyond = sign_of(held, self._counted(self._towards(values, middle))) != sign
+            low, high = (low, middle) if beyond else (middle, high)
         return self._towards(values, min(1.0, high + BEYOND_TURN))
 
     def _towards(self, values: Sequence[float], share: float) -> tuple[float, ...]:
@@ -153,11 +152,18 @@ class Variations:
         return tuple(held.value * (to / held.value) ** share for held, to in zip(self.symbols, values, strict=True))
 
     def one_by_one(self, width: float, unanswered: list[Study]) -> Iterator[Variation]:
-        """With one number alone far smaller, and far larger, than in the scene."""
+        """With one number alone far smaller and far larger, than in the scene and than any there in its unit.
+
+        Symbols do not say which of several is the largest.
+        """
         here = [held.value for held in self.symbols]
-        for n in range(len(here)):
-            for times in (exp(-width), exp(width)):
-                yield from self._moving([*here[:n], here[n] * times, *here[n + 1 :]], unanswered)
+        for n, (least, most) in enumerate(zip(self._sizes(min), self._sizes(max), strict=True)):
+            own = abs(here[n])
+            ends = [
+                size * exp(side * width) for sizes, side in (((least, own), -1), ((own, most), 1)) for size in sizes
+            ]
+            for end in dict.fromkeys(ends):
+                yield from self._moving([*here[:n], copysign(end, here[n]), *here[n + 1 :]], unanswered)
 
     def mirrored(self, rng: np.random.Generator, width: float) -> Iterator[Variation]:
         """With one number alone of the other sign, where it may have either: no text tells which a symbol has.
@@ -171,18 +177,17 @@ class Variations:
         for n in np.flatnonzero(may).tolist():
             yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
         tries = (EACH if accelerates(self.study.mechanism) else LOOKED) // 2  # of either
+        sizes = self._sizes(max)
         for drawn in self._around(here, rng, width, tries if may.any() else 0):
             values = np.array(drawn)
             signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0)
-            shifts = rng.uniform(0.0, FARTHEST) * self._sizes * rng.uniform(-1.0, 1.0, len(may))
+            shifts = rng.uniform(0.0, FARTHEST) * np.array(sizes) * rng.uniform(-1.0, 1.0, len(may))
             yield from self._moving((values * signs).tolist(), unanswered)
             yield from self._moving(np.where(may, np.array(here) + shifts, values).tolist(), unanswered)
 
-    @cached_property
-    def _sizes(self) -> Array:
-        """Of each number, the size of the largest in its unit."""
-        held = self.symbols
-        return np.array([max(abs(other.value) for other in held if other.unit == each.unit) for each in held])
+    def _sizes(self, extreme: Callable[[Iterable[float]], float]) -> list[float]:
+        """For each number, the size of the largest in its unit, or of the smallest."""
+        return [extreme(abs(each.value) for each in self.symbols if each.unit == held.unit) for held in self.symbols]
 
     def having(self, values: Sequence[float], unanswered: list[Study] | None = None) -> Variation | None:
         """With some numbers; None if there is no answer then, or an angle would be as good as a right one."""
@@ -196,11 +201,11 @@ class Variations:
     def _corner(self, held: Expression, width: float) -> tuple[float, ...] | None:
         """Numbers, each at an end of its range, for which a sum has another sign; None if it keeps its sign there."""
         values = [held.value for held in self.symbols]
-        sign = _sign(held, self._counted(values))
+        sign = sign_of(held, self._counted(values))
         for n in range(len(values)):
             ends = ([*values[:n], values[n] * times, *values[n + 1 :]] for times in (exp(-width), exp(width)))
             values = min((end for end in ends if not self._is_steep(end)), key=lambda end: self._size(held, end, sign))
-        return tuple(values) if _sign(held, self._counted(values)) != sign else None
+        return tuple(values) if sign_of(held, self._counted(values)) != sign else None
 
     def _size(self, held: Expression, values: Sequence[float], sign: float | None) -> float:
         """How far a sum is from turning its sign."""
@@ -233,7 +238,7 @@ class Variations:
             FINEST if unanswered is None else ENOUGH
         )  # far away nothing is recorded, and a formula holds or does not
         try:
-            scene = self.study.scene.having_all({held.path: value for held, value in said.items() if held.path})
+            scene = self._roomy.having_all({held.path: value for held, value in said.items() if held.path})
             if scene.mechanism.routes != self.study.mechanism.routes:
                 return None  # the text tells another course of a string
             ends = ends or self._ends(query)
@@ -247,6 +252,11 @@ class Variations:
         if unanswered is not None and seen is not None:
             unanswered.append(seen)
         return None
+
+    @cached_property
+    def _roomy(self) -> Scene:
+        """The scene with room enough for other numbers: no text tells how far strings and edges let bodies move."""
+        return roomy(self.study.scene)
 
     def _counted(self, values: Sequence[float]) -> dict[str, float]:
         return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
@@ -281,19 +291,3 @@ def _answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:
     if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:
         return None
     return study, query, answer
-
-
-def _sums(held: Expression) -> Iterator[Sum]:
-    """All sums in a formula."""
-    if isinstance(held, Sum):
-        yield held
-    for part in held.parts:
-        yield from _sums(part)
-
-
-def _sign(held: Expression, at: Mapping[str, float]) -> float | None:
-    """1 or -1; None where a formula has no value."""
-    try:
-        return copysign(1.0, held.value(at).real)
-    except (ValueError, ArithmeticError):
-        return None

@@ -145,7 +145,7 @@ class VariedScenes:
         among = [other for other in self._wide if not self._leaving_out(other, told)]
         if not all(held.holds(other.study, other.until) for other in among):
             return None
-        found = leaving(self._variations, _margin(held), [_margin(each) for each in told], self._wide)
+        found = leaving(self._variations, _margin(held), [_kept(each) for each in told], self._wide)
         self._wide += [found] if found is not None else []
         return found
 
@@ -206,6 +206,16 @@ class VariedScenes:
 
 def _margin(held: Regime) -> Margin:
     return lambda other: held.margin(other.study, other.until)
+
+
+def _kept(held: Regime) -> Margin:
+    """Less than nothing wherever it does not hold, whatever its margin at the end of the motion says."""
+
+    def margin(other: Variation) -> float:
+        found = held.margin(other.study, other.until) if held.holds(other.study, other.until) else -1.0
+        return 1.0 if found is None else found
+
+    return margin
 
 
 def _some(found: Sequence[Regime]) -> Iterator[tuple[Regime, ...]]:

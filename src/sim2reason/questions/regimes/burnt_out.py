@@ -36,8 +36,16 @@ class BurntOut(Regime):
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether the moment is later than burn-out, or earlier; at burn-out itself nothing need be said."""
-        end = max(burn.until for burn in study.mechanism.burns if burn.body == self.name)
+        end = self._end(study)
         return until > end * (1.0 + THEN) if self.out else 0.0 < until < end * (1.0 - THEN)
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """How much later than burn-out the moment is, or earlier, as a share of how long it burns."""
+        later = until / self._end(study) - 1.0
+        return later if self.out else -later
+
+    def _end(self, study: Study) -> float:
+        return max(burn.until for burn in study.mechanism.burns if burn.body == self.name)
 
     def always_told(self, study: Study) -> bool:
         """Its symbols do not say how long it burns."""

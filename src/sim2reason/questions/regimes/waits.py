@@ -22,6 +22,7 @@ class Waits(Regime):
     """A rocket on the ground burns some of its fuel, and not all, before its thrust can lift it, or none."""
 
     of = Bodies()
+    unseen = True
 
     waits: bool
 
@@ -43,6 +44,19 @@ class Waits(Regime):
         moves = Velocity.evaluate(trace.at(burnt), self.name)
         lifted = float(np.linalg.norm(pushed)) > STILL
         return (not lifted and float(np.linalg.norm(moves)) > STILL) if self.waits else lifted
+
+    def always_told(self, study: Study) -> bool:
+        """Symbols do not say whether the thrust is more than the weight."""
+        del study
+        return True
+
+    def margin(self, study: Study, until: float) -> float | None:
+        """By how much the thrust at the start exceeds the weight, or falls short of it, as a share of the weight."""
+        del until
+        mechanism = study.mechanism
+        weight = float(mechanism.body[self.name].mass * np.linalg.norm(mechanism.gravity))
+        thrust = sum(burn.rate * burn.exhaust for burn in mechanism.burns if burn.body == self.name)
+        return (thrust / weight - 1.0) * (-1.0 if self.waits else 1.0) if weight else None
 
     def clause(self, words: Words) -> str:
         """As in: the rocket lifts off as soon as its engine starts."""
