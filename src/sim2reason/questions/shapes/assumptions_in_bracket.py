@@ -14,6 +14,7 @@ class AssumptionsInBracket(PromptShape):
     """Like this: “How far apart are the pucks at t = 0.71 s? (All collisions are elastic.)”."""
 
     name = "assumptions_in_bracket"
+    share = 0.85
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Of texts that end with what holds throughout."""
