@@ -113,14 +113,14 @@ class VariedScenes:
         return chosen
 
     def _fewest(self, kept: Sequence[Regime], excluding: Sequence[set[Regime]]) -> tuple[Regime, ...] | None:
-        """The fewest regimes of which one at least is in each of some sets, with those that are told always.
+        """The fewest regimes of which one at least is in each of some sets, with all that are told always.
 
         Where some few do, they also leave no scene that begins in another way or loses one, and then has no answer: a
         text that does not exclude that seems to ask for it, too.
         """
         told = {held for held in kept if held.always_told(self._near[0].study)}
         begun = [*excluding, *self._begun_otherwise(kept)]
-        fitting = [some for some in _some(kept) if told.issubset(some)]
+        fitting = [some for some in _some(kept, max(FEW, len(told) + 1)) if told.issubset(some)]
         for left in (begun, excluding):
             if not left and not told:
                 return ()
@@ -218,7 +218,7 @@ def _kept(held: Regime) -> Margin:
     return margin
 
 
-def _some(found: Sequence[Regime]) -> Iterator[tuple[Regime, ...]]:
+def _some(found: Sequence[Regime], few: int) -> Iterator[tuple[Regime, ...]]:
     """One of them, or a few."""
-    for count in range(1, FEW + 1):
+    for count in range(1, few + 1):
         yield from combinations(found, count)

@@ -7,7 +7,7 @@ from typing import Self
 
 from sim2reason.quantities.subjects.strings import Strings
 from sim2reason.questions.regimes import REGIMES, Regime
-from sim2reason.questions.regimes.taut import StaysTaut, is_sprung
+from sim2reason.questions.regimes.taut import StaysTaut, is_driven
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
@@ -30,8 +30,8 @@ class AllStayTaut(Regime):
         return all(StaysTaut(line.name).holds(study, until) for line in study.mechanism.strings)
 
     def always_told(self, study: Study) -> bool:
-        """Where there is a spring, too, which may push harder than loads can follow."""
-        return is_sprung(study.mechanism)
+        """Where there is a spring or a hand, too, which may drive one end faster than loads can follow."""
+        return is_driven(study.mechanism)
 
     def is_lost(self, study: Study) -> bool:
         """Where one of them goes slack."""

@@ -7,7 +7,7 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.dsl.mechanism import Drawn, Elastic, Mechanism
 from sim2reason.quantities.subjects.strings import Strings
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
@@ -16,9 +16,9 @@ from sim2reason.questions.words import Words
 SLACK = 1e-9  # N
 
 
-def is_sprung(mechanism: Mechanism) -> bool:
-    """Whether a spring pulls or pushes in it."""
-    return any(isinstance(line.law, Elastic) for line in mechanism.lines)
+def is_driven(mechanism: Mechanism) -> bool:
+    """Whether a spring or a hand acts in it."""
+    return any(isinstance(line.law, Elastic | Drawn) for line in mechanism.lines)
 
 
 @REGIMES.register("taut")
@@ -53,13 +53,13 @@ class StaysTaut(Regime):
         return ease * float(tensions.min()) / (float(np.linalg.norm(mechanism.gravity)) or 1.0)
 
     def always_told(self, study: Study) -> bool:
-        """Where the text says what happens if the string goes slack, as if it did; and where it is alone with a spring.
+        """Where the text says what happens if it goes slack, as if it did; and of one alone, beside a spring or a hand.
 
-        A spring may push harder than the string's load can follow, and no symbol says when.
+        These may drive one end faster than the load at the other can follow, and no symbol says when.
         """
         owner = self.name.partition(".")[0]
         slackens = any(named.entity.slackens for named in study.scene.entities if named.name == owner)
-        return slackens or (is_sprung(study.mechanism) and len(study.mechanism.strings) == 1)
+        return slackens or (is_driven(study.mechanism) and len(study.mechanism.strings) == 1)
 
     def is_lost(self, study: Study) -> bool:
         """Where it goes slack."""

@@ -14,7 +14,7 @@ from sim2reason.entities.parts.fields import (
     force_field,
 )
 
-Growth = Annotated[float, LEAST, Le(1e6), Measure("growth", "N/(C s)", "k", called="rate of growth"), Range(0.1, 0.8)]
+Growth = Annotated[float, LEAST, Le(1e6), Measure("growth", "N/(C s)", "k", called="rate"), Range(0.1, 0.8)]
 
 
 @force_field
@@ -28,9 +28,9 @@ class GrowingElectric(ElectricField):
 
     says = (
         either(
-            "a uniform electric field has a component in the {way} direction only; this component is {strength} at t = 0 and {trend} at a rate of {growth}.",
-            "there is a uniform electric field whose only component, in the {way} direction, is {strength} at t = 0 and {trend} at a rate of {growth}.",
-            "a uniform electric field has a single component, in the {way} direction; it is {strength} at t = 0 and {trend} at a rate of {growth}.",
+            "a uniform electric field has a component in the {way} direction only; its strength at t = 0 is {strength}, and the component {trend} at a rate of {growth}.",
+            "there is a uniform electric field, in the {way} direction alone: at t = 0 its strength is {strength}, and its component in that direction {trend} at a rate of {growth}.",
+            "at t = 0 a uniform electric field points in the {way} direction with strength {strength}; its component in that direction, the only one, {trend} at a rate of {growth}.",
         ),
     )
 

@@ -34,9 +34,9 @@ class LinearElectric(ElectricField):
 
     says = (
         either(
-            "an electric field has a component in the {way} direction only; this component is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "there is an electric field whose only component, in the {way} direction, is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "an electric field has a single component, in the {way} direction; it is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "an electric field has a component in the {way} direction only; its strength at {axis} = 0 is {strength}, and the component {trend} with {axis} at a rate of {slope}.",
+            "there is an electric field, in the {way} direction alone: at {axis} = 0 its strength is {strength}, and its component in that direction {trend} with {axis} at a rate of {slope}.",
+            "at {axis} = 0 an electric field points in the {way} direction with strength {strength}; its component in that direction, the only one, {trend} with {axis} at a rate of {slope}.",
         ),
     )
 
