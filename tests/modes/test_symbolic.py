@@ -412,7 +412,7 @@ def test_what_sticks_where_no_sum_turns_its_sign_is_not_missed() -> None:
     """Blocks that rest on a box that is drawn the other way go with it, at a corner of eight numbers."""
     found = make(Request("box", "hard", "symbolic", 1140, 8)).item
     assert found is not None
-    assert "Assume that block A moves to the right and that block D moves down." in found.prompt
+    assert "block A slides to the right on the box" in found.prompt
 
 
 SPRUNG = """
