@@ -16,8 +16,8 @@ Margin = Callable[[Variation], float | None]
 """How far a scene is from where something is no longer done; None where that says nothing."""
 
 GUESSES, SEED = 4000, 0  # choices of ends that are guessed for
-STARTS, APART = 3, 8  # of the best guesses: how many are gone on from, and every which
-PASSES, FINE = 3, 9  # of all numbers, at most; factors of those that the question says
+STARTS = 2  # of the known scenes, that are gone on from beside the best guess
+PASSES, FINE = 3, 5  # of all numbers, at most; factors of those that the question says
 SAME = 1e-9  # of a margin: less is no change
 
 
@@ -26,9 +26,9 @@ def leaving(
 ) -> Variation | None:
     """The scene with numbers at ends of their ranges where a margin is least while others are more than nothing.
 
-    Which ends these are is guessed as if all that each of them changes, as is `known` of it alone, added up. From a few
-    of the best guesses on, and of the `known` scenes, each number is tried at its ends. None if nothing is known of the
-    margin.
+    Which ends these are is guessed as if all that each of them changes, as is `known` of it alone, added up. From the
+    best guess on, and from some scenes that are `known`, each number is tried at its ends. None if nothing is known of
+    the margin.
     """
     own = variations.own()
     here = [each(own) for each in (margin, *others)] if own is not None else [None]
@@ -43,10 +43,11 @@ def leaving(
     start = np.array([found for found in here if found is not None])
     guessed = start[:, None] + changes[:, np.arange(len(factors)), ends].sum(2)
     fitting = np.flatnonzero((guessed[1:] > 0.0).all(0))
-    chosen = fitting[np.argsort(guessed[0, fitting], kind="stable")][: STARTS * APART : APART]
-    starts = [factors[np.arange(len(factors)), ends[each]].tolist() for each in chosen]
+    starts = _least(told, known, own)
+    if fitting.size:
+        starts.append(factors[np.arange(len(factors)), ends[fitting[np.argmin(guessed[0, fitting])]]].tolist())
     best: tuple[Variation | None, float] = None, inf
-    for times in (*starts, *_least(told, known, own)):
+    for times in starts:
         best = min(best, _descended(variations, told, factors, times), key=lambda found: found[1])
         if best[1] <= 0.0:
             break
@@ -111,6 +112,6 @@ def _descended(
 
 
 def _steps(factors: Array, *, fine: bool) -> list[float]:
-    ends: list[float] = np.unique(factors).tolist()
-    between: list[float] = np.geomspace(ends[0], ends[-1], FINE).tolist()
-    return between if fine else ends
+    least, most = float(factors.min()), float(factors.max())
+    between: list[float] = np.geomspace(least, most, FINE).tolist()
+    return between if fine else [least, 1.0, most]
