@@ -15,7 +15,7 @@ from sim2reason.solutions.arithmetic import arithmetic, definitions, given, plai
 from sim2reason.solutions.renumbering import renumbered
 from sim2reason.solutions.slips import SLIPS, slipped
 
-ROLLING = requested("rolling", "easy", "numeric", 79, 6, {"state": 100.0}, "SI")
+ROLLING = requested("rolling", "easy", "numeric", 79, 8, {"state": 100.0}, "SI")
 
 
 @pytest.mark.parametrize("recipe", list(RECIPES))

@@ -9,7 +9,7 @@ from sim2reason.recipes.parts.grow import Tier, grow
 from sim2reason.recipes.parts.ranges import NUMBERS, TWO, WORDS
 
 MOVABLE = "MassWithMovablePulley"
-MOVABLE_WORDS = 12  # more, for what a movable pulley takes to tell
+MOVABLE_WORDS = 7  # more, for what a movable pulley takes to tell
 POOL = ({"MassWithFixedPulley": 2.0}, {MOVABLE: 1.5, "MassWithReverseMovablePulley": 1.5})  # else it were a chain
 SYSTEMS = ("MassWithFixedPulley.system", f"{MOVABLE}.left", f"{MOVABLE}.right")
 HANGING = dict.fromkeys(SYSTEMS, ("Hanging",))

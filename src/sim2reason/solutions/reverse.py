@@ -91,7 +91,7 @@ class Inversion:
         book.keen = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
         book.refresh(self.unknown, book.value(root))
         step = book.open(SOLVED)
-        said = f"Together, these equations leave only ${self.unknown}$ unknown; solved numerically,"
+        said = f"These equations leave only ${self.unknown}$ unknown; solved numerically,"
         step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")
         implied = [(name, held) for name in names if isinstance(held := book.formulas[name], ImplicitRoot)]
         plain = [(name, NumericRoot(held.residual, held.name, held.near)) for name, held in implied]

@@ -273,7 +273,7 @@ class _Turning(SwingAngle):
         "angle turned": ("_between", "From the start that is"),
         "total angle": ("_swept", "Added up between turning points, that is"),
         "impulse of the net force": ("_impulse", "Mass times the change of the velocity,"),
-        "distance travelled": ("_travelled", "The arc is the radius times the sum of all angles:"),
+        "distance travelled": ("_travelled", "The arc is the radius times all angles:"),
         "displacement": ("_chord", "The chord between the two places is"),
         "height": ("_rise", "It is higher than at first by"),
     }

@@ -116,7 +116,7 @@ class _Angular(SwingState):
         "angle turned": ("_between", "From the start that is"),
         "total angle": ("_swept", "Added up between turning points, that is"),
         "impulse of the net force": ("_impulse", "Mass times the change of the velocity,"),
-        "distance travelled": ("_travelled", "The arc is the radius times the sum of all angles:"),
+        "distance travelled": ("_travelled", "The arc is the radius times all angles:"),
         "height": ("_height", "It is higher than at first by"),
         "displacement": ("_chord", "The chord between the two places is"),
     }
