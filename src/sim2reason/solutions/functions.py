@@ -13,14 +13,14 @@ from sim2reason.dsl.state import Array
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Scalar, Symbol, Values, added, parenthesized
 
 Function = Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
-OF_ONE = {"arctan": "atan", "arccos": "acos", "arcsin": "asin"}  # what NumPy calls otherwise than `math`
+MATH_NAMES = {"arctan": "atan", "arccos": "acos", "arcsin": "asin"}  # where those of `math` are not NumPy's
 
 
 def _applied(name: str, inside: Scalar) -> Scalar:
     """A function of a number, or of each of many."""
     if isinstance(inside, np.ndarray):
         return getattr(np, name)(inside)
-    return getattr(cmath if isinstance(inside, complex) else math, OF_ONE.get(name, name))(inside)
+    return getattr(cmath if isinstance(inside, complex) else math, MATH_NAMES.get(name, name))(inside)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,13 +8,16 @@ import pytest
 from plain_scenes import atwood, massive, ramp, squeezed
 from sim2reason import item
 from sim2reason.bodies.block import Block
+from sim2reason.bodies.glider import Glider
 from sim2reason.bodies.hoop import Hoop
 from sim2reason.bodies.incline import Incline
 from sim2reason.bodies.plane import Plane
 from sim2reason.bodies.rocket import LevelGround, Rocket
 from sim2reason.bodies.spring import Spring
+from sim2reason.bodies.track import Track
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.parts.rolling import Rough, Sliding, Spinning
 from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.rolling_entity import RollingEntity
@@ -150,6 +153,17 @@ def test_collisions_in_turn() -> None:
     assert listed(1.5) == ["the only collision before then is between carts A and B"]
     both = "between carts A and B and between cart B and the wall"
     assert listed(2.5) == [f"the only collisions before then are, in this order, {both}"]
+    twice = CollideInTurn("", (motion.mechanism.meetings[0].names,) * 2)
+    assert twice.clause(words) == "there are exactly two collisions before then, each between carts A and B"
+
+
+def test_of_two_that_can_meet_nobody_else_no_other_collision_is_spoken_of() -> None:
+    carts = (Glider(mass=1.0, x=0.0, v=1.0), Glider(mass=2.0, x=1.0, v=0.0))
+    track = ComplexCollisionPlane(track=Track(), gliders=carts, restitution=1.0)
+    scene = Scene(entities=(Named(name="track", entity=track),))
+    words, motion = words_of(describe(scene)), study(scene, 10.0)
+    (met,) = (r for r in regimes(motion, words, 2.0) if isinstance(r, CollideInTurn))
+    assert met.clause(words) == "carts A and B have collided by then"
 
 
 def rocket(rate: float) -> Scene:

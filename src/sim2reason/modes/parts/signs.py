@@ -26,7 +26,7 @@ def sign_of(held: Expression, at: Mapping[str, float]) -> float | None:
         return None
 
 
-def turned(held: Expression, sign: float | None, at: Mapping[str, Array]) -> list[bool]:
+def turns(held: Expression, sign: float | None, at: Mapping[str, Array]) -> list[bool]:
     """For which of many numbers under each symbol, (m,), a formula has another sign, or none where it has one."""
     found = values(held, at)
     other = np.isfinite(found) if sign is None else np.isnan(found) | (np.copysign(1.0, found) != sign)

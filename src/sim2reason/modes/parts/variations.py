@@ -11,7 +11,7 @@ import numpy as np
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
-from sim2reason.modes.parts.signs import sign_of, sums_in, turned
+from sim2reason.modes.parts.signs import sign_of, sums_in, turns
 from sim2reason.questions import KINDS, Query, Study
 from sim2reason.questions.dependence import roomy
 from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
@@ -121,9 +121,9 @@ class Variations:
         sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *sums_in(formula)))]
         signs, tries = [sign_of(each, self._counted(here)) for each in sums], [0] * len(sums)
         drawn = [*self._around(here, rng, width, LOOKED)]
-        turns = [self._turns(each, sign, drawn) for each, sign in zip(sums, signs, strict=True)]
+        turning = [self._turns(each, sign, drawn) for each, sign in zip(sums, signs, strict=True)]
         for number, values in enumerate(drawn):
-            other = [n for n, turns_at in enumerate(turns) if tries[n] < TRIES and turns_at[number]]
+            other = [n for n, at in enumerate(turning) if tries[n] < TRIES and at[number]]
             closer = [self._just_beyond(values, sums[n], signs[n]) for n in other]
             found = [self.having(numbers, unanswered) for numbers in dict.fromkeys((tuple(values), *closer)) if other]
             for n in other:
@@ -136,7 +136,7 @@ class Variations:
     def _turns(self, held: Expression, sign: float | None, drawn: Sequence[Sequence[float]]) -> list[bool]:
         """For which of some numbers a sum has another sign, or none where it has one."""
         columns = zip(self.symbols, np.array(drawn).T, strict=True)
-        return turned(held, sign, {symbol.symbol: column * symbol.counted(1.0) for symbol, column in columns})
+        return turns(held, sign, {symbol.symbol: column * symbol.counted(1.0) for symbol, column in columns})
 
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
         """Numbers on the way from the scene's own to others, a little beyond where a sum turns its sign."""
@@ -234,9 +234,7 @@ class Variations:
         """With these numbers, followed to each of some times, s, by default as long as it may take."""
         said = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking([value for held, value in said.items() if not held.path]), None
-        error = (
-            FINEST if unanswered is None else ENOUGH
-        )  # far away nothing is recorded, and a formula holds or does not
+        error = FINEST if unanswered is None else ENOUGH  # far away nothing is recorded: a formula holds or does not
         try:
             scene = self._roomy.having_all({held.path: value for held, value in said.items() if held.path})
             if scene.mechanism.routes != self.study.mechanism.routes:

@@ -49,7 +49,8 @@ class CollideInTurn(Regime):
         if not said:
             return "there is no collision before then"
         if len(said) == 1:
-            return f"the only collision before then is {said[0]}"
+            lone = words.called(Pairs()).get(AND.join(self.order[0])) if len(_meetings(words.mechanism)) == 1 else None
+            return f"{lone} have collided by then" if lone else f"the only collision before then is {said[0]}"
         if len(set(said)) == 1:
             return f"there are exactly {COUNT_WORDS[len(said)]} collisions before then, each {said[0]}"
         return f"the only collisions before then are, in this order, {join(said)}"
