@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import islice
 from math import copysign, exp, inf, isfinite
 
@@ -10,6 +9,7 @@ import numpy as np
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.lazy import cached_property
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.signs import sign_of, sums_in, turns
 from sim2reason.questions import KINDS, Query, Study
