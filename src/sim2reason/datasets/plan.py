@@ -7,7 +7,7 @@ import re
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cache, cached_property
+from functools import cache
 from importlib import import_module
 from importlib.metadata import version
 from itertools import product
@@ -21,6 +21,7 @@ from pydantic import Field, field_validator
 from sim2reason.datasets.benchmark_files import BenchmarkFile
 from sim2reason.datasets.item import Item, Record
 from sim2reason.errors import DatasetError, DrawError
+from sim2reason.lazy import cached_property
 from sim2reason.recipes import DIFFICULTIES
 
 MAKER = "sim2reason.datasets.make:make"

@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import chain
 
 import numpy as np
@@ -12,6 +11,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Topic
 from sim2reason.filters import FILTERS, Candidate, Verdict, sift
 from sim2reason.filters.length import followed
+from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
 from sim2reason.questions.prompt import shaped, words_of

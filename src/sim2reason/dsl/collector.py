@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import pairwise
 from math import dist
 
@@ -29,6 +28,7 @@ from sim2reason.dsl.mechanism import (
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.dsl.vectors import Vector, add
 from sim2reason.errors import SceneError
+from sim2reason.lazy import cached_property
 
 Axes = tuple[Vector, Vector, Vector]
 """Where the x, y and z axes of a body point in the room: unit vectors at right angles."""

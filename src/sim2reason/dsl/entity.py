@@ -1,7 +1,7 @@
 """Parts and entities: mechanisms made of bodies, with lines that tell them and ports that join them."""
 
 from collections.abc import Mapping
-from functools import cache, cached_property
+from functools import cache
 from typing import Annotated, Any, ClassVar, TypeVar, cast
 
 from pydantic import ConfigDict, Field, SerializeAsAny
@@ -13,6 +13,7 @@ from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.ports import Attachment, Base, Chain, Mount, Pass, Port, SitePort, Stop, StringEnd
 from sim2reason.dsl.template import Each, PartLines, Saying, Slot, Word, paths, slots, wordings
 from sim2reason.dsl.units import SI, UnitSystem
+from sim2reason.lazy import cached_property
 from sim2reason.registry import Registry
 
 PORT_TYPES = (Port, Inside)

@@ -5,7 +5,6 @@ reader, z up. All numbers are in one coherent system of units, SI unless `units`
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 from math import inf
 from typing import ClassVar, Literal
 
@@ -13,6 +12,7 @@ from sim2reason.dsl.fields import Law
 from sim2reason.dsl.regions import Region
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.dsl.vectors import Tensor, Vector
+from sim2reason.lazy import cached_property
 
 X: Vector = (1.0, 0.0, 0.0)
 Y: Vector = (0.0, 1.0, 0.0)

@@ -14,6 +14,7 @@ from sim2reason.dsl.bounds import bounds
 from sim2reason.dsl.measures import Chance, Count, Hidden, Measure, Member, Range, Sized
 from sim2reason.dsl.relations import relations, unfitting
 from sim2reason.errors import SceneError
+from sim2reason.lazy import cached_property
 
 
 class Model(BaseModel):
@@ -26,6 +27,7 @@ class Model(BaseModel):
         allow_inf_nan=False,
         validate_default=True,
         revalidate_instances="never",
+        ignored_types=(cached_property,),
     )
 
     @classmethod
@@ -168,19 +170,27 @@ def _field(value: Any, step: str) -> Any:
     raise AttributeError(step)
 
 
-def changed(value: V, path: str, new: object) -> V:
-    """The same value with `new` at an address, validated again; None in a tuple takes the member out."""
-    step, _, rest = path.partition(".")
+def changed(value: V, news: Mapping[str, object]) -> V:
+    """The same value with others at some addresses, validated once; None in a tuple takes a member out."""
+    here, below = dict[str, object](), dict[str, dict[str, object]]()
+    for path, new in news.items():
+        step, _, rest = path.partition(".")
+        if rest:
+            below.setdefault(step, {})[rest] = new
+        else:
+            here[step] = new
+    held: dict[str, Any]
     if isinstance(value, tuple):
-        members: list[Any] = list(value)  # type: ignore[reportUnknownArgumentType]
-        index = int(step)
-        members[index] = changed(members[index], rest, new) if rest else new
-        return tuple(member for member in members if member is not None)  # type: ignore[return-value]
-    if not isinstance(value, Model):
-        raise SceneError(path, NOTHING, LOOK)
-    inner = changed(_field(value, step), rest, new) if rest else new
-    fields = {name: getattr(value, name) for name in type(value).model_fields}
-    return type(value)(**{**fields, step: inner})  # type: ignore[return-value]
+        held = {str(index): member for index, member in enumerate(value)}  # type: ignore[reportUnknownArgumentType]
+    else:
+        held = {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}
+    unknown = next((path for path in news if path.partition(".")[0] not in held), None)
+    if unknown is not None:
+        raise SceneError(unknown, NOTHING, LOOK)
+    held |= {step: changed(held[step], some) for step, some in below.items()} | here
+    if isinstance(value, tuple):
+        return tuple(member for member in held.values() if member is not None)  # type: ignore[return-value]
+    return type(value)(**held)  # type: ignore[return-value]
 
 
 REDRAWS = 20

@@ -1,7 +1,6 @@
 """Scenes: entities, connections and a world, as one frozen value."""
 
 from collections.abc import Mapping
-from functools import cached_property
 from typing import Any, Self, cast
 
 from pydantic import SerializeAsAny, model_validator
@@ -18,6 +17,7 @@ from sim2reason.dsl.ports import Chain, Pass, Port, Stop, StringEnd
 from sim2reason.dsl.units import UnitSystem
 from sim2reason.dsl.vacancies import idle_fields, vacated
 from sim2reason.errors import SceneError
+from sim2reason.lazy import cached_property
 
 MAX_ENTITIES = 8
 HORIZON = 2.0  # s
@@ -220,18 +220,21 @@ class Scene(Model):
         return self.having_all({path: value})
 
     def having_all(self, values: Mapping[str, object]) -> "Scene":
-        """The same scene with other values at some addresses; each step on the way to it is validated too."""
+        """The same scene with other values at some addresses, validated once."""
         world, connections = self.world, self._named_connections()
         entities = {named.name: named for named in self.entities}  # those that stay share what is known of them
+        changes: dict[str, dict[str, object]] = {}
         for path, value in values.items():
             head, _, rest = path.partition(".")
+            changes.setdefault(head, {})[rest] = value
+        for head, news in changes.items():
             if head == "world":
-                world = changed(world, rest, value)
+                world = changed(world, news)
             elif head in connections:
-                connections[head] = changed(connections[head], rest, value)
+                connections[head] = changed(connections[head], news)
             else:
-                held = entities[head].entity if head in entities else self.entity(head, path)
-                entities[head] = Named(name=head, entity=changed(held, rest, value))
+                held = entities[head].entity if head in entities else self.entity(head, next(iter(news)))
+                entities[head] = Named(name=head, entity=changed(held, news))
         return rebuilt(self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values()))
 
     def without(self, address: str) -> "Scene":

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple, Self
 
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Drawn, Elastic, Line, Mechanism
 from sim2reason.dsl.triples import Triple, minus, product
+from sim2reason.lazy import cached_property
 
 Array = NDArray[np.float64]
 

@@ -6,7 +6,6 @@ the drawing each knot lies, and in which direction a strand must run.
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import pairwise
 
 from sim2reason.dsl.body import Body
@@ -15,6 +14,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vectors import Vector
 from sim2reason.figures.vectors import unit
+from sim2reason.lazy import cached_property
 
 
 def has_faces(body: Body | None) -> bool:

@@ -3,10 +3,10 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
 from math import inf, isfinite
 from typing import ClassVar
 
+from sim2reason.lazy import cached_property
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, Kind, Question, Study, Target, Words
 from sim2reason.questions.study import BEYOND

@@ -8,7 +8,6 @@ import json
 import os
 import time
 from collections.abc import Callable, Sequence
-from functools import cached_property
 from typing import Annotated, ClassVar, Literal, Self
 from urllib.parse import urlsplit
 
@@ -16,6 +15,7 @@ from annotated_types import Ge, Gt, Le
 from pydantic import Field, FiniteFloat, JsonValue, PrivateAttr, field_validator, model_validator
 
 from sim2reason.errors import PolicyError
+from sim2reason.lazy import cached_property
 from sim2reason.policies import POLICIES, Completion, Policy, SampleRequest
 from sim2reason.policies.parts.chat_answers import Fault, read
 from sim2reason.policies.parts.http import post

@@ -5,13 +5,13 @@
 
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
-from functools import cached_property
 from importlib import import_module
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 from annotated_types import Ge, Le
 
 from sim2reason.errors import MissingExtraError, PolicyError
+from sim2reason.lazy import cached_property
 from sim2reason.policies import POLICIES, Completion, Finish, Policy, SampleRequest
 from sim2reason.policies.parts.hub import explained, loading
 from sim2reason.policies.parts.quiet import quiet

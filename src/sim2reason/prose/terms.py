@@ -2,12 +2,12 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from functools import cached_property
 from typing import Any
 
 from sim2reason.dsl.model import Parameter, parameters
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Word, slots
+from sim2reason.lazy import cached_property
 from sim2reason.prose.naming import Names, listed, symbols
 from sim2reason.prose.phrases import another, join
 from sim2reason.prose.voices import Hiding, Voice, symbolic

@@ -2,13 +2,13 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Protocol
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, State
+from sim2reason.lazy import cached_property
 from sim2reason.registry import Registry
 
 AT_ONCE = 1e-9  # of a time: what comes earlier than something by no more comes with it

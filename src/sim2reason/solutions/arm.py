@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from math import atan2, hypot, pi
 
 import numpy as np
@@ -12,6 +11,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.triples import applied, minus, product
 from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power

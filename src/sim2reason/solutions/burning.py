@@ -1,11 +1,11 @@
 """A rocket that burns its fuel: its engine, its mass, gravity, and when it begins to rise and has none left."""
 
 from collections.abc import Callable
-from functools import cached_property
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
 from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import Expression, Symbol

@@ -2,12 +2,12 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from math import copysign
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Coordinate, Drawn, Inextensible, Line, Mechanism
 from sim2reason.dsl.triples import minus, product
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.arm import Arm
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ZERO, Expression

@@ -1,7 +1,6 @@
 """Where a swing on a carriage is, at the moment that is asked about, and what of it never changes."""
 
-from functools import cached_property
-
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.moved import Moved

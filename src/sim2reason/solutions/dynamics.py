@@ -1,9 +1,9 @@
 """Accelerations and forces of one segment of a motion, from Newton's laws of the bodies that matter."""
 
 from collections.abc import Sequence
-from functools import cached_property
 
 from sim2reason.dsl.triples import product
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.newton import Newton, Row, symbol

@@ -3,10 +3,10 @@
 Abramowitz and Stegun, Handbook of Mathematical Functions, 17.6 (complete: 17.6.3, incomplete: 17.6.8) and 16.4.
 """
 
-from functools import cached_property
 from itertools import pairwise
 from math import pi, sqrt
 
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book, Writing
 from sim2reason.solutions.expressions import ONE, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root

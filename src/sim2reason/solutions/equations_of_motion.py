@@ -8,13 +8,13 @@ import math
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import product
 from typing import Self
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import State
 from sim2reason.dsl.triples import Number as Quantity
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
 from sim2reason.simulation.engines.exact.tape import Symbol as Recorded

@@ -1,9 +1,8 @@
 """When a charged body in fields is where a question wants it, and where its speed or its distance is extreme."""
 
-from functools import cached_property
-
 import numpy as np
 
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away

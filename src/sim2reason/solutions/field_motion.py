@@ -1,8 +1,8 @@
 """How a charged body moves in a plane in fields whose equations of motion are linear, as functions of time."""
 
 from abc import ABC, abstractmethod
-from functools import cached_property
 
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.fields import AXES, Drive, Fields
 from sim2reason.solutions.functions import Call, Power, Root

@@ -2,10 +2,10 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 
 from sim2reason.dsl.fields import Magnetic, Profile, Push, Resistance
 from sim2reason.dsl.mechanism import Force, Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.functions import Call, Power, Root

@@ -3,7 +3,6 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Meeting
 from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.lexicon import Both

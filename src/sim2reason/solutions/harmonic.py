@@ -1,9 +1,9 @@
 """One harmonic oscillation about a place of balance: where it is, how fast, and when; written as it is needed."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from math import atan2, cos, pi, sin, sqrt
 
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.fractions import over

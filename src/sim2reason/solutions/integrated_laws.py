@@ -1,10 +1,9 @@
 """The laws that an integration integrates: Newton's law of each coordinate, and what strings, feet and faces demand."""
 
-from functools import cached_property
-
 import numpy as np
 
 from sim2reason.dsl.state import State
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError, Writing

@@ -6,11 +6,11 @@ c₁ r₀ + c₂ v₀, as Lagrange has it (Bate, Mueller and White, *Fundamental
 """
 
 from collections.abc import Callable
-from functools import cached_property
 from math import cos, pi, sin
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.triples import minus
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root, squares

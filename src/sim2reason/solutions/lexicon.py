@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, reduce
+from functools import reduce
 from itertools import combinations_with_replacement
 from math import comb
 from operator import mul
@@ -19,6 +19,7 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
+from sim2reason.lazy import cached_property
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.solutions.digits import EXACT, SIMPLE
 from sim2reason.solutions.expressions import Symbol

@@ -7,7 +7,6 @@ ratios. By Lagrange's equations every term follows from those ratios and Newton'
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from functools import cached_property
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from sim2reason.dsl.constancy import bending, changing
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression

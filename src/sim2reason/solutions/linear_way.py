@@ -1,10 +1,10 @@
 """The way to one answer about a motion whose equations are linear: whatever moves, moves with the free coordinates."""
 
 from abc import abstractmethod
-from functools import cached_property
 
 from sim2reason.dsl.triples import product
 from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.elimination import solved

@@ -1,12 +1,12 @@
 """A body on a level table on which one spring acts that is fixed at its other end."""
 
 from collections.abc import Callable
-from functools import cached_property
 from math import hypot
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.dsl.triples import minus
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import Expression, Symbol

@@ -1,7 +1,6 @@
 """How a magnetic field leads a charged body: in crossed fields, or through a medium that resists."""
 
-from functools import cached_property
-
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.field_motion import Driven, FieldMotion

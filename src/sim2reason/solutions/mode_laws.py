@@ -4,11 +4,11 @@
 """
 
 from collections.abc import Sequence
-from functools import cached_property
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.cramer import signed_permutations
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol

@@ -7,11 +7,11 @@ a coordinate (of a hinge, that of its rim), ``T2`` the tension of a line, ``N1``
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Drawn, Line, Mechanism
 from sim2reason.dsl.triples import applied, product
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.lexicon import Both, Lexicon, UnreadError

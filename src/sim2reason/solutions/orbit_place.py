@@ -2,8 +2,8 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from functools import cached_property
 
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.functions import PI, Call, Power, Root
 from sim2reason.solutions.kepler import TWO, KeplerOrbit

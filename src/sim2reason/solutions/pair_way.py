@@ -1,8 +1,7 @@
 """Two free coordinates with a momentum that is kept, by which what both share follows from their relative motion."""
 
-from functools import cached_property
-
 from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.elimination import solved
 from sim2reason.solutions.expressions import Expression, Symbol

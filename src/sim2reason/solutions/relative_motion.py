@@ -5,11 +5,10 @@ Classical Mechanics, § 2.6). The kinetic energy is then p²/2M plus ½ µ u² o
 mass.
 """
 
-from functools import cached_property
-
 import numpy as np
 
 from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.fractions import over

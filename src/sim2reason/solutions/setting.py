@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Self
 
 from sim2reason.dsl.mechanism import Drawn, Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description
 from sim2reason.prose.voices import numeric
 from sim2reason.quantities.subjects.lines import line_phrases, pulleys

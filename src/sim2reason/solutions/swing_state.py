@@ -1,10 +1,10 @@
 """A swing at one moment: at which angle, and how fast."""
 
-from functools import cached_property
 from math import atan2, cos, hypot
 
 import numpy as np
 
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import Book
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio

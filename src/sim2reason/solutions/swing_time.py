@@ -4,9 +4,9 @@
 k ω₀ t = F(θ, 1/k).
 """
 
-from functools import cached_property
 from math import sin
 
+from sim2reason.lazy import cached_property
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.elliptic import Elliptic
 from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol

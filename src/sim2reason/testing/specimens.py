@@ -1,7 +1,6 @@
 """Random scenes of one entity class, to be looked at by checks: drawn from its declarations, its ports closed."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from pydantic import ValidationError
@@ -10,6 +9,7 @@ from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.model import draw
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, SimulationError, UnsupportedError
+from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description, describe
 from sim2reason.questions import Study, Words
 from sim2reason.questions.prompt import words_of

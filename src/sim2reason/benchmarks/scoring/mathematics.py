@@ -1,11 +1,10 @@
 """Answers of AIME and MATH: equal as mathematics, by the library math-verify, in a process that can be killed."""
 
-from functools import cached_property
-
 from sim2reason.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
 from sim2reason.benchmarks.scoring.parts.answers import boxes, in_box
 from sim2reason.benchmarks.scoring.parts.killable import Killable
 from sim2reason.benchmarks.scoring.parts.verify_math import verified
+from sim2reason.lazy import cached_property
 
 __all__ = ["MathVerify"]
 

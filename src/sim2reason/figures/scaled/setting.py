@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from functools import cached_property
 from itertools import product
 
 from sim2reason.dsl.body import Body
@@ -16,6 +15,7 @@ from sim2reason.dsl.vectors import Vector, add, inner, scale
 from sim2reason.figures.pieces import LIKE, DrawingPlan
 from sim2reason.figures.scaled.view import APART, COILED, FROM_ABOVE, SPAN, View, fitting, sides
 from sim2reason.figures.vectors import RIGHT
+from sim2reason.lazy import cached_property
 
 UPRIGHT: Axes = (X, Y, Z)
 RADII = {"ball": 0.24, "puck": 0.3, "star": 0.38, "planet": 0.2}  # units, of round things whose size does not matter

@@ -35,6 +35,6 @@ def _moved(value: V, number: Parameter) -> Iterator[V]:
     turned = number.measure.unit == "deg"
     for new in (number.value + turn for turn in TURNS) if turned else (number.value * factor for factor in FACTORS):
         try:
-            yield changed(value, number.path, new)
+            yield changed(value, {number.path: new})
         except (ValidationError, SceneError):
             continue

@@ -1,11 +1,11 @@
 """A place of rest with its forces: whether it can be one, and how it looks to whoever reads it."""
 
 import math
-from functools import cached_property
 
 import numpy as np
 
 from sim2reason.dsl.state import Dynamics, State
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.rest.loads import LITTLE, RestingLoads, Vector, shared
 
 

@@ -10,7 +10,7 @@ a spring along their track, is left as it is. `simulation.statics` looks for all
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import State
 from sim2reason.errors import UnsupportedError
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.rest.balance import Balance
 from sim2reason.simulation.rest.loads import EXACT, LITTLE, RestingLoads, Vector, symmetric, ways
 

@@ -1,11 +1,11 @@
 """Axle: a rigid body that swings about a fixed horizontal axle; torque and moment of inertia, and its energy."""
 
 from collections.abc import Mapping
-from functools import cached_property
 from math import cos
 from typing import ClassVar
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.arm import Arm, Piece, lone_axle

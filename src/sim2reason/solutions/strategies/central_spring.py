@@ -4,13 +4,13 @@ See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, c
 """
 
 from collections.abc import Mapping
-from functools import cached_property
 from math import hypot
 from typing import ClassVar
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.most_compressed import MostCompressed
 from sim2reason.questions.moments.most_stretched import MostStretched

@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.dynamics import Dynamics

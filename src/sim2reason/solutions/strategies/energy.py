@@ -3,12 +3,12 @@
 See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 5.
 """
 
-from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.most_compressed import MostCompressed

@@ -1,9 +1,9 @@
 """Fields: a charged body in electric and magnetic fields whose equations of motion have solutions in closed form."""
 
 from collections.abc import Callable
-from functools import cached_property
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime

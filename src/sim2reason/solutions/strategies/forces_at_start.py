@@ -1,11 +1,10 @@
 """Forces at the start: where every spring and every attracting body is known, Newton's law gives the acceleration."""
 
-from functools import cached_property
-
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added, multiplied, ratio

@@ -4,9 +4,9 @@ See Lapidus, Motion of a harmonic oscillator with sliding friction, American Jou
 """
 
 from collections.abc import Sequence
-from functools import cached_property
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.expressions import ZERO, Expression, Symbol

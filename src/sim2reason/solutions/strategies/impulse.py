@@ -1,12 +1,12 @@
 """Impulse: bodies that fly freely and collide; momentum and restitution at each impact that matters."""
 
 from collections.abc import Sequence
-from functools import cached_property
 from math import inf
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away

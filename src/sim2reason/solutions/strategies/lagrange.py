@@ -4,11 +4,11 @@ See Goldstein, Poole and Safko, Classical Mechanics, chapter 1.
 """
 
 from collections.abc import Mapping
-from functools import cached_property
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved

@@ -1,10 +1,10 @@
 """Limiting case: from where on something slips, or rises: friction at its greatest, the acceleration still zero."""
 
 from dataclasses import replace
-from functools import cached_property
 
 import numpy as np
 
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes.rises import Rises
 from sim2reason.questions.outcomes.slides import Slides

@@ -1,11 +1,11 @@
 """Normal modes: several bodies on springs along lines, each a sum of oscillations that do not disturb each other."""
 
 from collections.abc import Callable, Sequence
-from functools import cached_property
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.most_compressed import MostCompressed

@@ -1,12 +1,12 @@
 """Numeric: where only integration answers, the equations of motion, how it begins, and what integration gives."""
 
-from functools import cached_property
 from math import radians
 
 import numpy as np
 
 from sim2reason.dsl.state import State
 from sim2reason.dsl.vectors import inner
+from sim2reason.lazy import cached_property
 from sim2reason.questions import KINDS
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError, Writing

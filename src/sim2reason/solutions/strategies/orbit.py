@@ -1,8 +1,7 @@
 """Orbit: a light body about a fixed one; energy, angular momentum, and Kepler's laws."""
 
-from functools import cached_property
-
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime

@@ -4,11 +4,11 @@ See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, c
 """
 
 from collections.abc import Sequence
-from functools import cached_property
 
 import numpy as np
 
 from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery

@@ -6,11 +6,11 @@ its pull over its length. See Goldstein, Poole and Safko, Classical Mechanics, Â
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from math import atan2, pi, sin
 
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.simulation.rest.equilibrium import equilibrium
 from sim2reason.solutions.book import Book, UnsolvedError, Writing

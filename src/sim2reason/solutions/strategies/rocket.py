@@ -1,11 +1,10 @@
 """Rocket: thrust µu on what is left of the mass; u ln(m₀/m) less what gravity takes (Tsiolkovsky)."""
 
-from functools import cached_property
-
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime

@@ -1,12 +1,12 @@
 """Rocking: a round body whose centre of mass lies beside its axis rolls without slipping; torque about its contact."""
 
 from collections.abc import Callable
-from functools import cached_property
 from math import hypot, inf
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.shape import Shape
 from sim2reason.dsl.triples import applied, product
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.book import Book, UnsolvedError

@@ -1,11 +1,11 @@
 """Spring along a line: a body that one spring pulls from rest oscillates harmonically along that spring."""
 
 from collections.abc import Mapping
-from functools import cached_property
 from math import acos, sqrt
 from typing import ClassVar
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away

@@ -4,9 +4,9 @@ See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, c
 """
 
 from collections.abc import Mapping
-from functools import cached_property
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.solutions.book import Book, UnsolvedError
 from sim2reason.solutions.cramer import cramer, determinant

@@ -1,7 +1,6 @@
 """Problems of a finished dataset or of any benchmark's file, again and again, each time in another order."""
 
 from collections.abc import Iterator
-from functools import cached_property
 from typing import Any
 
 from pydantic import field_validator
@@ -10,6 +9,7 @@ from sim2reason.benchmarks import Benchmark, BenchmarkItem, benchmark_from, item
 from sim2reason.benchmarks.scoring import SCORINGS
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.errors import Sim2ReasonError
+from sim2reason.lazy import cached_property
 from sim2reason.training.problem import Problem
 from sim2reason.training.sources import SOURCES, ProblemSource
 

@@ -1,7 +1,6 @@
 """Problems drawn on the fly from a seed: no prompt ever comes back."""
 
 from dataclasses import replace
-from functools import cached_property
 from hashlib import blake2b
 from typing import Annotated, Self
 
@@ -16,6 +15,7 @@ from sim2reason.datasets.names import difficulties_named, modes_named, recipes_n
 from sim2reason.datasets.plan import LARGEST, SI, Config, Request
 from sim2reason.datasets.variants import variant
 from sim2reason.datasets.weights import check
+from sim2reason.lazy import cached_property
 from sim2reason.policies.parts.words import held_to
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS

@@ -1,7 +1,6 @@
 """The configuration of a study: a run of reinforcement learning, what arms change in it, and seeds."""
 
 from collections.abc import Mapping
-from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple, Self, cast
 
@@ -10,6 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, TypeAdapter, model_
 
 from sim2reason.datasets.plan import LARGEST
 from sim2reason.errors import Sim2ReasonError, TrainingError
+from sim2reason.lazy import cached_property
 from sim2reason.policies import Name
 from sim2reason.policies.parts.settings import configuration, settings_in
 from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
@@ -44,7 +44,7 @@ class Arm(NamedTuple):
 class TrainingStudy(BaseModel):
     """What is run."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, ignored_types=(cached_property,))
 
     out: Path
     """The folder of the study."""

@@ -1,10 +1,9 @@
 """The exact engine's loop: impacts, forces, the next event, and again."""
 
-from functools import cached_property
-
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.approach import STILL, halt
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError

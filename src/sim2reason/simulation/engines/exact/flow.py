@@ -1,13 +1,13 @@
 """The motion of a mechanism whose equations change as it moves: integrated, with events located on the steps."""
 
 from collections.abc import Sequence
-from functools import cached_property
 from math import inf, isfinite
 
 import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact import dop853
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.crossings import Crossing, Watch

@@ -2,11 +2,11 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.bracing import greatest_least
 from sim2reason.simulation.engines.exact.dop853 import Rate
 from sim2reason.simulation.engines.exact.margins import Margin

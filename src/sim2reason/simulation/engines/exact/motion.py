@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from math import nan
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.flow import Flow, sampled
 from sim2reason.simulation.engines.exact.lengths import RowKind

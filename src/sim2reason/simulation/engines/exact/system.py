@@ -3,7 +3,6 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise
 from math import inf
 
@@ -14,6 +13,7 @@ from sim2reason.dsl.points import Distance
 from sim2reason.dsl.start_speeds import check_speeds
 from sim2reason.dsl.triples import Number, Triple, minus, product
 from sim2reason.errors import SceneError, UnsupportedError
+from sim2reason.lazy import cached_property
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowKind, RowTerms, row_kinds

@@ -2,10 +2,10 @@
 
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, Literal
 
 from sim2reason.errors import TrainingError
+from sim2reason.lazy import cached_property
 from sim2reason.policies.parts.hub import explained, loading
 from sim2reason.training.extras import External, library
 
