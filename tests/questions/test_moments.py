@@ -91,6 +91,18 @@ def test_what_a_collision_sends_back_is_spoken_of_by_its_distance_from_its_start
     assert clause.statement == "cart A is first 1.5 m from its starting point"
 
 
+def test_symbols_do_not_say_whether_a_body_turns_back_before_it_has_moved_so_far() -> None:
+    """One thrown uphill may, so that the way that it has gone would be another thing; one released on a slope can't."""
+    for scene, symbolic, said in (
+        (ramp(angle=30.0, speed=3.0), True, "the block is first 0.50 m from its starting point"),
+        (ramp(angle=30.0, speed=3.0), False, "the block has moved 0.50 m"),
+        (ramp(angle=30.0), True, "the block has moved 0.50 m"),
+    ):
+        clause = Moved(BLOCK, 0.5).clause(replace(words_of(describe(scene)), symbolic=symbolic))
+        assert clause is not None
+        assert clause.statement == said
+
+
 def test_a_block_sent_uphill_turns_and_is_first_there_on_its_way_up() -> None:
     trace = simulate(ramp(angle=30.0, speed=3.0))
     a, v = G * sin(radians(30)), 3.0

@@ -88,11 +88,11 @@ RELEASES = (
     "everything is held at rest{taut}, and then released.",
     "the motion starts from rest{taut}.",
     "the system is let go from rest{taut}.",
-    "all bodies are held at rest at the start{taut}.",
+    "all bodies are held at rest{taut}, and let go together.",
     "until t = 0 everything is held at rest{taut}.",
     "the system starts from rest{taut}.",
     "the bodies are held at rest{taut}, and then let go.",
-    "to begin with, everything is held at rest{taut}.",
+    "to begin with, everything is held at rest{taut}, then let go.",
 )
 LONE_RELEASES = (
     "the motion starts from rest{taut}.",

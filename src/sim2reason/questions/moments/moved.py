@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.paths import center_path, rides
@@ -20,8 +22,8 @@ from sim2reason.simulation.trace import Trace
 class Moved(DistanceThreshold):
     """When a body has moved a stated distance along a straight line, without turning back.
 
-    What collides may have turned back in a collision, and which way it goes then, symbols do not say: it is spoken of
-    by its distance from where it started.
+    What collides may have turned back in a collision; and symbols do not say whether what a speed, a spring or a thrust
+    drives turns back before. Then it is spoken of by its distance from where it started.
     """
 
     label = "moved"
@@ -41,9 +43,16 @@ class Moved(DistanceThreshold):
             return found
         return None if _turns_back(trace, self.name, found) else found
 
+    def _may_return(self, words: Words) -> bool:
+        """Whether the way that it has gone may be longer than the distance, as far as a text tells."""
+        mechanism = words.mechanism
+        if _collides(mechanism, self.name) or not words.symbolic:
+            return _collides(mechanism, self.name)
+        return not words.released or bool(changing(mechanism, start(mechanism)))
+
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: after the block has moved 0.50 m, when the cart is first 0.50 m from its starting point."""
-        if _collides(words.mechanism, self.name):
+        if self._may_return(words):
             there = f"{self.subject(words)} is first {self.said(words)} from its starting point"
             return (f"when {there}", f"at the moment when {there}", f"at the instant at which {there}")
         moved = f"{self.subject(words)} has moved {self.said(words)}"
@@ -52,7 +61,7 @@ class Moved(DistanceThreshold):
     def clause(self, words: Words) -> Clause | None:
         """As in: the block has moved 0.50 m."""
         said = self.said(words)
-        if _collides(words.mechanism, self.name):
+        if self._may_return(words):
             there = f"first {said} from its starting point"
             return Clause(self.subject(words), "is", there, f"is {there}")
         return Clause(self.subject(words), "has", f"moved {said}", f"has moved {said}", f"to move {said}")
