@@ -12,6 +12,8 @@ class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands f
     Two threads may work the same value out twice, and either is kept.
     """
 
+    __module__ = functools.__name__  # by which pydantic tells it from a field
+
     @overload
     def __get__(self, instance: None, owner: type[Any] | None = None) -> "cached_property[T]": ...
     @overload

@@ -93,14 +93,14 @@ def test_what_a_collision_sends_back_is_spoken_of_by_its_distance_from_its_start
 
 def test_symbols_do_not_say_whether_a_body_turns_back_before_it_has_moved_so_far() -> None:
     """One thrown uphill may, so that the way that it has gone would be another thing; one released on a slope can't."""
-    for scene, symbolic, said in (
+    for scene, symbolic, statement in (
         (ramp(angle=30.0, speed=3.0), True, "the block is first 0.50 m from its starting point"),
         (ramp(angle=30.0, speed=3.0), False, "the block has moved 0.50 m"),
         (ramp(angle=30.0), True, "the block has moved 0.50 m"),
     ):
         clause = Moved(BLOCK, 0.5).clause(replace(words_of(describe(scene)), symbolic=symbolic))
         assert clause is not None
-        assert clause.statement == said
+        assert clause.statement == statement
 
 
 def test_a_block_sent_uphill_turns_and_is_first_there_on_its_way_up() -> None:

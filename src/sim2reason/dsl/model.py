@@ -14,7 +14,6 @@ from sim2reason.dsl.bounds import bounds
 from sim2reason.dsl.measures import Chance, Count, Hidden, Measure, Member, Range, Sized
 from sim2reason.dsl.relations import relations, unfitting
 from sim2reason.errors import SceneError
-from sim2reason.lazy import cached_property
 
 
 class Model(BaseModel):
@@ -27,7 +26,6 @@ class Model(BaseModel):
         allow_inf_nan=False,
         validate_default=True,
         revalidate_instances="never",
-        ignored_types=(cached_property,),
     )
 
     @classmethod

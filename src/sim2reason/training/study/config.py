@@ -44,7 +44,7 @@ class Arm(NamedTuple):
 class TrainingStudy(BaseModel):
     """What is run."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, ignored_types=(cached_property,))
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     out: Path
     """The folder of the study."""
