@@ -284,6 +284,14 @@ def test_what_makes_no_sense_is_refused(fields: dict[str, object], says: str) ->
         RotationEntity(pieces=(piece,) * (2 if twice else 1), **fields)  # type: ignore[arg-type]
 
 
+def test_two_small_balls_have_places_of_their_own() -> None:
+    ball = BallPiece(body=FixedBall(mass=1.0), distance=0.5)
+    across = ball.model_copy(update={"side": "from the axle, on the other side"})
+    with pytest.raises(ValueError, match="overlap"):
+        RotationEntity(pieces=(ball, ball), angle=9.0)
+    assert len(RotationEntity(pieces=(ball, across), angle=9.0).pieces) == 2
+
+
 def test_the_start_is_where_the_text_says() -> None:
     """60° to the right of the downward vertical; sent off downwards it goes left."""
     trace = followed(hung(1.0, angle=60.0, rate=2.0), 0.1, 11)

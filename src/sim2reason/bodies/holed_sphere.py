@@ -23,12 +23,12 @@ class SphereWithHole(Shape):
     nouns = ("sphere",)
     words = {"gap": Word("mass", {}, "hole")}
     lone = (
-        "a uniform {noun} of mass {mass} and radius {radius} with a spherical hole of radius {hole} centred {offset} from the centre of the {noun}",
-        "a uniform {noun} of radius {radius} and mass {mass} with a spherical hole of radius {hole} whose centre lies {offset} from that of the {noun}",
+        "a {noun} of mass {mass} and radius {radius}, uniform but for a spherical hole of radius {hole} centred {offset} from the centre of the {noun}",
+        "a uniform {noun} of radius {radius} with a spherical hole of radius {hole} whose centre lies {offset} from that of the {noun} (mass with the hole: {mass})",
     )
     named = (
-        "a uniform {noun} {letter} of mass {mass} and radius {radius} with a spherical hole of radius {hole} centred {offset} from the centre of the {noun}",
-        "a uniform {noun} {letter} of radius {radius} and mass {mass} with a spherical hole of radius {hole} whose centre lies {offset} from that of the {noun}",
+        "a {noun} {letter} of mass {mass} and radius {radius}, uniform but for a spherical hole of radius {hole} centred {offset} from the centre of the {noun}",
+        "a uniform {noun} {letter} of radius {radius} with a spherical hole of radius {hole} whose centre lies {offset} from that of the {noun} (mass with the hole: {mass})",
     )
 
     @model_validator(mode="after")

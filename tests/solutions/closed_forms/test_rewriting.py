@@ -160,4 +160,12 @@ def test_sizes_stand_where_something_is_negative_elsewhere() -> None:
     assert found.latex == r"s \sqrt{\left|p - q\right|}"
     assert found.value({"p": 1.0, "q": 5.0, "s": 3.0}) == pytest.approx(6.0)
     assert closed_form(solution(("x", a - b))).of_sizes([AT]).latex == "p - q"
-    assert closed_form(solution(("x", b - a))).of_sizes([AT]).latex == r"\left|q - p\right|"
+    assert closed_form(solution(("x", b - a))).of_sizes([AT, {"p": 1.0, "q": 2.0}]).latex == r"\left|q - p\right|"
+
+
+def test_only_factors_of_both_signs_stand_between_bars() -> None:
+    """p (q − p)/(s − q), where q < p throughout, and s − q has either sign."""
+    points = [{"p": 3.0, "q": 2.0, "s": 5.0}, {"p": 3.0, "q": 2.0, "s": 1.0}]
+    found = closed_form(solution(("x", a * (b - a) / (c - b)))).of_sizes(points)
+    assert found.latex == r"\frac{p^{2} - p q}{\left|q - s\right|}"
+    assert all(found.value(at) > 0.0 for at in points)

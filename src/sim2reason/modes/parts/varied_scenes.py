@@ -1,6 +1,6 @@
 """Where a formula must hold: scenes with other numbers, and what a text must assume to leave out the rest."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import chain, combinations
 
 import numpy as np
@@ -55,13 +55,24 @@ class VariedScenes:
         if not self.near(found, rng):
             return None
         assumed = self.assumed(found, rng, words)
-        if assumed is None and self.beyond and not signed:
-            found = found.of_sizes(self.beyond)
-            assumed = self.assumed(found, rng, words)
+        if assumed is None and self._wide and not signed:
+            found, assumed = self._sized(found, rng, words)
         if assumed is None:
             return None
         found = self._plainer(found, assumed, rng, words)
         return (found, assumed) if len(found.latex) <= LONGEST else None
+
+    def _sized(
+        self, formula: ClosedForm, rng: np.random.Generator, words: Words
+    ) -> tuple[ClosedForm, tuple[Regime, ...] | None]:
+        """Its absolute value, and what it assumes; no bars around what has one sign wherever that is so."""
+        found = formula.of_sizes([other.values for other in self._wide])
+        assumed = self.assumed(found, rng, words)
+        if not assumed:
+            return found, assumed
+        among = [other.values for other in (*self._near, *self._wide) if not self._leaving_out(other, assumed)]
+        plainer = formula.of_sizes(among)
+        return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
 
     def near(self, formula: ClosedForm, rng: np.random.Generator) -> bool:
         """Whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
@@ -159,11 +170,6 @@ class VariedScenes:
         signed = formula.without_roots_of_squares(self._near[0].values)
         fits = all(self._agrees(signed.expression, other) for other in self._near)
         return signed if fits and self.assumed(signed, rng, words) == assumed else sized
-
-    @property
-    def beyond(self) -> list[Mapping[str, float]]:
-        """Numbers far from the scene's own for which something may be as it is not there."""
-        return [other.values for other in self._wide]
 
     def _widely(self, formula: Expression, rng: np.random.Generator) -> Iterator[Variation]:
         """With numbers far from the scene's own."""

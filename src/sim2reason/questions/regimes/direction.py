@@ -6,6 +6,9 @@ from typing import Self
 
 import numpy as np
 
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.dsl.vectors import Vector
 from sim2reason.quantities.kinematics import Acceleration, Velocity
@@ -24,7 +27,7 @@ OPPOSITE = {UP: "down", RIGHT: "left"}
 @REGIMES.register("direction")
 @dataclass(frozen=True, slots=True)
 class MovesOneWay(Regime):
-    """A body moves one way along a line, or is about to."""
+    """A body moves one way along a line, or is about to; nothing is about to move only one way where it may turn back."""
 
     of = Bodies()
 
@@ -39,6 +42,10 @@ class MovesOneWay(Regime):
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether it moves that way there."""
+        return (until > 0.0 or not _accelerates(study.mechanism)) and self.begins(study, until)
+
+    def begins(self, study: Study, until: float = 0.0) -> bool:
+        """Whether it moves that way up to a time, s, whatever it does later."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
 
@@ -53,8 +60,9 @@ class MovesOneWay(Regime):
         return (1.0 if self.ahead else -1.0) * float(rate) / _of_free_fall(study, until)
 
     def clause(self, words: Words) -> str:
-        """As in: block A moves down the slope; where collisions may turn it, it moves only that way."""
-        motion = self.motion.replace("moves", "moves only", 1) if words.mechanism.meetings else self.motion
+        """As in: block A moves down the slope; where collisions or springs may turn it, it moves only that way."""
+        turned = bool(words.mechanism.meetings) or _accelerates(words.mechanism)
+        motion = self.motion.replace("moves", "moves only", 1) if turned else self.motion
         return f"{words.called(self.of)[self.name]} {motion}"
 
     @property
@@ -64,6 +72,11 @@ class MovesOneWay(Regime):
         way = first if self.ahead else OPPOSITE[first]
         towards = f"to the {way}" if first == RIGHT else way
         return f"moves {towards}{space}{rest}"
+
+
+def _accelerates(mechanism: Mechanism) -> bool:
+    """Whether a force that changes may turn a body back."""
+    return bool(changing(mechanism, start(mechanism)))
 
 
 def _of_free_fall(study: Study, until: float) -> float:

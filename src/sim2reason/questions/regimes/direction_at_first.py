@@ -28,7 +28,7 @@ class MovesFirst(Regime):
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is about to move that way."""
         del until
-        return self.way.holds(study, 0.0)
+        return self.way.begins(study)
 
     def clause(self, words: Words) -> str:
         """As in: block A first moves down the slope."""

@@ -32,8 +32,12 @@ class ClosedForm:
     symbols: tuple[str, ...]
 
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
-        """Its absolute value, and under each root that what stands there, if it is negative at one of the points."""
-        found = tidied(_of_size(_rooted_in_sizes(self.expression, points), points))
+        """Its absolute value, and under each root that what stands there, if it is negative at one of the points.
+
+        Factors of one sign at all of them have that sign, and the others stand between bars.
+        """
+        rooted = _rooted_in_sizes(self.expression, points)
+        found = tidied(_positive(rooted, points) if any(_negative(rooted, at) for at in points) else rooted)
         return ClosedForm(found, found.latex(), self.symbols)
 
     def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
@@ -113,6 +117,21 @@ def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) ->
 
 def _of_size(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
     return Absolute(held) if any(_negative(held, at) for at in points) else held
+
+
+def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    """The size of a formula: what is of both signs at some points between bars, what is negative with another sign."""
+    if isinstance(held, Quotient):
+        return ratio(_positive(held.above, points), _positive(held.below, points))
+    factors = held.factors if isinstance(held, Product) else (held,)
+    outer, inner = ONE, ONE
+    for factor in factors:
+        negative = [_negative(factor, at) for at in points]
+        if any(negative) and not all(negative):
+            inner = multiplied(inner, factor)
+        else:
+            outer = multiplied(outer, -factor if any(negative) else factor)
+    return outer if inner == ONE else multiplied(outer, Absolute(inner))
 
 
 def _negative(held: Expression, at: Mapping[str, float]) -> bool:
