@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from math import inf
-from typing import Annotated, Any, Literal, Self, TypeGuard, TypeVar, Union, cast, get_args, get_origin
+from typing import Annotated, Any, Literal, Self, TypeGuard, TypeVar, Union, get_args, get_origin
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
@@ -51,9 +51,7 @@ class Model(BaseModel):
         return self
 
 
-NOTHING, LOOK = "there is no such thing in the scene", "list the scene's parameters"
 M = TypeVar("M", bound=Model)
-V = TypeVar("V")
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,47 +146,6 @@ def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
             for index, member in enumerate(held):  # type: ignore[reportUnknownArgumentType]
                 if isinstance(member, Model):
                     yield from parameters(member, f"{address}.{index}")
-
-
-def lookup(value: Any, path: str) -> Any:
-    """What stands at an address below a value; SceneError names the first step that leads nowhere."""
-    walked: list[str] = []
-    for step in path.split("."):
-        walked.append(step)
-        try:
-            value = cast("tuple[Any, ...]", value)[int(step)] if isinstance(value, tuple) else _field(value, step)
-        except (LookupError, ValueError, AttributeError):
-            raise SceneError(".".join(walked), NOTHING, LOOK) from None
-    return value
-
-
-def _field(value: Any, step: str) -> Any:
-    if isinstance(value, Model) and step in type(value).model_fields:
-        return getattr(value, step)
-    raise AttributeError(step)
-
-
-def changed(value: V, news: Mapping[str, object]) -> V:
-    """The same value with others at some addresses, validated once; None in a tuple takes a member out."""
-    here, below = dict[str, object](), dict[str, dict[str, object]]()
-    for path, new in news.items():
-        step, _, rest = path.partition(".")
-        if rest:
-            below.setdefault(step, {})[rest] = new
-        else:
-            here[step] = new
-    held: dict[str, Any]
-    if isinstance(value, tuple):
-        held = {str(index): member for index, member in enumerate(value)}  # type: ignore[reportUnknownArgumentType]
-    else:
-        held = {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}
-    unknown = next((path for path in news if path.partition(".")[0] not in held), None)
-    if unknown is not None:
-        raise SceneError(unknown, NOTHING, LOOK)
-    held |= {step: changed(held[step], some) for step, some in below.items()} | here
-    if isinstance(value, tuple):
-        return tuple(member for member in held.values() if member is not None)  # type: ignore[return-value]
-    return type(value)(**held)  # type: ignore[return-value]
 
 
 REDRAWS = 20

@@ -5,6 +5,7 @@ from typing import Any, Self, cast
 
 from pydantic import SerializeAsAny, model_validator
 
+from sim2reason.dsl.addresses import changed, lookup
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection, Joint, Link
@@ -12,7 +13,7 @@ from sim2reason.dsl.entity import Entity, Name, Named, Part, inside, outer_ports
 from sim2reason.dsl.layout import placed
 from sim2reason.dsl.measures import Gravity
 from sim2reason.dsl.mechanism import GRAVITY, Mechanism
-from sim2reason.dsl.model import Model, Parameter, changed, lookup, parameters, rebuilt
+from sim2reason.dsl.model import Model, Parameter, parameters, rebuilt
 from sim2reason.dsl.ports import Chain, Pass, Port, Stop, StringEnd
 from sim2reason.dsl.units import UnitSystem
 from sim2reason.dsl.vacancies import idle_fields, vacated

@@ -3,8 +3,9 @@
 from collections.abc import Iterable
 from typing import Any, cast
 
+from sim2reason.dsl.addresses import lookup
 from sim2reason.dsl.body import Body
-from sim2reason.dsl.model import Model, lookup
+from sim2reason.dsl.model import Model
 
 _ENDS = {"first": 0, "last": -1}
 

@@ -5,11 +5,12 @@ from typing import Any
 
 import numpy as np
 
+from sim2reason.dsl.addresses import lookup
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part, parts_at
-from sim2reason.dsl.model import field_types, lookup
+from sim2reason.dsl.model import field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import (
     COUNT_WORDS,

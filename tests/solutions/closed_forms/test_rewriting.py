@@ -156,7 +156,8 @@ def test_factors_are_found_without_a_general_method() -> None:
 
 def test_sizes_stand_where_something_is_negative_elsewhere() -> None:
     """√(p − q) s where p < q, and −p where p > 0."""
-    found = closed_form(solution(("x", Root(a - b) * c))).of_sizes([{"p": 1.0, "q": 2.0, "s": 3.0}])
+    points = [{"p": 1.0, "q": 2.0, "s": 3.0}, {"p": 2.0, "q": 1.0, "s": 3.0}]
+    found = closed_form(solution(("x", Root(a - b) * c))).of_sizes(points)
     assert found.latex == r"s \sqrt{\left|p - q\right|}"
     assert found.value({"p": 1.0, "q": 5.0, "s": 3.0}) == pytest.approx(6.0)
     assert closed_form(solution(("x", a - b))).of_sizes([AT]).latex == "p - q"

@@ -27,7 +27,7 @@ OPPOSITE = {UP: "down", RIGHT: "left"}
 @REGIMES.register("direction")
 @dataclass(frozen=True, slots=True)
 class MovesOneWay(Regime):
-    """A body moves one way along a line, or is about to; nothing is about to move only one way where it may turn back."""
+    """A body moves one way along a line, or is about to, where no force that changes may turn it back."""
 
     of = Bodies()
 

@@ -5,7 +5,8 @@ from typing import TypeVar
 
 from pydantic import ValidationError
 
-from sim2reason.dsl.model import Model, Parameter, changed, parameters
+from sim2reason.dsl.addresses import changed
+from sim2reason.dsl.model import Model, Parameter, parameters
 from sim2reason.errors import SceneError
 
 FACTORS, TURNS = (2.0, 0.5), (10.0, -10.0)  # a number is halved and doubled, an angle in degrees turned either way

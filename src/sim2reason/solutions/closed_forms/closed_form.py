@@ -36,8 +36,7 @@ class ClosedForm:
 
         Factors of one sign at all of them have that sign, and the others stand between bars.
         """
-        rooted = _rooted_in_sizes(self.expression, points)
-        found = tidied(_positive(rooted, points) if any(_negative(rooted, at) for at in points) else rooted)
+        found = tidied(_of_size(_rooted_in_sizes(self.expression, points), points))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
@@ -116,7 +115,7 @@ def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) ->
 
 
 def _of_size(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
-    return Absolute(held) if any(_negative(held, at) for at in points) else held
+    return _positive(held, points) if any(_negative(held, at) for at in points) else held
 
 
 def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:

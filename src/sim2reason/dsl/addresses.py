@@ -1,0 +1,52 @@
+"""What stands at an address of a value, as in ``stones.1.mass``, and the same value with something else there."""
+
+from collections.abc import Mapping
+from typing import Any, TypeVar, cast
+
+from sim2reason.dsl.model import Model
+from sim2reason.errors import SceneError
+
+NOTHING, LOOK = "there is no such thing in the scene", "list the scene's parameters"
+V = TypeVar("V")
+
+
+def lookup(value: Any, path: str) -> Any:
+    """What stands at an address below a value; SceneError names the first step that leads nowhere."""
+    walked: list[str] = []
+    for step in path.split("."):
+        walked.append(step)
+        try:
+            value = cast("tuple[Any, ...]", value)[int(step)] if isinstance(value, tuple) else _field(value, step)
+        except (LookupError, ValueError, AttributeError):
+            raise SceneError(".".join(walked), NOTHING, LOOK) from None
+    return value
+
+
+def _field(value: Any, step: str) -> Any:
+    if isinstance(value, Model) and step in type(value).model_fields:
+        return getattr(value, step)
+    raise AttributeError(step)
+
+
+def _members(value: Any) -> dict[str, Any]:
+    if isinstance(value, tuple):
+        return {str(index): member for index, member in enumerate(value)}  # type: ignore[reportUnknownArgumentType]
+    return {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}
+
+
+def changed(value: V, news: Mapping[str, object]) -> V:
+    """The same value with others at some addresses, validated once; None in a tuple takes a member out."""
+    here, below = dict[str, object](), dict[str, dict[str, object]]()
+    for path, new in news.items():
+        step, _, rest = path.partition(".")
+        if rest:
+            below.setdefault(step, {})[rest] = new
+        else:
+            here[step] = new
+    held = _members(value)
+    if unknown := {*here, *below} - held.keys():
+        raise SceneError(min(unknown), NOTHING, LOOK)
+    held |= {step: changed(held[step], some) for step, some in below.items()} | here
+    if isinstance(value, tuple):
+        return tuple(member for member in held.values() if member is not None)  # type: ignore[return-value]
+    return type(value)(**held)  # type: ignore[return-value]
