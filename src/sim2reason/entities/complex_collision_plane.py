@@ -79,7 +79,7 @@ class ComplexCollisionPlane(Entity):
     says = (
         either(
             "{gliders:#} small {gliders:s}, named in order of increasing x, move along {track}; x is measured along it, {track.ahead}.",
-            "on {track} there are {gliders:#} small {gliders:s}, named in order of increasing x, which is counted along it, {track.ahead}.",
+            "on {track} there are {gliders:#} small {gliders:s}, named in order of increasing x; along it x is measured {track.ahead}.",
             "{track}, along which x is measured {track.ahead}, carries {gliders:#} small {gliders:s}, named in order of increasing x.",
         ),
         each(

@@ -20,7 +20,7 @@ from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
 from sim2reason.simulation.rest.likeness import alike_at_rest
 from sim2reason.simulation.rest.witness import unrest
 
-WHEN = ("in the position of {}", "at {}", "in {}")
+WHEN = ("in the position of {}", "at the position of {}", "in the {} position")
 STILL = 1e-6  # m or rad
 
 
