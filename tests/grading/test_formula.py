@@ -1,4 +1,4 @@
-"""How symbols are spelled in formulas."""
+"""How symbols and brackets are spelled in formulas."""
 
 import pytest
 
@@ -22,3 +22,20 @@ def test_no_other_name_is(answer: str) -> None:
 @pytest.mark.parametrize("answer", WITH_L)
 def test_an_l_of_the_problem_is_itself(answer: str) -> None:
     assert formula(rf"\boxed{{{answer}}}", REFERENCE, [{**POINT, "l": 2.0}]).reward == 0.0
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        r"2\left\{a+b\right\}^{-1/2}",
+        r"2\{a+b\}^{-\frac12}",
+        r"\bigl\{\tfrac14\left[a+b\right]\bigr\}^{-1/2}",
+        r"2\lbrace a+b\rbrace^{-1/2}",
+        r"2\left\lbrack a+b\right\rbrack^{-1/2}",
+        r"2\lparen a+b\rparen^{-1/2}",
+    ],
+)
+def test_brackets_that_print_shows_hold_together(answer: str) -> None:
+    """Not so those of ``\\text{…}``, which it does not show: *a + b* to a power is another thing in them."""
+    assert formula(rf"\boxed{{{answer}}}", r"\frac{2}{\sqrt{a + b}}", [{"a": 2.0, "b": 3.0}]).reward == 1.0
+    assert formula(rf"\boxed{{{answer}}}", r"2 a + b^{-1/2}", [{"a": 2.0, "b": 3.0}]).reward == 0.0

@@ -55,8 +55,8 @@ COMMANDS: Final = {
         ("root", "sqrt", "sqrt"),
         ("times", "*", "times cdot ast star cdotp bullet"),
         ("slash", "/", "div slash"),
-        ("open", "(", "lparen"),
-        ("close", ")", "rparen"),
+        ("open", "(", "lparen lbrace"),
+        ("close", ")", "rparen rbrace"),
         ("open", "[", "lbrack"),
         ("close", "]", "rbrack"),
         ("open", "{", "mathbf mathit bm boldsymbol pmb emph boxed mathnormal underline uline fbox ensuremath"),
@@ -127,7 +127,7 @@ LAYOUT: Final = (*_LAID_OUT.split(), *(name for name in SWITCHES if name not in 
 HEDGES: Final = frozenset({"or", "either", "versus", "vs"})
 SOFT_HEDGES: Final = frozenset({"and", "to", "between", "through"})  # a list between numbers, harmless in words
 ANGLES: Final = frozenset({"theta", "alpha", "beta", "gamma", "phi", "psi", "delta"})
-CLOSES: Final = {"(": ")", "[": "]", "{": "}", "\\{": "\\}"}
+CLOSES: Final = {"(": ")", "[": "]", "{": "}"}
 
 
 def is_angle(name: str) -> bool:

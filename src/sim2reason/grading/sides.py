@@ -221,7 +221,8 @@ def flattened(tokens: Tokens) -> Tokens:
         if token.kind == "open":
             last = kept[-1].kind if kept else ""
             argument = 2 if last == "fraction" else argument
-            held = token.finish - token.begin == 1 or last in {"power", "root", "fraction", "function"} or argument > 0
+            printed = token.text != "{" or token.finish - token.begin == 1  # a brace alone may hold an argument
+            held = printed or last in {"power", "root", "fraction", "function"} or argument > 0
             stack.append((CLOSES[token.text], held))
             argument = max(argument - 1, 0) if token.text == "{" else 0
             if not held:

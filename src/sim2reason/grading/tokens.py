@@ -144,7 +144,8 @@ class _Lexer:
 
     def command(self, name: str, begin: int, finish: int) -> int:
         if name in "{}" or name == "|":
-            self.add({"{": "open", "}": "close", "|": "bar"}[name], f"\\{name}", begin, finish)
+            kind, normal = {"{": ("open", "("), "}": ("close", ")"), "|": ("bar", "|")}[name]  # seen in print
+            self.add(kind, normal, begin, finish)
             return finish
         if name in VARIANTS or name in GREEK_NAMES or name in FUNCTIONS:
             return self.letters(name, begin, finish)
