@@ -104,7 +104,7 @@ def test_on_the_way_up_is_assumed() -> None:
     found = completed(ramp(friction=0.3, speed=2.0), query, "m/s")
     assert paid(found, r"v - g t_1 (\sin\theta + \mu\cos\theta)")
     assert found is not None
-    assert found.text.endswith(" Assume that the block moves up the slope.")
+    assert found.text.endswith(" Assume that the block moves only up the slope.")
     assert "at t = $t_1$" in found.text or "t = $t_1$" in found.text
 
 

@@ -60,8 +60,8 @@ class MovesOneWay(Regime):
         return (1.0 if self.ahead else -1.0) * float(rate) / _of_free_fall(study, until)
 
     def clause(self, words: Words) -> str:
-        """As in: block A moves down the slope; where collisions or springs may turn it, it moves only that way."""
-        turned = bool(words.mechanism.meetings) or _accelerates(words.mechanism)
+        """As in: block A moves down the slope; where speeds, collisions or springs may turn it, only that way."""
+        turned = not words.released or bool(words.mechanism.meetings) or _accelerates(words.mechanism)
         motion = self.motion.replace("moves", "moves only", 1) if turned else self.motion
         return f"{words.called(self.of)[self.name]} {motion}"
 
