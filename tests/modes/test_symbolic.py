@@ -108,6 +108,15 @@ def test_on_the_way_up_is_assumed() -> None:
     assert "at t = $t_1$" in found.text or "t = $t_1$" in found.text
 
 
+def test_a_distance_may_be_reached_on_the_way_back() -> None:
+    """After v/a − √(v² − 2 a d)/a on the way up; farther up than it gets, it is so far away only below its start."""
+    found = completed(ramp(friction=0.1, speed=3.0), Query("time_to_event", None, Moved(BLOCK, 0.3)), "s")
+    assert found is not None
+    assert "is first a distance $d$ from its starting point" in found.text
+    assert found.text.endswith(" Assume that the block moves only up the slope.")
+    assert paid(found, r"\frac{v - \sqrt{v^2 - 2 g d (\sin\theta + \mu\cos\theta)}}{g (\sin\theta + \mu\cos\theta)}")
+
+
 def test_on_which_side_of_its_start_a_string_makes_an_angle_is_told() -> None:
     """A bob sent down its arc, (Δv)² = v² + u² − 2 u v cos (θ − α), u² = v² + 2 g l (cos α − cos θ), on its way down.
 

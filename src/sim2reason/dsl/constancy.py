@@ -27,6 +27,12 @@ def changing(mechanism: Mechanism, frames: Frames) -> str:
     return turning or next((name for line in mechanism.lines if (name := bending(line, frames))), "")
 
 
+def may_turn_back(mechanism: Mechanism) -> bool:
+    """Whether something may: what is sent off, collides, or is driven by a force that changes."""
+    sent = any(coordinate.speed for coordinate in mechanism.coordinates)
+    return sent or bool(mechanism.meetings or changing(mechanism, start(mechanism)))
+
+
 def _turning_body(mechanism: Mechanism, frames: Frames, body: RigidBody) -> str:
     """A body whose centre of mass a hinge moves, or whose own ways of moving it turns."""
     frame = frames[body.name]

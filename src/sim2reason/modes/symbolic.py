@@ -75,7 +75,8 @@ class Symbolic(QuestionMode):
         symbols = _symbols(study, spoken)
         if not {held.symbol for held in symbols}.issuperset(whole.symbols()):
             return None  # it goes by where the motion starts, which the text does not tell
-        varied = VariedScenes(Variations(study, query, symbols), factor(question.unit))
+        moment = query.moment.in_symbols() if query.moment is not None else None
+        varied = VariedScenes(Variations(study, replace(query, moment=moment), symbols), factor(question.unit))
         if not varied.of_scene(whole):
             return None
         held = varied.told(whole, rng, spoken, signed=bool(question.sign))

@@ -78,14 +78,16 @@ def parse_prompt(
         TextError: the text means no scene, more than one, or asks nothing that this library asks.
     """
     body, unit = without_form(text)
-    refused: TextError | None = None
+    refused: list[TextError] = []
     for told in in_si(body):
         for shape, draft in _drafts(told):
             try:
                 return _understood(_stated(draft, given), unit, shape, rng, given)
             except TextError as error:
-                refused = error if refused is None or error.place == "prompt" else refused
-    raise refused or TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
+                refused.append(error)
+    if not refused:
+        raise TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
+    raise min(refused, key=lambda error: ("prompt", "text", error.place).index(error.place))  # what was read farthest
 
 
 def without_form(text: str) -> tuple[str, str]:

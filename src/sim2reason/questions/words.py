@@ -4,9 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Self
 
+from sim2reason.dsl.constancy import may_turn_back
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import UnitSystem
+from sim2reason.lazy import cached_property
 from sim2reason.quantities.subjects import Subject
 from sim2reason.questions.spoken import OwnSymbol, said, say
 from sim2reason.questions.unknown import Unknown, unknowns
@@ -41,6 +43,11 @@ class Words:
         said = frozenset(p.path for p in scene.parameters if p.value is not None and not p.hidden)
         offered = unknowns(scene, mentions, unknown or {})
         return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {})
+
+    @cached_property
+    def turns_back(self) -> bool:
+        """Whether something may turn back: what is sent off, collides, or is driven by a force that changes."""
+        return may_turn_back(self.mechanism)
 
     @property
     def since(self) -> str:

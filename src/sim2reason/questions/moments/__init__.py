@@ -95,6 +95,10 @@ class Moment(ABC):
         """The same moment, told without what comes after it, where a question calls it the first; by default this."""
         return self
 
+    def in_symbols(self) -> "Moment":
+        """The same moment, as a text tells it whose symbols leave open what happens before; by default this."""
+        return self
+
     def subject(self, words: Words) -> str:
         """How a question calls the one that it is about; by default it is about nothing."""
         del words

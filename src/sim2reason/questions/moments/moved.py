@@ -1,11 +1,10 @@
 """The instant at which a body has moved a stated distance along a straight line, or is first so far from its start."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.paths import center_path, rides
@@ -22,9 +21,11 @@ from sim2reason.simulation.trace import Trace
 class Moved(DistanceThreshold):
     """When a body has moved a stated distance along a straight line, without turning back.
 
-    What collides may have turned back in a collision; and symbols do not say whether what a speed, a spring or a thrust
-    drives turns back before. Then it is spoken of by its distance from where it started.
+    What collides may have turned back in a collision; and symbols do not say whether what may turn back does so before.
+    Then it is spoken of by its distance from where it started.
     """
+
+    returned: bool = False  # whether it may have turned back
 
     label = "moved"
     verb = Verb("has moved", "moved", "has")
@@ -37,18 +38,19 @@ class Moved(DistanceThreshold):
         return {n: said for n, said in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
 
     def time(self, trace: Trace) -> float | None:
-        """When it is first so far away; if it has not turned back before, unless it collides."""
+        """When it is first so far away; if it has not turned back before, unless it may, or collides."""
         found = first_crossing(trace, self.excess)
-        if found is None or _collides(trace.mechanism, self.name):
+        if found is None or self.returned or _collides(trace.mechanism, self.name):
             return found
         return None if _turns_back(trace, self.name, found) else found
 
+    def in_symbols(self) -> Self:
+        """Also after it has turned back."""
+        return replace(self, returned=True)
+
     def _may_return(self, words: Words) -> bool:
         """Whether the way that it has gone may be longer than the distance, as far as a text tells."""
-        mechanism = words.mechanism
-        if _collides(mechanism, self.name) or not words.symbolic:
-            return _collides(mechanism, self.name)
-        return not words.released or bool(changing(mechanism, start(mechanism)))
+        return _collides(words.mechanism, self.name) or (words.symbolic and words.turns_back)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: after the block has moved 0.50 m, when the cart is first 0.50 m from its starting point."""

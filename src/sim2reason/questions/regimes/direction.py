@@ -61,8 +61,7 @@ class MovesOneWay(Regime):
 
     def clause(self, words: Words) -> str:
         """As in: block A moves down the slope; where speeds, collisions or springs may turn it, only that way."""
-        turned = not words.released or bool(words.mechanism.meetings) or _accelerates(words.mechanism)
-        motion = self.motion.replace("moves", "moves only", 1) if turned else self.motion
+        motion = self.motion.replace("moves", "moves only", 1) if words.turns_back else self.motion
         return f"{words.called(self.of)[self.name]} {motion}"
 
     @property

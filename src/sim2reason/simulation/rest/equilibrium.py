@@ -28,7 +28,7 @@ STEPS = 40
 PATIENCE = 6  # steps in which a force where nothing restores must cease
 FLAT = 1e-6  # of the largest stiffness: less is none
 LONGEST = 0.5  # step: rad, or that share of the longest line
-STARTS = 5  # of the ways down that are tried
+STARTS = 32  # of the ways down that are tried: few miss a basin of a tenth of the reach
 NEAR = 0.2  # rad, and of the shortest line: nothing passes through anything within that
 APART = 1e-5  # m or rad, of the largest stiffness: two places of rest closer than that are one
 KEPT = 8
@@ -124,8 +124,12 @@ def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:
 
 
 def _spread(size: int) -> Vector:
-    """Points between −1 and 1, (STARTS, size)."""
-    return np.random.default_rng(0).uniform(-1.0, 1.0, (STARTS, size))
+    """Points between −1 and 1, (STARTS, size), evenly: their steps are powers of the root of x^(size + 1) = x + 1."""
+    root = 2.0
+    for _ in range(30):
+        root = (1.0 + root) ** (1.0 / (1 + size))
+    steps = root ** -np.arange(1.0, size + 1.0)
+    return 2.0 * np.remainder(0.5 + np.outer(np.arange(1, STARTS + 1), steps), 1.0) - 1.0
 
 
 class _Descent:
