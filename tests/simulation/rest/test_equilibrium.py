@@ -143,6 +143,23 @@ def test_a_bead_between_two_pressed_springs_has_two_places() -> None:
     assert lone_equilibrium(rest.mechanism) is None
 
 
+def test_a_second_place_to_which_few_ways_lead_is_found() -> None:
+    """Of three springs on a table; from one start in eight it ends where the third one holds it out to the right."""
+    builder = Builder(gravity=ZERO)
+    room = builder.room()
+    room.body("block", 9.2, at=(-0.3, 0.0, 0.0)).slide(X, name="x").slide(Y, name="y").site("hook")
+    nails = ((127.0, 0.31, 0.88, 0.41), (64.0, 0.54, 0.04, -0.87), (117.0, 0.87, 0.71, -0.15))
+    for number, (stiffness, length, x, y) in enumerate(nails):
+        room.site(f"nail{number}", (x, y, 0.0))
+        room.spring(f"spring{number}", f"nail{number}", "hook", stiffness=stiffness, length=length)
+    mechanism = builder.finish()
+    rest = equilibrium(mechanism)
+    assert rest is not None
+    assert rest.coordinates - (0.3, 0.0) == pytest.approx((0.30194, 0.22519), abs=1e-5)
+    assert sum(other.stable for other in equilibria(mechanism)) == 2
+    assert lone_equilibrium(mechanism) is None
+
+
 def _balanced() -> Mechanism:
     builder = Builder()
     room = builder.room()
