@@ -15,6 +15,7 @@ from sim2reason.errors import SceneError
 BEYOND = 10.0  # times what it is drawn from, either way
 POINTS = 64
 FAR, STEPS = 100.0, 16  # times a value, either way, in so many equal steps on the logarithmic scale
+FARTHER = 300.0, 1000.0  # times a value, also tried
 LEAST = 1e-2  # of the high end of a range that begins at zero
 OWN = frozenset(
     {"mass", "magnitude of the charge", "radius"}
@@ -99,15 +100,17 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
 
 
 def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
-    """Numbers of one sign with a value, and beyond some others, to a hundred times it and to a hundredth of it.
+    """Numbers of one sign with a value, and beyond some others, to a thousand times it and to a thousandth of it.
 
-    They are few, the nearest ones first. Of angles there are none: far ones are others that are near.
+    They are few, and fewer beyond a hundred, the nearest ones first. Of angles there are none: far ones are others that
+    are near.
     """
     if not about or unit == "deg":
         return []
     low, high = (values[0], values[-1]) if about > 0.0 else (-values[-1], -values[0])
     size = abs(about)
-    tried = (size * FAR ** (side * n / STEPS) for n in range(1, STEPS + 1) for side in (1, -1))
+    times = (*(FAR ** (n / STEPS) for n in range(1, STEPS + 1)), *FARTHER)
+    tried = (size * by**side for by in times for side in (1, -1))
     return [found if about > 0.0 else -found for found in tried if found > high or found < low]
 
 
