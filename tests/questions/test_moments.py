@@ -19,7 +19,7 @@ from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.questions import KINDS, Moment, Study
-from sim2reason.questions.crossing import begins_beyond, crossings, first_crossing
+from sim2reason.questions.crossing import begins_beyond, crossings, first_crossing, jumps
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
@@ -101,6 +101,14 @@ def test_symbols_do_not_say_whether_a_body_turns_back_before_it_has_moved_so_far
         clause = Moved(BLOCK, 0.5).clause(replace(words_of(describe(scene)), symbolic=symbolic))
         assert clause is not None
         assert clause.statement == statement
+
+
+def test_what_a_collision_sends_back_turns_at_once() -> None:
+    """A cart of 0.1 kg at 1 m/s comes back from one of 1 kg after 1 s, at 9/11 m/s."""
+    trace = simulate(squeezed(heavy=0.1))
+    assert jumps(trace, lambda state: -state.v[:, 0])[0] == pytest.approx(1.0)
+    assert 1.0 not in jumps(trace, lambda state: state.v[:, 0])
+    assert not jumps(FALL, lambda state: state.times - 1.0)
 
 
 def test_a_block_sent_uphill_turns_and_is_first_there_on_its_way_up() -> None:

@@ -68,15 +68,16 @@ class Symbolic(QuestionMode):
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
         """In symbols, with a formula; None if none is found that agrees with the engine wherever it should."""
-        query, spoken = question.query, _spoken(words, question.query)
+        moment = question.query.moment
+        query = replace(question.query, moment=moment.in_symbols(study.trace) if moment is not None else None)
+        spoken = _spoken(words, query)
         whole = _derived(query, study, words)
         if spoken is None or whole is None:
             return None
         symbols = _symbols(study, spoken)
         if not {held.symbol for held in symbols}.issuperset(whole.symbols()):
             return None  # it goes by where the motion starts, which the text does not tell
-        moment = query.moment.in_symbols() if query.moment is not None else None
-        varied = VariedScenes(Variations(study, replace(query, moment=moment), symbols), factor(question.unit))
+        varied = VariedScenes(Variations(study, query, symbols), factor(question.unit))
         if not varied.of_scene(whole):
             return None
         held = varied.told(whole, rng, spoken, signed=bool(question.sign))
@@ -86,7 +87,7 @@ class Symbolic(QuestionMode):
         noun = targets(words)[query.target] if query.target is not None else None
         asked = sentence(chosen(KINDS[query.kind].shapes(query, spoken, noun), rng))
         text = f"{asked} {_assuming(assumed, spoken)}" if assumed else asked
-        return replace(question, text=text, formula=varied.formula(found, symbols), assumed=assumed)
+        return replace(question, query=query, text=text, formula=varied.formula(found, symbols), assumed=assumed)
 
     def described(self, question: Question, description: Description) -> Description:
         """Every number but zero as a symbol, each with its name."""

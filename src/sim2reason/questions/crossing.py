@@ -47,6 +47,15 @@ def first_crossing(trace: Trace, excess: Excess) -> float | None:
     return next(crossings(trace, excess), None)
 
 
+def jumps(trace: Trace, excess: Excess) -> list[float]:
+    """The times, s, of events at which a function jumps from below zero to above, in order."""
+    times, values = trace.scan.times, excess(trace.scan)
+    small = SMALL * np.abs(values)[np.isfinite(values)].max(initial=0.0)
+    jumped = (np.diff(times) <= JUMP * float(times[-1])) & (values[:-1] < -small) & (values[1:] > small)
+    found: list[float] = times[1:][jumped].tolist()
+    return found
+
+
 def begins_beyond(trace: Trace, excess: Excess) -> bool:
     """Whether a function begins at zero and rises first, as a rate does where the start is a turning point."""
     values = excess(trace.scan)

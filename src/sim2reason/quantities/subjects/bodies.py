@@ -9,6 +9,7 @@ from sim2reason.quantities.subjects import Sense, Subject, is_said
 from sim2reason.quantities.subjects.paths import EVEN, CenterPath, center_path, is_pulley_wheel, rides
 
 UP, RIGHT = "up", "right"
+OPPOSITE = {UP: "down", RIGHT: "left"}
 SELDOM = 0.3  # of a component along no axis of the text
 AXES = ("x", "y", "z")  # labels of coordinates along axes that the text defines
 

@@ -95,8 +95,9 @@ class Moment(ABC):
         """The same moment, told without what comes after it, where a question calls it the first; by default this."""
         return self
 
-    def in_symbols(self) -> "Moment":
-        """The same moment, as a text tells it whose symbols leave open what happens before; by default this."""
+    def in_symbols(self, trace: Trace) -> "Moment":
+        """The same moment of a motion, as a text must tell it whose symbols leave more open; by default this."""
+        del trace
         return self
 
     def subject(self, words: Words) -> str:

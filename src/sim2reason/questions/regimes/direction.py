@@ -13,7 +13,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.dsl.vectors import Vector
 from sim2reason.quantities.kinematics import Acceleration, Velocity
 from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import RIGHT, UP, Bodies
+from sim2reason.quantities.subjects.bodies import OPPOSITE, RIGHT, Bodies
 from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
@@ -21,7 +21,6 @@ from sim2reason.questions.words import Words
 
 STILL = 1e-9  # of the greatest speed: less is none
 LASTING = 1e-9  # of the time that is asked about: what turns back stands still for less
-OPPOSITE = {UP: "down", RIGHT: "left"}
 
 
 @REGIMES.register("direction")
@@ -60,9 +59,12 @@ class MovesOneWay(Regime):
         return (1.0 if self.ahead else -1.0) * float(rate) / _of_free_fall(study, until)
 
     def clause(self, words: Words) -> str:
-        """As in: block A moves down the slope; where speeds, collisions or springs may turn it, only that way."""
-        motion = self.motion.replace("moves", "moves only", 1) if words.turns_back else self.motion
-        return f"{words.called(self.of)[self.name]} {motion}"
+        """As in: block A moves down the slope; where it may turn or stop, it keeps moving that way.
+
+        What a collision may send off, too, moves only that way.
+        """
+        kept = "moves only" if words.mechanism.meetings else "keeps moving" if words.turns_back else "moves"
+        return f"{words.called(self.of)[self.name]} {self.motion.replace('moves', kept, 1)}"
 
     @property
     def motion(self) -> str:

@@ -6,7 +6,7 @@ from math import inf
 from typing import ClassVar, Self
 
 from sim2reason.dsl.state import Array, State
-from sim2reason.questions.crossing import begins_beyond, crossings
+from sim2reason.questions.crossing import begins_beyond, crossings, jumps
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.simulation.trace import Trace
 
@@ -36,13 +36,16 @@ class Peak(Passage):
         """What is greatest then, (n,); `excess` is the rate at which it sinks."""
 
     def time(self, trace: Trace) -> float | None:
-        """When it first turns back, if it never gets beyond."""
+        """When it first turns back, if it never gets beyond, and nothing has struck it back at once before."""
         if begins_beyond(trace, self.excess) and not self.exceeded:
             return None
         reached = ((time, float(self.extent(trace.at(time))[0])) for time in crossings(trace, self.excess))
         first = next(((time, value) for time, value in reached if value > self.above), None)
-        if first is None or self.exceeded:
-            return first[0] if first is not None else None
+        turned = first[0] if first is not None else inf
+        struck = (at for at in jumps(trace, self.excess) if float(self.extent(trace.at(at))[0]) > self.above)
+        earliest = min(turned, next(struck, inf))
+        if first is None or self.exceeded or earliest < turned:
+            return earliest if self.exceeded and earliest < inf else None
         everywhere = self.extent(trace.scan)
         greatest, least = float(everywhere.max()), float(everywhere.min())
         return first[0] if first[1] >= greatest - SAME * (greatest - least) else None
