@@ -7,7 +7,7 @@ T = TypeVar("T")
 
 
 class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands for the one of the standard library
-    """Python's own without the lock that it takes up to 3.11 for every value, which is 4 % of the time of an item.
+    """Python's own without the lock that it takes up to 3.11 for every value, which is some 4 % of the time of an item.
 
     Two threads may work the same value out twice, and either is kept.
     """

@@ -147,6 +147,12 @@ def test_names_at_which_something_else_stands_are_refused() -> None:
     assert free.value("tendon_2.blocks.0.mass") == 2.0
 
 
+def test_an_address_of_nobody_is_named_whole() -> None:
+    for path in ("nobody.blocks.0.mass", "nobody.mass"):
+        with pytest.raises(SceneError, match=rf"^{path}: no entity is called 'nobody'"):
+            scene((), ramp=RAMP).having(path, 1.0)
+
+
 def test_two_hands_on_one_string_are_refused() -> None:
     hands = {"one": ConstantForcePuller(force=1.0), "two": ConstantForcePuller(force=2.0)}
     string = String.between(("one", ConstantForcePuller.end), ("bight", UNDER), ("two", ConstantForcePuller.end))

@@ -23,7 +23,7 @@ from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.entities.parts.pieces import OTHER, BallPiece
+from sim2reason.entities.parts.pieces import FIRST, OTHER, BallPiece
 from sim2reason.entities.parts.springs import Blow, Strained
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.rocket_entity import RocketEntity
@@ -337,16 +337,22 @@ def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: s
     assert counted == pytest.approx(held.bindings[0].answer, rel=1e-6)
 
 
+BALL_A = "arm.pieces.0.body"
+
+
+def two_sided(first: tuple[float, float], other: tuple[float, float]) -> Scene:
+    """A light arm with a ball on either side, a mass and its distance each; let go at 50°."""
+    sides = (first, FIRST), (other, OTHER)
+    balls = tuple(BallPiece(body=FixedBall(mass=m), distance=d, side=side) for (m, d), side in sides)
+    return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=50.0)),))
+
+
 def test_a_small_corner_where_a_sum_turns_its_sign_is_not_missed() -> None:
     """V = d √(2 g S (1 − cos θ)/I), S = m_A d₁ − m_B d₂, only if A's side sinks: numbers near these hardly turn S."""
-    balls = (
-        BallPiece(body=FixedBall(mass=2.0), distance=0.8),
-        BallPiece(body=FixedBall(mass=0.4), distance=0.3, side=OTHER),
-    )
-    scene = Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=50.0)),))
-    first = "arm.pieces.0.body"
+    scene = two_sided((2.0, 0.8), (0.4, 0.3))
     for seed in range(5):
-        found = completed(scene, StretchQuery("extremum", None, Stopped(first), "greatest speed", first), "m/s", seed)
+        query = StretchQuery("extremum", None, Stopped(BALL_A), "greatest speed", BALL_A)
+        found = completed(scene, query, "m/s", seed)
         assert found is not None
         assert "the centre of mass of all that turns is on the same side of the axle as ball A" in found.text
         assert paid(
@@ -357,14 +363,8 @@ def test_a_small_corner_where_a_sum_turns_its_sign_is_not_missed() -> None:
 
 def test_the_lighter_side_rises_to_the_top_only_if_it_is_lighter() -> None:
     """ω² = 2 g (m_B d₂ − m_A d₁)(1 + cos θ)/I as A passes over the axle: a heavier A swings to and fro below it."""
-    balls = (
-        BallPiece(body=FixedBall(mass=0.4), distance=0.3),
-        BallPiece(body=FixedBall(mass=2.0), distance=0.8, side=OTHER),
-    )
-    scene = Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=50.0)),))
-    first = "arm.pieces.0.body"
-    query = Query("event", Target("angular velocity", "arm.arm"), HighestPoint(first))
-    found = completed(scene, query, "rad/s")
+    query = Query("event", Target("angular velocity", "arm.arm"), HighestPoint(BALL_A))
+    found = completed(two_sided((0.4, 0.3), (2.0, 0.8)), query, "rad/s")
     assert found is not None
     assert "the centre of mass of all that turns is on the side of the axle opposite to ball A" in found.text
     assert paid(found, r"\sqrt{\frac{2 g (m_B d_2 - m_A d_1)(1 + \cos\theta)}{m_A d_1^2 + m_B d_2^2}}")

@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 from plain_scenes import G, arm, atwood, ramp, row, squeezed, table
 from sim2reason.bodies.hoop import Hoop
 from sim2reason.bodies.incline import Incline
+from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.entity import Named
+from sim2reason.dsl.mechanism import ZERO, X
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.parts.rolling import NoSlipping, Rolling, Rough, Sliding, Spinning
 from sim2reason.entities.rolling_entity import RollingEntity
@@ -109,6 +111,29 @@ def test_what_a_collision_sends_back_turns_at_once() -> None:
     assert jumps(trace, lambda state: -state.v[:, 0])[0] == pytest.approx(1.0)
     assert 1.0 not in jumps(trace, lambda state: state.v[:, 0])
     assert not jumps(FALL, lambda state: state.times - 1.0)
+
+
+@pytest.mark.parametrize("blow", [None, 2.0])
+def test_a_spring_that_a_blow_turns_has_no_first_greatest_length(blow: float | None) -> None:
+    """B and C fly apart until π/2 √(μ/k) = 0.157 s, where A may strike B at 0.1 s: then the spring shortens at once."""
+    builder = Builder(gravity=ZERO)
+    room = builder.room()
+    a = room.body("a", 5.0, at=(-0.1 * (blow or 0.0), 0.0, 0.0)).slide(X, blow or 0.0)
+    b = room.body("b", 2.0).slide(X).site("eye")
+    room.body("c", 2.0, at=(1.0, 0.0, 0.0)).slide(X, 1.0).site("hook")
+    room.spring("spring", "eye", "hook", stiffness=100.0)
+    if blow is not None:
+        builder.room().bump(a, b, X, 0.0, 1.0)
+    trace = ENGINES["exact"](builder.finish(), np.linspace(0.0, 0.3, 5))
+    turn = MostStretched("spring")
+    if blow is None:
+        assert turn.time(trace) == turn.first().time(trace) == pytest.approx(pi / 20.0)
+    else:
+        assert turn.time(trace) is None
+        first = turn.first().time(trace)
+        assert first is not None
+        assert first < pi / 20.0
+        assert first in [event.time for event in trace.events if event.kind == "collision"]
 
 
 def test_a_block_sent_uphill_turns_and_is_first_there_on_its_way_up() -> None:

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from dataclasses import dataclass, field
+from itertools import islice
 
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import item_of
@@ -9,11 +10,13 @@ from sim2reason.datasets.names import modes_named
 from sim2reason.datasets.plan import Names, Request
 from sim2reason.datasets.question_search import CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
+from sim2reason.datasets.splits import problem
 from sim2reason.dsl.scene import Scene
 from sim2reason.questions import MODES
 
 QUESTIONS = 5
 TRIES = 10  # for each question that is wanted
+SPARE = 2  # times the questions that are wanted: so many with their variants end the search
 
 
 @dataclass
@@ -40,16 +43,23 @@ def ask(scene: Scene, *, mode: Names = "numeric", items: int = QUESTIONS, seed: 
 
 
 def asked(scene: Scene, mode: Names, items: int, seed: int) -> AskedScene:
-    """The same with the scene's text, and with what was refused; modes take turns."""
+    """The same with the scene's text, and with what was refused; modes take turns.
+
+    One problem with other numbers is asked again only where there are too few others.
+    """
     modes, search = modes_named(mode), QuestionSearch(scene, seed)
     result = AskedScene(search.description.text)
+    problems, variants = set[str](), dict[str, tuple[CertifiedQuestion, Item]]()
     for attempt in range(TRIES * items):
-        if len(result.found) >= items:
+        if len(result.found) >= items or len(result.found) + len(variants) >= SPARE * items:
             break
         name = modes[attempt % len(modes)]
         certified = search.ask(MODES[name], generator("ask", name, seed, attempt), result.refused)
         if certified is not None and certified.question.text not in result.found:
             item = item_of(Request("", "", name, seed, attempt), certified)
             named = item.model_copy(update={"id": f"{scene.name}-{name}-{seed}-{attempt}"})
-            result.found[certified.question.text] = certified, named
+            kept = variants if problem(named) in problems else result.found
+            kept[certified.question.text] = certified, named
+            problems.add(problem(named))
+    result.found.update(islice(variants.items(), items - len(result.found)))
     return result

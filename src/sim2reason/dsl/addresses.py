@@ -1,7 +1,7 @@
 """What stands at an address of a value, as in ``stones.1.mass``, and the same value with something else there."""
 
 from collections.abc import Mapping
-from typing import Any, TypeVar, cast
+from typing import Any, TypeVar
 
 from sim2reason.dsl.model import Model
 from sim2reason.errors import SceneError
@@ -16,19 +16,14 @@ def lookup(value: Any, path: str) -> Any:
     for step in path.split("."):
         walked.append(step)
         try:
-            value = cast("tuple[Any, ...]", value)[int(step)] if isinstance(value, tuple) else _field(value, step)
-        except (LookupError, ValueError, AttributeError):
+            value = _members(value)[step]
+        except KeyError:
             raise SceneError(".".join(walked), NOTHING, LOOK) from None
     return value
 
 
-def _field(value: Any, step: str) -> Any:
-    if isinstance(value, Model) and step in type(value).model_fields:
-        return getattr(value, step)
-    raise AttributeError(step)
-
-
 def _members(value: Any) -> dict[str, Any]:
+    """All that a value holds, by the next step of an address."""
     if isinstance(value, tuple):
         return {str(index): member for index, member in enumerate(value)}  # type: ignore[reportUnknownArgumentType]
     return {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}

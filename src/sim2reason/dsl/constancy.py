@@ -12,7 +12,7 @@ from sim2reason.dsl.vectors import Vector
 ALIGNED = 1e-9  # how far two unit vectors may differ and still be called parallel
 
 
-def changing(mechanism: Mechanism, frames: Frames) -> str:
+def changing(mechanism: Mechanism, frames: Frames | None = None) -> str:
     """What makes the equations change, in a few words; empty if nothing does. `frames` are those of the start."""
     if mechanism.attractions or mechanism.burns or mechanism.feet:
         return "attraction, a burning engine or a foot"
@@ -22,6 +22,7 @@ def changing(mechanism: Mechanism, frames: Frames) -> str:
         return "a spring or a rod"
     if any(face.turning for face in mechanism.faces):
         return "a face that turns"
+    frames = start(mechanism) if frames is None else frames
     bodies = (_turning_body(mechanism, frames, body) for body in mechanism.bodies)
     turning = next((name for name in bodies if name), "")
     return turning or next((name for line in mechanism.lines if (name := bending(line, frames))), "")
@@ -30,7 +31,7 @@ def changing(mechanism: Mechanism, frames: Frames) -> str:
 def may_turn_back(mechanism: Mechanism) -> bool:
     """Whether something may: what is sent off, collides, or is driven by a force that changes."""
     sent = any(coordinate.speed for coordinate in mechanism.coordinates)
-    return sent or bool(mechanism.meetings or changing(mechanism, start(mechanism)))
+    return sent or bool(mechanism.meetings or changing(mechanism))
 
 
 def _turning_body(mechanism: Mechanism, frames: Frames, body: RigidBody) -> str:

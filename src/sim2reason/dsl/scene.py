@@ -234,7 +234,7 @@ class Scene(Model):
             elif head in connections:
                 connections[head] = changed(connections[head], news)
             else:
-                held = entities[head].entity if head in entities else self.entity(head, next(iter(news)))
+                held = entities[head].entity if head in entities else self.entity(head, f"{head}.{next(iter(news))}")
                 entities[head] = Named(name=head, entity=changed(held, news))
         return rebuilt(self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values()))
 

@@ -20,7 +20,7 @@ from math import dist
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import Frames, Point, start
+from sim2reason.dsl.frames import Frames, Point
 from sim2reason.dsl.mechanism import ZERO, Elastic, Foot, Force, Line, Mechanism, Meeting, RigidBody, X, Y, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
@@ -37,7 +37,7 @@ STAGES = (0.0, 0.37, -0.23)  # at which changing mechanisms are compared: m, rad
 def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
     """What two scenes have in common if they mean the same; `names` is what bodies are called, by address."""
     mechanism = scene.mechanism
-    bending = bool(changing(mechanism, start(mechanism)))
+    bending = bool(changing(mechanism))
     stages = STAGES if bending else STAGES[:1]
     compared = (_compared(_Rows(mechanism, names, stage, bending=bending)) for stage in stages)
     return (mechanism.gravity, mechanism.units.name, *compared)

@@ -113,7 +113,7 @@ def test_what_swings_back_moves_one_way_first() -> None:
     assert "the block first moves up the slope" in found
     assert not any("the block moves" in clause for clause in found)
     assert {"the block keeps moving up the slope", "the block first moves up the slope"} <= said(sprung(), 0.1)
-    assert "the block keeps moving up the slope" not in said(sprung(), 0.0), "at first it does, and then not only"
+    assert "the block keeps moving up the slope" not in said(sprung(), 0.0), "just at the start nothing has kept moving"
 
 
 def test_what_is_launched_is_told_how() -> None:

@@ -3,7 +3,6 @@
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import only_falls, pick
@@ -57,7 +56,7 @@ def _speeds_idle(mechanism: Mechanism) -> bool:
     """Whether something moves at the start, while forces hang on places alone, or on nothing."""
     if not any(coordinate.speed for coordinate in mechanism.coordinates):
         return False
-    return _free(mechanism) or not changing(mechanism, start(mechanism))
+    return _free(mechanism) or not changing(mechanism)
 
 
 def _free(mechanism: Mechanism) -> bool:

@@ -8,7 +8,6 @@ from typing import ClassVar, Self
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.quantities.subjects import Subject
@@ -103,7 +102,7 @@ def slip_of_numbers(trace: Trace) -> float:
 def is_steady_release(words: Words) -> bool:
     """Whether all starts from rest, and what it does at first it goes on doing."""
     mechanism: Mechanism = words.mechanism
-    return words.released and not changing(mechanism, start(mechanism))
+    return words.released and not changing(mechanism)
 
 
 OUTCOMES: Registry[type[PossibleOutcome]] = Registry("questions.outcomes")

@@ -7,8 +7,6 @@ from typing import Self
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.dsl.vectors import Vector
 from sim2reason.quantities.kinematics import Acceleration, Velocity
@@ -41,7 +39,7 @@ class MovesOneWay(Regime):
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether it moves that way there."""
-        return (until > 0.0 or not _accelerates(study.mechanism)) and self.begins(study, until)
+        return (until > 0.0 or not changing(study.mechanism)) and self.begins(study, until)
 
     def begins(self, study: Study, until: float = 0.0) -> bool:
         """Whether it moves that way up to a time, s, whatever it does later."""
@@ -73,11 +71,6 @@ class MovesOneWay(Regime):
         way = first if self.ahead else OPPOSITE[first]
         towards = f"to the {way}" if first == RIGHT else way
         return f"moves {towards}{space}{rest}"
-
-
-def _accelerates(mechanism: Mechanism) -> bool:
-    """Whether a force that changes may turn a body back."""
-    return bool(changing(mechanism, start(mechanism)))
 
 
 def _of_free_fall(study: Study, until: float) -> float:

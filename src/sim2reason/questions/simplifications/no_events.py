@@ -5,7 +5,6 @@ from collections.abc import Iterable
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
@@ -25,7 +24,7 @@ class NoEvents(OtherReading):
         """The whole, where forces are constant and something happens before the moment."""
         end = asked_until(query, study)
         changes = any(event.time > 0.0 for event in happened(study.trace.events, end))
-        return [""] if changes and not changing(study.mechanism, start(study.mechanism)) else []
+        return [""] if changes and not changing(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
         """With the accelerations and forces of the start."""

@@ -5,7 +5,6 @@ from collections.abc import Iterable
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.questions.query import Query
@@ -30,7 +29,7 @@ class SmallAngle(OtherReading):
         """The whole, where weight drives a motion whose equations change."""
         del query
         mechanism = study.mechanism
-        return [""] if weighs(mechanism) and changing(mechanism, start(mechanism)) else []
+        return [""] if weighs(mechanism) and changing(mechanism) else []
 
     def read(self, study: Study) -> Study | None:
         """The motion in normal modes; None where there are none, or where it is harmonic anyway."""

@@ -16,7 +16,6 @@ import numpy as np
 
 from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.fields import Magnetic, Push
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.dsl.state import State
 from sim2reason.errors import UnsupportedError
@@ -106,7 +105,7 @@ def _restores(mechanism: Mechanism) -> bool:
     rubs = any(0.0 < face.friction < math.inf for face in mechanism.faces)
     bounded = any(force.region is not None for force in mechanism.forces)
     other = rubs or bounded or mechanism.attractions or mechanism.feet
-    return steady(mechanism) and not other and changing(mechanism, start(mechanism)) != ""
+    return steady(mechanism) and not other and changing(mechanism) != ""
 
 
 def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:

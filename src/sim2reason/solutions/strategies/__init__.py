@@ -4,7 +4,6 @@ from abc import ABC, abstractmethod
 from typing import ClassVar
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions import Moment
 from sim2reason.registry import Registry
@@ -61,7 +60,7 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
 
 def accelerates(mechanism: Mechanism) -> str:
     """That accelerations change as it moves; empty where they only change at events."""
-    return "accelerations change as it moves" if changing(mechanism, start(mechanism)) else ""
+    return "accelerations change as it moves" if changing(mechanism) else ""
 
 
 def no_goal(setting: Setting, moments: tuple[type[Moment], ...]) -> str:

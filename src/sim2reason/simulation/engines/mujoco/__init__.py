@@ -10,7 +10,6 @@ from importlib import import_module
 from math import inf
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism
 from sim2reason.dsl.start_speeds import check_speeds
 from sim2reason.dsl.state import Array
@@ -34,7 +33,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
     """
     del tolerance
     check_speeds(mechanism)
-    soft = is_simple(mechanism) and not changing(mechanism, start(mechanism))
+    soft = is_simple(mechanism) and not changing(mechanism)
     with import_module(f"{__name__}.specification").overheard() as said:
         trace: Trace = import_module(f"{__name__}.{'engine' if soft else 'hard_engine'}").run(mechanism, times)
     if said:

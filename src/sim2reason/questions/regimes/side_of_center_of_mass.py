@@ -1,4 +1,4 @@
-"""On which side of its axle an arm is heavier that carries something on both."""
+"""On which side of its axle an arm has its centre of mass that carries something on both."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,14 +14,14 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 
 
-@REGIMES.register("heavier_side")
+@REGIMES.register("side_of_center_of_mass")
 @dataclass(frozen=True, slots=True)
-class OnHeavierSide(Regime):
+class SideOfCenterOfMass(Regime):
     """The first body on a light arm is on the side on which the centre of mass of all of them is, or on the other."""
 
     of = Bodies()
 
-    heavier: bool
+    same: bool
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
@@ -30,18 +30,18 @@ class OnHeavierSide(Regime):
         rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
         fixed = [_fixed(mechanism, rod) for rod in rods]
         firsts = [each[0] for each in fixed if any(_beyond(mechanism, each[0], other) for other in each[1:])]
-        return [cls(name, heavier) for name in firsts if name in named for heavier in (True, False)]
+        return [cls(name, same) for name in firsts if name in named for same in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
         """Whether it is so in another motion."""
         del until
         body = study.mechanism.body[self.name]
         side = inner(load_center(study.mechanism, study.mechanism.body[body.parent or ""]), body.at)
-        return side > 0.0 if self.heavier else side < 0.0
+        return side > 0.0 if self.same else side < 0.0
 
     def clause(self, words: Words) -> str:
         """As in: the centre of mass of all that turns is on the same side of the axle as disc A."""
-        where = "on the same side of the axle as" if self.heavier else "on the side of the axle opposite to"
+        where = "on the same side of the axle as" if self.same else "on the side of the axle opposite to"
         return f"the centre of mass of all that turns is {where} {words.called(self.of)[self.name]}"
 
 
