@@ -414,6 +414,17 @@ def test_a_collision_may_follow_as_long_as_anything_approaches() -> None:
     assert LastCollision().time(Study.of(table(), np.linspace(0.0, 2.0, 41)).trace) == pytest.approx(0.4)
 
 
+def test_symbols_name_those_who_collide_last_where_several_may() -> None:
+    """With mass ratio M/m there are ⌈π/arctan √(m/M)⌉ − 1 collisions, with the cart and the wall in turn: 3, and 4."""
+    for heavy, last in ((1.0, Collided("track.gliders.0 & track.gliders.1", 2)), (1.5, Bounced("track.gliders.1", 2))):
+        trace = Study.of(squeezed(heavy), np.linspace(0.0, 60.0, 41)).trace
+        moment = LastCollision().in_symbols(trace)
+        assert moment == last
+        assert moment.time(trace) == LastCollision().time(trace)
+    lone = Study.of(table(), np.linspace(0.0, 2.0, 41)).trace
+    assert LastCollision().in_symbols(lone) == LastCollision()
+
+
 def test_a_count_is_asked_as_a_whole_number_and_read_back() -> None:
     search = QuestionSearch(squeezed(), 3)
     found = [search.ask(MODES["numeric"], np.random.default_rng(n), Counter(), "count") for n in range(6)]

@@ -9,7 +9,10 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism, Meeting
 from sim2reason.dsl.state import State
 from sim2reason.quantities.kinematics import Velocity
+from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.moments.bounced import Bounced
+from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
@@ -49,6 +52,15 @@ class LastCollision(Moment):
         """When the last of those that were seen happens, if none can follow."""
         times = [event.time for event in trace.events if event.kind == "collision"]
         return times[-1] if times and not trace.cut and _is_over(trace) else None
+
+    def in_symbols(self, trace: Trace) -> Moment:
+        """That of those who meet: where several may, symbols leave open who does so last."""
+        if len({meeting.names for meeting in trace.mechanism.meetings}) < FEWEST:
+            return self
+        met = [frozenset(event.subjects) for event in trace.events if event.kind == "collision"]
+        names = next(held.names for held in trace.mechanism.meetings if set(held.names) == met[-1])
+        number = met.count(met[-1])
+        return Collided(AND.join(names), number) if len(names) > 1 else Bounced(names[0], number)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: just after the last collision."""

@@ -68,7 +68,8 @@ class SlidesThroughout(Regime):
     def clause(self, words: Words) -> str:
         """As in: block A slides to the right on the plank; what may roll does so where it touches its face.
 
-        One that turns back has done so by the end: block A first slides up the slope and is sliding down it by then.
+        What is not released at rest may slide for a while only: it keeps sliding. One that turns back has done so by
+        the end: block A first slides up the slope and is sliding down it by then.
         """
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
         rolls = len(words.mechanism.contacts[self.name].slip) > 1
@@ -77,8 +78,9 @@ class SlidesThroughout(Regime):
         ways = [_ways(words.mechanism, self.name)[way] for way in self.course]
         where = f"{ways[0] if ways else 'on'} {surface}{' at the point of contact' * bool(rolls and ways)}"
         slides, sliding = ("slips", "slipping") if rolls else ("slides", "sliding")
-        back = f" and is {sliding} {ways[-1]} it by then" if len(ways) > 1 else ""
-        return f"{called} {'first ' * bool(back)}{slides} {where}{back}"
+        if len(ways) > 1:
+            return f"{called} first {slides} {where} and is {sliding} {ways[-1]} it by then"
+        return f"{called} {slides if words.released else f'keeps {sliding}'} {where}"
 
 
 def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
