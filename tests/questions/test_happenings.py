@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import motions
-from plain_scenes import ramp
+from plain_scenes import ramp, table
 from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import Z
 from sim2reason.filters import FILTERS, Candidate
@@ -176,6 +176,15 @@ def test_what_begins_at_its_highest_point_does_not_reach_it_for_the_first_time()
     assert not MostStretched.found(*motions.spring_block().told(), np.random.default_rng(0))
     assert Closest("sky.planet & sky.star").time(motions.orbit().told()[0].trace) is None
     assert LowestPoint.found(study, words, np.random.default_rng(0))
+
+
+def test_what_others_may_send_up_again_stops_rising() -> None:
+    """No text tells whether a disc that is struck gets higher up its table later than where it first turns back."""
+    words = words_of(describe(table(tilt=20.0)))
+    assert "when disc A first stops rising" in HighestPoint("table.pucks.0").phrases(words)
+    assert "when disc A first stops falling" in LowestPoint("table.pucks.0").phrases(words)
+    _, alone = motions.thrown_ball(None).told()
+    assert "when the ball first reaches the highest point of its path" in HighestPoint("field.ball").phrases(alone)
 
 
 def test_a_top_that_is_lower_than_the_start_is_not_the_highest_point() -> None:

@@ -34,12 +34,12 @@ class PolygonalPrism(Shape):
 
     nouns = ("prism",)
     lone = (
-        "a uniform regular {shape} {noun} of height {height} and mass {mass} with its edges {radius} from its axis",
-        "a uniform regular {shape} {noun} (height {height}, mass {mass}) whose edges are {radius} from its axis",
+        "a uniform regular {shape} {noun} of height {height} and mass {mass} with its lateral edges {radius} from its axis",
+        "a uniform regular {shape} {noun} (height {height}, mass {mass}) whose lateral edges are {radius} from its axis",
     )
     named = (
-        "a uniform regular {shape} {noun} {letter} of height {height} and mass {mass} with its edges {radius} from its axis",
-        "a uniform regular {shape} {noun} {letter} (height {height}, mass {mass}) whose edges are {radius} from its axis",
+        "a uniform regular {shape} {noun} {letter} of height {height} and mass {mass} with its lateral edges {radius} from its axis",
+        "a uniform regular {shape} {noun} {letter} (height {height}, mass {mass}) whose lateral edges are {radius} from its axis",
     )
 
     @property

@@ -122,9 +122,9 @@ JOINED = each(
 
 BUFFERS = each(
     "buffers",
-    "{buffers.*.buffer} is fixed to {buffers.*.first>gliders} on the side of {buffers.*.second>gliders}.",
-    "{buffers.*.first>gliders} has, on the side of {buffers.*.second>gliders}, {buffers.*.buffer}.",
-    "on its side towards {buffers.*.second>gliders} {buffers.*.first>gliders} carries {buffers.*.buffer}.",
+    "{buffers.*.buffer}, initially relaxed, is fixed to {buffers.*.first>gliders} on the side of {buffers.*.second>gliders}.",
+    "{buffers.*.first>gliders} has, on the side of {buffers.*.second>gliders}, {buffers.*.buffer}, which is initially relaxed.",
+    "on its side towards {buffers.*.second>gliders} {buffers.*.first>gliders} carries {buffers.*.buffer}, initially relaxed.",
 )
 """The lines of an entity whose `gliders` have `buffers`: springs that are fixed to one of them."""
 

@@ -27,7 +27,7 @@ WIDELY = (160, 40), (24, 24)  # numbers tried, and found to have an answer; wher
 TRIES = 8  # at most for each, where most have no answer
 BEYOND_TURN = 0.02  # of the way to numbers that turn a sum's sign: so close behind the turn things are nearly as before
 SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, and last of these what else is integrated
-STEEPEST = 89.0  # degrees
+STEEPEST, STRAIGHT = 89.0, 180.0  # degrees
 FARTHEST = 2.0  # times the largest of a unit: how far numbers with a sign are shifted
 
 
@@ -154,7 +154,7 @@ class Variations:
     def one_by_one(self, width: float, unanswered: list[Study]) -> Iterator[Variation]:
         """With one number alone far smaller and far larger, than in the scene and than any there in its unit.
 
-        Symbols do not say which of several is the largest.
+        Symbols do not say which of several is the largest, nor whether an angle is acute.
         """
         here = [held.value for held in self.symbols]
         for n, (least, most) in enumerate(zip(self._sizes(min), self._sizes(max), strict=True)):
@@ -162,6 +162,7 @@ class Variations:
             ends = [
                 size * exp(side * width) for sizes, side in (((least, own), -1), ((own, most), 1)) for size in sizes
             ]
+            ends += [STRAIGHT - own] if self.symbols[n].unit == "deg" else []
             for end in dict.fromkeys(ends):
                 yield from self._moving([*here[:n], copysign(end, here[n]), *here[n + 1 :]], unanswered)
 
@@ -217,7 +218,7 @@ class Variations:
     def _is_steep(self, values: Sequence[float]) -> bool:
         """Whether an angle would be as good as a right one, where the text's is not."""
         return any(
-            held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < 180.0 - STEEPEST
+            held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < STRAIGHT - STEEPEST
             for held, value in zip(self.symbols, values, strict=True)
         )
 

@@ -79,13 +79,18 @@ class Passage(Happening):
         """How a question calls the one that it happens to."""
         return self.candidates(words)[self.name]
 
+    def does(self, words: Words) -> Verb:
+        """What it does, as a text says it."""
+        del words
+        return self.verb
+
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the ball first passes through the lowest point of its path."""
-        return self.verb.phrases(self.subject(words), 1)
+        return self.does(words).phrases(self.subject(words), 1)
 
     def clause(self, words: Words) -> Clause | None:
         """As in: the ball first passes through the lowest point of its path."""
-        return self.verb.clause(self.subject(words), 1)
+        return self.does(words).clause(self.subject(words), 1)
 
 
 @dataclass(frozen=True, slots=True)
