@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from motions import rod_pendulum, spring_block
-from plain_scenes import G, arm, atwood, half_atwood, massive, ramp, table, three
+from plain_scenes import G, arm, atwood, half_atwood, massive, ramp, row, table, three
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.glider import Glider
@@ -30,6 +30,7 @@ from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
 from sim2reason.filters import FILTERS, Candidate, sift
 from sim2reason.filters.parts.effects import effects
 from sim2reason.questions import KINDS, MODES, Moment, Query, Question, Study, Target
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.collided import Collided
@@ -131,6 +132,21 @@ def test_precision_drops_a_small_difference_of_large_numbers() -> None:
 def test_precision_drops_what_hangs_on_the_order_of_events() -> None:
     limit = ramp(angle=30.0, friction=0.577, speed=1.0)  # tan 30° = 0.57735: it just slides back, or just does not
     assert reason("precision", candidate(limit, AtTime(1.9), Target("velocity", "ramp.blocks.0"), 1.0))
+
+
+@pytest.mark.parametrize(("speed", "counts", "refused"), [(0.5, {4}, ""), (1.0, {4, 5}, "row.carts.0.mass")])
+def test_precision_drops_a_count_that_rounding_changes(speed: float, counts: set[int], refused: str) -> None:
+    """A cart of 2.05 kg or of 2.15 kg turns back as often as one of 2.1 kg, but not after a harder blow on the next."""
+    query = StretchQuery("count", None, AtTime(1.5), "number of reversals", "row.carts.0")
+    scenes = (row([mass, 3.2], [73.0, 84.0], "left", strain=0.24, speed=speed) for mass in (2.1, 2.05, 2.15))
+    studies = [Study.of(scene, np.linspace(0.0, 3.0, 61)) for scene in scenes]
+    answers = [KINDS["count"].answer(query, study) for study in studies]
+    assert set(answers) == counts
+    assert answers[0] is not None
+    found = Candidate(studies[0], Question("numeric", query, "", answers[0], ""), "")
+    assert reason("precision", found) == (
+        f"half a unit in the last place of {refused} changes the count" if refused else ""
+    )
 
 
 def test_a_changed_scene_is_asked_once(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,16 +1,20 @@
 """Drops a question whose answer hangs on digits that the text does not give."""
 
 from collections.abc import Iterator
-from math import sqrt
+from decimal import Decimal
+from math import floor, log10, sqrt
 
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.filters.parts.numbers import elasticities
+from sim2reason.filters.parts.numbers import elasticities, givens
 
 WORST = 20.0  # the condition number, the root of the sum of the squares of all elasticities
 
 
 class Precision(Filter):
-    """A small shift of a stated number moves the answer too far, or changes the order of events: chaos."""
+    """A small shift of a stated number moves the answer too far, or changes the order of events: chaos.
+
+    What is counted must not change by half a unit in the last place of any number.
+    """
 
     order = 7
 
@@ -23,12 +27,31 @@ class Precision(Filter):
             squares += found.size**2
             if squares > WORST**2:
                 return f"the condition number is at least {sqrt(squares):.1f}"
-        return ""
+        changed = next(_miscounted(candidate), "") if candidate.kind.measured(candidate.question.query).whole else ""
+        return f"half a unit in the last place of {changed} changes the count" if changed else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """The condition number."""
         total = sqrt(sum(found.size**2 for found in elasticities(candidate)))
         yield f"the condition number is {total:.2f}; up to {WORST:g} is allowed"
+
+
+def _miscounted(candidate: Candidate) -> Iterator[str]:
+    """The addresses of numbers that change what is counted as soon as they are rounded."""
+    study, question = candidate.study, candidate.question
+    for path in (path for given in givens(study.scene, question.unknown) for path in given.paths):
+        value = float(study.scene.value(path))
+        half = 0.5 * _last_place(value)
+        others = (study.with_values({path: value + shift}, candidate.until) for shift in (half, -half))
+        if any(other is not None and candidate.response(other) != question.answer for other in others):
+            yield path
+
+
+def _last_place(value: float) -> float:
+    """The unit of the last digit that a text says of a number: it says two, or more."""
+    exponent = Decimal(f"{value:.9g}").as_tuple().exponent
+    assert isinstance(exponent, int)
+    return 10.0 ** min(exponent, floor(log10(abs(value))) - 1)
 
 
 FILTERS.add("precision", Precision())

@@ -32,15 +32,17 @@ class Reversals(EventCount):
         return center_path(words.mechanism, name).straight and not rides(words.mechanism, name)
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """Where the sign of its velocity changes, between two of the instants of a scan at the latest.
+        """Where the sign of its velocity changes, on a line between two instants of a scan.
 
         Halts without a reversal do not count.
         """
         way = np.array(center_path(trace.mechanism, name).ways[0])
         speeds = Velocity.evaluate(trace.scan, name) @ way
         clear = np.flatnonzero(np.abs(speeds) > still(trace, speeds))
-        turned = speeds[clear][1:] * speeds[clear][:-1] < 0.0
-        return trace.scan.times[clear][1:][turned].tolist()
+        times, speeds = trace.scan.times[clear], speeds[clear]
+        (before,) = np.nonzero(speeds[1:] * speeds[:-1] < 0.0)
+        shares = speeds[before] / (speeds[before] - speeds[before + 1])
+        return (times[before] + shares * (times[before + 1] - times[before])).tolist()
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Its velocity."""

@@ -58,9 +58,9 @@ class LastCollision(Moment):
         if len({meeting.names for meeting in trace.mechanism.meetings}) < FEWEST:
             return self
         met = [frozenset(event.subjects) for event in trace.events if event.kind == "collision"]
-        names = next(held.names for held in trace.mechanism.meetings if set(held.names) == met[-1])
+        one, *other = next(held.names for held in trace.mechanism.meetings if frozenset(held.names) == met[-1])
         number = met.count(met[-1])
-        return Collided(AND.join(names), number) if len(names) > 1 else Bounced(names[0], number)
+        return Collided(AND.join((one, *other)), number) if other else Bounced(one, number)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: just after the last collision."""
