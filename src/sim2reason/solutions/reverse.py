@@ -41,11 +41,12 @@ class Inversion:
         if goal not in book.formulas:
             raise UnsolvedError("what is given does not hang on what is unknown")
         self.stated = value
+        self._defined = book.formulas[goal]
 
     def write(self, spelled: str = "") -> str:
         """Write it; the symbol is the unknown's. `spelled` is what the goal is said to be; where nothing is, zero."""
         book = self.book
-        formula, at = book.formulas[self.goal], self.goal
+        formula, at = self._defined, self.goal
         value: Expression = Symbol(self.goal) if spelled else ZERO
         if spelled:
             book.state(self.goal, self.stated, spelled)
@@ -85,12 +86,14 @@ class Inversion:
         """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""
         book = self.book
         names = self._leading(at)
-        chain = Chain(tuple((name, book.formulas[name]) for name in (*names, at)))
+        chain = Chain(tuple((name, self._formula(name)) for name in (*names, at)))
         near = book.values[self.unknown]
         root = NumericRoot(added(chain, -Symbol(at)), self.unknown, near)
         book.keen = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
         book.refresh(self.unknown, book.value(root))
         step = book.open(SOLVED)
+        if not self.stated:
+            step.rest_on(self.goal)
         said = f"These equations leave only ${self.unknown}$ unknown; solved numerically,"
         step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")
         implied = [(name, held) for name in names if isinstance(held := book.formulas[name], ImplicitRoot)]
@@ -104,10 +107,14 @@ class Inversion:
         """The names on which one hangs whose values are unknown, each after those that it hangs on itself."""
         formulas, waiting, found = self.book.formulas, [at], set[str]()
         while waiting:
-            more = {*formulas[waiting.pop()].symbols()} & (self.book.hidden & formulas.keys()) - found
+            more = {*self._formula(waiting.pop()).symbols()} & (self.book.hidden & formulas.keys()) - found
             found |= more
             waiting += more
         return [name for name in formulas if name in found]
+
+    def _formula(self, name: str) -> Expression:
+        """That of a name, also of a goal that is set to zero and so has none any more."""
+        return self._defined if name == self.goal else self.book.formulas[name]
 
     def _close(self, name: str, found: Expression, at: str) -> None:
         """Say what a symbol is."""

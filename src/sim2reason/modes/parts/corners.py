@@ -4,7 +4,6 @@ A string may go slack, or what slides stick, without a sum in the formula of an 
 """
 
 from collections.abc import Callable, Sequence
-from itertools import product
 from math import inf
 
 import numpy as np
@@ -18,7 +17,7 @@ Margin = Callable[[Variation], float | None]
 GUESSES, SEED = 4000, 0  # choices of ends that are guessed for
 STARTS = 2  # of the known scenes, that are gone on from beside the best guess
 CLOSE = 0.1  # margin: if one start leads no closer to the end, others hardly ever do (2 of 230 searches)
-PASSES, FINE = 3, 5  # of all numbers, at most; factors of those that the question says
+FINE = 5  # factors of the numbers that the question says
 SAME = 1e-9  # of a margin: less is no change
 
 
@@ -90,7 +89,8 @@ def _descended(
 ) -> tuple[Variation | None, float]:
     """A scene with its numbers multiplied, then each by another factor where that lessens the first margin; and that.
 
-    What is asked about may come at the wrong time for that at both ends: its numbers have some factors in between.
+    Once each: beyond that hardly anything changes. What is asked about may come at the wrong time for that at both
+    ends: its numbers have some factors in between.
     """
 
     def at(times: Sequence[float]) -> tuple[Variation | None, float]:
@@ -100,15 +100,14 @@ def _descended(
         least = told[0](found)
         return found, inf if least is None else least
 
-    found, since = at(times), 0  # a change: no more than all factors
-    tried = [(n, by) for n, held in enumerate(variations.symbols) for by in _steps(factors[n], fine=not held.path)]
-    for _, (n, factor) in product(range(PASSES), tried):
-        if found[1] <= 0.0 or since == len(tried):
-            break
-        since += 1
-        other = [*times[:n], factor, *times[n + 1 :]]
-        if other != times and (better := at(other))[1] < found[1]:
-            times, found, since = other, better, 0
+    found = at(times)
+    for n, held in enumerate(variations.symbols):
+        for factor in _steps(factors[n], fine=not held.path):
+            if found[1] <= 0.0:
+                return found
+            other = [*times[:n], factor, *times[n + 1 :]]
+            if other != times and (better := at(other))[1] < found[1]:
+                times, found = other, better
     return found
 
 
