@@ -2,14 +2,16 @@
 
 from math import acos, cos, degrees, radians, sqrt
 
+import numpy as np
 import pytest
 
 from sim2reason.bodies.ball import Ball
+from sim2reason.bodies.bowl import SphericalCap
 from sim2reason.bodies.hanger import Cord, LightRod
 from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.pieces import AxialPiece
+from sim2reason.entities.parts.pieces import AxialPiece, CappedPiece
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.questions.kinds.threshold import ThresholdQuery
@@ -69,3 +71,18 @@ def test_a_rod_goes_round_if_its_energy_is_enough() -> None:
     inertia = mass * (length**2 / 12.0 + place**2)
     expected = degrees(acos(0.5 * inertia * rate**2 / (mass * G * place) - 1.0))
     assert limit("arm", arm, GoesRound("arm.arm"), "angle", expected).answer == pytest.approx(expected, rel=1e-7)
+
+
+def test_a_height_that_no_formula_gives_is_found_by_numbers() -> None:
+    """½ I ω² = m g s (1 + cos θ), for a cap in slices: s of its centre of mass and I of discs about the axle."""
+    radius, height, place = 0.39, 0.33, 0.15
+    z = (np.arange(200_000) + 0.5) * height / 200_000
+    disc = radius**2 - (radius - height + z) ** 2  # the square of its radius
+    s = np.average(place + z, weights=disc)
+    inertia = np.average(disc / 4.0 + (place + z) ** 2, weights=disc)  # of each kilogram
+    rate = sqrt(2.0 * G * s * (1.0 + cos(radians(ANGLE))) / inertia)
+    cap = CappedPiece(distance=place, body=SphericalCap(mass=6.5, radius=radius, height=height), faces="the axle")
+    arm = RotationEntity(pieces=(cap,), angle=ANGLE, rate=rate)
+    found = limit("arm", arm, GoesRound("arm.arm"), "pieces.0.body.height", height)
+    assert found.answer == pytest.approx(height, rel=1e-6)
+    assert "solved numerically" in found.text
