@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from motions import rod_pendulum, spring_block
-from plain_scenes import G, arm, atwood, half_atwood, massive, ramp, row, table, three
+from plain_scenes import G, arm, atwood, half_atwood, massive, ramp, row, squeezed, table, three
 from sim2reason.bodies.block import Block
 from sim2reason.bodies.cart import Cart
 from sim2reason.bodies.glider import Glider
@@ -37,6 +37,7 @@ from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
 
@@ -179,6 +180,13 @@ def test_a_body_that_stops_is_vouched_for() -> None:
     found = candidate(ramp(angle=20.0, friction=0.6, speed=2.0), Stopped("ramp.blocks.0"), None)
     assert found.question.answer == pytest.approx(2.0 / (G * (np.sin(np.pi / 9) + 0.6 * np.cos(np.pi / 9))), rel=1e-9)
     assert not reason("agreement", replace(found, certificate=witnessed(found.study.trace)[1]))
+
+
+@pytest.mark.parametrize(("difficulty", "said"), [("easy", "chore: 7 collisions"), ("medium", "")])
+def test_many_collisions_are_no_easy_problem(difficulty: Difficulty, said: str) -> None:
+    """A light cart is hit to and fro ever faster between a heavy one and a wall."""
+    asked_late = candidate(squeezed(25.0), AtTime(1.99), Target("velocity", "track.gliders.0"), 1.0)
+    assert reason("collision", replace(asked_late, difficulty=difficulty)) == said
 
 
 def test_before_a_collision_nothing_is_asked_of_what_may_collide() -> None:

@@ -1,18 +1,21 @@
-"""Drops a question about bodies that may collide, asked before anything has, or before what all but one pair share."""
+"""Drops a question about bodies that may collide: before anything has, before all that is said bears, or long after."""
 
 from collections.abc import Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.questions.choices import AT_ONCE, has_met
+from sim2reason.recipes import Difficulty
 from sim2reason.simulation.trace import Trace
 
 SHOWN = 5  # collisions
+MOST: dict[Difficulty, int] = {"easy": 5, "medium": 8, "hard": 12}  # that one has to follow, unless they are counted
 
 
 class Collision(Filter):
     """Something may collide, but nothing has when the question is asked, so that the collision has no bearing.
 
-    Or where pairs have a restitution of their own, only these have collided: that of *all others* has no bearing.
+    Or where pairs have a restitution of their own, only these have collided: that of *all others* has no bearing. Or so
+    many collisions come before that to follow them is a chore.
     """
 
     order = 1
@@ -26,6 +29,9 @@ class Collision(Filter):
             return "nothing has collided before"
         if time is not None and not _all_bear(candidate.study.trace, time):
             return "restitution: that of some pairs has no bearing"
+        hits = sum(kind == "collision" for kind, _ in candidate.study.trace.story(time))
+        if hits > MOST[candidate.difficulty] and not candidate.kind.measured(candidate.question.query).whole:
+            return f"chore: {hits} collisions"
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:

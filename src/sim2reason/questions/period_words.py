@@ -128,7 +128,7 @@ def _of_small(query: PeriodQuery, words: Words, place: str) -> tuple[str, ...]:
             f"if all is at rest in {place} and is slightly disturbed, what is the {measure} of the oscillations?",
             f"with what {measure} does everything oscillate if it is slightly disturbed from {place}?",
         )
-    takes = (f"how long does one of the small oscillations {of} take?",) if measure == "period" else ()
+    takes = (f"how long does one small oscillation {of} take?",) if measure == "period" else ()
     return (*_plainly(f"the {measure} of small oscillations {of}"), *told, *takes)
 
 
