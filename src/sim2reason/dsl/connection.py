@@ -109,6 +109,10 @@ class SentenceMatcher(Protocol[S]):
     pieces: tuple[str, ...]
     reach: int
 
+    def may_be(self, place: int, template: str) -> bool:
+        """Whether all fixed words of a template stand somewhere in a sentence."""
+        ...
+
     def literal(self, text: str, at: int, wanted: str) -> int | None:
         """Where `wanted` ends if it stands at `at`."""
         ...

@@ -1,7 +1,9 @@
 """The lines of entities and parts, read in the order in which the Writer says them."""
 
 from collections.abc import Callable, Iterator
-from functools import partial
+from functools import cache, partial
+from itertools import chain
+from typing import NamedTuple
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.entity import Part, inside
@@ -15,6 +17,35 @@ from sim2reason.parsing.tables import parse_table
 
 Step = Callable[[int, ParseState], Iterator[tuple[int, ParseState]]]
 """From a piece of the text and what was state before it, to all that can be state from there on."""
+
+
+class _Said(NamedTuple):
+    """What the lines of a part, and of those inside it, may begin with."""
+
+    templates: frozenset[str]
+    tables: bool
+    strings: bool
+
+
+def may_begin(matcher: Matcher, kind: type[Part], place: int) -> bool:
+    """Whether the fixed words of some line of an entity stand in a sentence: of most kinds no line can begin there."""
+    templates, tables, strings = _said(kind)
+    if strings or any(matcher.may_be(place, template) for template in templates):
+        return True
+    return tables and any(piece.startswith("|") for piece in matcher.pieces[place + 1 :])
+
+
+@cache
+def _said(kind: type[Part]) -> _Said:
+    members = (model for held in field_types(kind).values() for model in held.models if issubclass(model, Part))
+    found = [_said(model) for model in members]
+    own = [saying for saying in kind.says if not isinstance(saying, PartLines)]
+    spoken = (saying.wordings if isinstance(saying, Each) else wordings(saying) for saying in own)
+    return _Said(
+        frozenset(chain(*spoken, *(said.templates for said in found))),
+        any(isinstance(saying, Each) for saying in own) or any(said.tables for said in found),
+        bool(inside(kind)) or any(said.strings for said in found),
+    )
 
 
 def entity_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
@@ -102,8 +133,9 @@ def _saying(
     several = f"{address}.{saying.several}" if isinstance(saying, Wordings) and saying.several else ""
     many, one = (state.with_count(several, 2), state.with_count(several, 1, 1)) if several else (state, None)
     for number, template in enumerate(wordings(saying)):
-        for then in matcher.sentence(place, template, address, many.with_choice(number)) if many is not None else ():
-            yield place + 1, then
+        if many is not None and matcher.may_be(place, template):
+            for then in matcher.sentence(place, template, address, many.with_choice(number)):
+                yield place + 1, then
     if one is not None:
         yield place, one
     if topic := topic_of(saying):
@@ -132,7 +164,8 @@ def _each(
     if none is not None:
         yield place, none
     for number, template in enumerate(saying.wordings):
-        yield from _members(matcher, template, field, place, state.with_choice(number), 0)
+        if matcher.may_be(place, template):
+            yield from _members(matcher, template, field, place, state.with_choice(number), 0)
     for kind in thing_at(state, field).models:
         if issubclass(kind, Body):
             here = state.with_choice(0)  # the wording of the sentences does not show

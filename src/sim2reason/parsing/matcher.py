@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import Connection
@@ -24,6 +25,12 @@ Found = tuple[int, ParseState]
 """Where a match ends, and what was state until there."""
 
 
+@cache
+def _fixed(template: str) -> tuple[str, ...]:
+    """Its words between slots, without their first letters: a sentence begins with a capital."""
+    return tuple(slot.text[1:] for slot in slots(template) if slot.kind == "text")
+
+
 class Matcher:
     """Follows templates through the pieces of one text; counts its steps, so that no text takes for ever."""
 
@@ -33,17 +40,23 @@ class Matcher:
         self.given = given
         self.reach = 0
         self._steps = 0
+        self._fitting: dict[tuple[int, str], bool] = {}
 
     def sentence(self, place: int, template: str, owner: str, state: ParseState) -> Iterator[ParseState]:
         """What a whole sentence tells, read as a template of the part at `owner`."""
-        if place < len(self.pieces):
+        if self.may_be(place, template):
             text = self.pieces[place]
-            if any(slot.text[1:] not in text for slot in slots(template) if slot.kind == "text"):
-                return  # quickly: most lines are no others; a sentence begins with a capital
             for end, then in self.template(text, 0, template, owner, state):
                 if end == len(text):
                     self.reach = max(self.reach, place + 1)
                     yield then
+
+    def may_be(self, place: int, template: str) -> bool:
+        """Whether all fixed words of a template stand somewhere in a sentence: quickly, since most do not."""
+        if (place, template) not in self._fitting:
+            fits = place < len(self.pieces) and all(words in self.pieces[place] for words in _fixed(template))
+            self._fitting[place, template] = fits
+        return self._fitting[place, template]
 
     def literal(self, text: str, at: int, wanted: str) -> int | None:
         """Where `wanted` ends if it stands at `at`; a sentence begins with a capital."""

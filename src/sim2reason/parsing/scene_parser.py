@@ -13,7 +13,7 @@ from sim2reason.dsl.template import Topic
 from sim2reason.errors import SceneError, TextError, UnsupportedError
 from sim2reason.parsing.assembly import assembled
 from sim2reason.parsing.equivalence import Signature, signature
-from sim2reason.parsing.lines import entity_lines
+from sim2reason.parsing.lines import entity_lines, may_begin
 from sim2reason.parsing.matcher import NONE_GIVEN, Matcher
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
 from sim2reason.parsing.proof import prove, unsaid
@@ -136,6 +136,8 @@ class _Grammar:
     def _entities(self, place: int, state: ParseState) -> Iterator[ParseState]:
         address = f"e{len(state.entities) + 1}"
         for kind in ENTITIES.values() if len(state.entities) < MAX_ENTITIES else ():
+            if not may_begin(self._matcher, kind, place):
+                continue
             here = state.with_kind(address, kind)
             here = here._replace(entities=(*state.entities, address), waiting=(*state.waiting, address))
             for after, then in entity_lines(self._matcher, address, place, here):
@@ -157,6 +159,8 @@ class _Grammar:
             return
         for index, closing in enumerate(CLOSINGS[number:], start=number):
             for choice, wording in enumerate(closing.spoken):
+                if not self._matcher.may_be(place, wording):
+                    continue
                 here = state.with_choice(choice)._replace(closings=(*state.closings, closing.name))
                 for then in self._matcher.sentence(place, wording, "", here):
                     yield from self._closings(place + 1, index + 1, then)

@@ -1,7 +1,8 @@
 """Connections between two ports and no more: one sentence, its numbers and what it joins."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import Any, ClassVar, Self
 
 from sim2reason.dsl.body import Body
@@ -93,6 +94,8 @@ class TwoEnded(Connection):
         text = matcher.pieces[place]
         told = [*enumerate(cls.says.wordings), *enumerate(cls.leads.wordings)]
         for number, template in told:
+            if not all(matcher.may_be(place, piece) for piece, _ in _pieces(template)):
+                continue
             begin = state.with_choice(number).with_kind(name, cls)
             for end, then, legs in cls._matched(text, 0, _pieces(template), {}, (name, begin, matcher, routes)):
                 directed = any(cls.way(leg.stops[0].port) for leg in legs.values())
@@ -105,7 +108,7 @@ class TwoEnded(Connection):
         cls,
         text: str,
         at: int,
-        pieces: list[tuple[str, str]],
+        pieces: Sequence[tuple[str, str]],
         legs: dict[str, Leg[S]],
         known: tuple[str, S, SentenceMatcher[S], Routes[S]],
     ) -> Iterator[tuple[int, S, dict[str, Leg[S]]]]:
@@ -142,7 +145,8 @@ def _told(cls: type[Connection], template: str) -> set[str]:
     return found
 
 
-def _pieces(template: str) -> list[tuple[str, str]]:
+@cache
+def _pieces(template: str) -> tuple[tuple[str, str], ...]:
     """A template as texts, each with the end or the way that follows it, or nothing."""
     parts = _SLOTS.split(template)
-    return [(parts[i], parts[i + 1] if i + 1 < len(parts) else "") for i in range(0, len(parts), 2)]
+    return tuple((parts[i], parts[i + 1] if i + 1 < len(parts) else "") for i in range(0, len(parts), 2))
