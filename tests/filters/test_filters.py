@@ -182,7 +182,7 @@ def test_a_body_that_stops_is_vouched_for() -> None:
     assert not reason("agreement", replace(found, certificate=witnessed(found.study.trace)[1]))
 
 
-@pytest.mark.parametrize(("difficulty", "said"), [("easy", "chore: 7 collisions"), ("medium", "")])
+@pytest.mark.parametrize(("difficulty", "said"), [("easy", "many: 7 collisions"), ("medium", "")])
 def test_many_collisions_are_no_easy_problem(difficulty: Difficulty, said: str) -> None:
     """A light cart is hit to and fro ever faster between a heavy one and a wall."""
     asked_late = candidate(squeezed(25.0), AtTime(1.99), Target("velocity", "track.gliders.0"), 1.0)

@@ -14,8 +14,8 @@ MOST: dict[Difficulty, int] = {"easy": 5, "medium": 8, "hard": 12}  # that one h
 class Collision(Filter):
     """Something may collide, but nothing has when the question is asked, so that the collision has no bearing.
 
-    Or where pairs have a restitution of their own, only these have collided: that of *all others* has no bearing. Or so
-    many collisions come before that to follow them is a chore.
+    Or where pairs have a restitution of their own, only these have collided: that of *all others* has no bearing. Or
+    more collisions come before than anybody would follow.
     """
 
     order = 1
@@ -29,9 +29,9 @@ class Collision(Filter):
             return "nothing has collided before"
         if time is not None and not _all_bear(candidate.study.trace, time):
             return "restitution: that of some pairs has no bearing"
-        hits = sum(kind == "collision" for kind, _ in candidate.study.trace.story(time))
+        hits = sum(kind == "collision" for kind, _ in candidate.study.trace.story(0.0 if time is None else time))
         if hits > MOST[candidate.difficulty] and not candidate.kind.measured(candidate.question.query).whole:
-            return f"chore: {hits} collisions"
+            return f"many: {hits} collisions"
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
