@@ -3,7 +3,7 @@
 from math import cos, pi, sin, sqrt
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sim2reason.grading import arithmetic
@@ -42,6 +42,7 @@ def test_a_minus_sign_in_front_is_known_before_it_is_written(held: Expression) -
 
 
 @given(formulas())
+@example(multiplied(Number(4.0), ratio(Number(2.0), added(Power(Number(2.0), 2), Number(1.0)))))  # no 4 and 2/5
 def test_the_grader_reads_what_is_written(held: Expression) -> None:
     table = {"m_A", "a", "theta"}
     node, *_ = parse(tokenize(held.latex(), table), unit_follows=False)

@@ -199,9 +199,10 @@ class Product(Expression):
         plain = [factor.latex() for factor in self.factors]
         parts = [p if factor.rank else rf"\left({p}\right)" for factor, p in zip(self.factors, plain, strict=True)]
         text = plain[0] if isinstance(first, Number) else parts[0]
-        for before, part in zip(plain, parts[1:], strict=False):
+        for factor, before, part in zip(rest, plain, parts[1:], strict=False):
             apart = text[-1].isdigit() or before.startswith(FUNCTIONS)  # sin θ m would be the sine of θ m
-            joint = r" \cdot " if part[0].isdigit() or part.startswith("-") else r"\," if apart else " "
+            mixed = text[-1].isdigit() and isinstance(factor, Quotient) and factor.above.latex()[0].isdigit()  # 4 ⅖
+            joint = r" \cdot " if mixed or part[0].isdigit() or part.startswith("-") else r"\," if apart else " "
             text += joint + part
         return text
 
