@@ -1,8 +1,7 @@
 """Drops a question whose answer hangs on digits that the text does not give."""
 
 from collections.abc import Iterator
-from decimal import Decimal
-from math import floor, log10, sqrt
+from math import sqrt
 
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.numbers import elasticities, givens
@@ -39,19 +38,12 @@ class Precision(Filter):
 def _miscounted(candidate: Candidate) -> Iterator[str]:
     """The addresses of numbers that change what is counted as soon as they are rounded."""
     study, question = candidate.study, candidate.question
-    for path in (path for given in givens(study.scene, question.unknown) for path in given.paths):
-        value = float(study.scene.value(path))
-        half = 0.5 * _last_place(value)
-        others = (study.with_values({path: value + shift}, candidate.until) for shift in (half, -half))
+    for parameter in (parameter for given in givens(study.scene, question.unknown) for parameter in given.parameters):
+        value = float(study.scene.value(parameter.path))
+        half = 0.5 * 10.0 ** -parameter.measure.places(value)
+        others = (study.with_values({parameter.path: value + shift}, candidate.until) for shift in (half, -half))
         if any(other is not None and candidate.response(other) != question.answer for other in others):
-            yield path
-
-
-def _last_place(value: float) -> float:
-    """The unit of the last digit that a text says of a number: it says two, or more."""
-    exponent = Decimal(f"{value:.9g}").as_tuple().exponent
-    assert isinstance(exponent, int)
-    return 10.0 ** min(exponent, floor(log10(abs(value))) - 1)
+            yield parameter.path
 
 
 FILTERS.add("precision", Precision())

@@ -7,6 +7,7 @@ from functools import reduce
 
 from sim2reason.solutions.digits import pure_number
 
+FRACTION = r"\frac{"
 FUNCTIONS = ("\\sin", "\\cos", "\\tan", "\\arc", "\\ln", "\\exp")
 Scalar = float | complex
 Values = Mapping[str, Scalar]
@@ -199,9 +200,9 @@ class Product(Expression):
         plain = [factor.latex() for factor in self.factors]
         parts = [p if factor.rank else rf"\left({p}\right)" for factor, p in zip(self.factors, plain, strict=True)]
         text = plain[0] if isinstance(first, Number) else parts[0]
-        for factor, before, part in zip(rest, plain, parts[1:], strict=False):
+        for before, part in zip(plain, parts[1:], strict=False):
             apart = text[-1].isdigit() or before.startswith(FUNCTIONS)  # sin θ m would be the sine of θ m
-            mixed = text[-1].isdigit() and isinstance(factor, Quotient) and factor.above.latex()[0].isdigit()  # 4 ⅖
+            mixed = text[-1].isdigit() and part.startswith(FRACTION) and part[len(FRACTION)].isdigit()  # 4 ⅖
             joint = r" \cdot " if mixed or part[0].isdigit() or part.startswith("-") else r"\," if apart else " "
             text += joint + part
         return text
@@ -241,7 +242,7 @@ class Quotient(Expression):
     def latex(self) -> str:
         """As a fraction; a minus sign of the numerator stands before it."""
         above, sign = self.above.latex(), "-" if self.negative else ""
-        return rf"{sign}\frac{{{above[len(sign) :]}}}{{{self.below.latex()}}}"
+        return rf"{sign}{FRACTION}{above[len(sign) :]}}}{{{self.below.latex()}}}"
 
     def symbols(self) -> Iterator[str]:
         """Those of both."""

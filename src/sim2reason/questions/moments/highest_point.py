@@ -16,7 +16,7 @@ class HighestPoint(TurningPoint):
 
     label = "highest point"
     verb = Verb("reaches the highest point of its path", "reach the highest point of its path")
-    again = Verb("stops rising", "stop rising")
+    local_verb = Verb("stops rising", "stop rising")
 
     def extent(self, state: State) -> Array:
         """Its height from where it began."""

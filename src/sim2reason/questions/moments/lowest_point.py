@@ -23,7 +23,7 @@ class LowestPoint(TurningPoint):
 
     label = "lowest point"
     verb = Verb("passes through the lowest point of its path", "pass through the lowest point of its path")
-    again = Verb("stops falling", "stop falling")
+    local_verb = Verb("stops falling", "stop falling")
 
     def comes(self, study: Study) -> bool:
         """Whether it passes through it: an arm that rocks to one side of its axle turns back where it is lowest."""

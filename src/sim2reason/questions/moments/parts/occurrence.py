@@ -8,8 +8,8 @@ from typing import ClassVar, Self
 import numpy as np
 
 from sim2reason.quantities.subjects import Subject
-from sim2reason.questions.moments import Clause, Happening
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments import Clause
+from sim2reason.questions.moments.parts.verbs import VerbHappening
 from sim2reason.questions.spoken import numbers_of
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
@@ -17,20 +17,18 @@ from sim2reason.simulation.trace import Event, Trace
 
 
 @dataclass(frozen=True, slots=True)
-class Occurrence(Happening):
+class Occurrence(VerbHappening):
     """An event of one subject, the first of its kinds or a later one.
 
     Class data:
         kinds: of the engines' events.
         of: the kind of subject.
-        verb: what it does.
         most: up to which of one subject's it is asked about; 0 if it happens but once.
     """
 
     event = True
     kinds: ClassVar[tuple[str, ...]]
     of: ClassVar[Subject]
-    verb: ClassVar[Verb]
     most: ClassVar[int] = 1
 
     name: str
@@ -91,11 +89,6 @@ class Occurrence(Happening):
     def subject(self, words: Words) -> str:
         """How a question calls the one that it happens to."""
         return words.called(self.of)[self.name]
-
-    def does(self, words: Words) -> Verb:
-        """What it does, as a text says it."""
-        del words
-        return self.verb
 
     @property
     def _count(self) -> int | None:

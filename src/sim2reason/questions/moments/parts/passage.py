@@ -11,8 +11,8 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.quantities.subjects import Subject
 from sim2reason.questions.choices import apart
 from sim2reason.questions.crossing import first_crossing
-from sim2reason.questions.moments import Clause, Happening
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments import Clause
+from sim2reason.questions.moments.parts.verbs import VerbHappening
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
@@ -20,17 +20,15 @@ from sim2reason.simulation.trace import Trace
 
 
 @dataclass(frozen=True, slots=True)
-class Passage(Happening):
+class Passage(VerbHappening):
     """The first time that a function of the motion of one subject passes through zero.
 
     Class data:
         of: the kind of subject.
-        verb: what it does.
         hangs_on: the quantity, by name, that both engines must agree on.
     """
 
     of: ClassVar[Subject]
-    verb: ClassVar[Verb]
     hangs_on: ClassVar[str]
 
     name: str
@@ -78,11 +76,6 @@ class Passage(Happening):
     def subject(self, words: Words) -> str:
         """How a question calls the one that it happens to."""
         return self.candidates(words)[self.name]
-
-    def does(self, words: Words) -> Verb:
-        """What it does, as a text says it."""
-        del words
-        return self.verb
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """As in: when the ball first passes through the lowest point of its path."""

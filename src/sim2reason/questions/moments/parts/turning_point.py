@@ -15,12 +15,12 @@ class TurningPoint(Peak):
     """Where the height of a body is greatest or least.
 
     Class data:
-        again: what it does there if collisions with other bodies may take it higher, or deeper, later.
+        local_verb: what it does there if collisions with other bodies may take it higher, or deeper, later.
     """
 
     of = Bodies()
     hangs_on = "velocity"
-    again: ClassVar[Verb]
+    local_verb: ClassVar[Verb]
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
@@ -37,4 +37,4 @@ class TurningPoint(Peak):
     def does(self, words: Words) -> Verb:
         """As in: reaches the highest point of its path, and as in: stops rising."""
         met = [meeting.names for meeting in words.mechanism.meetings if self.name in meeting.names]
-        return self.again if any(len(names) > 1 for names in met) else self.verb
+        return self.local_verb if any(len(names) > 1 for names in met) else self.verb

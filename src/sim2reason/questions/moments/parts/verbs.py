@@ -1,9 +1,11 @@
 """The words for what happens: a verb in its forms, the first time or a later one."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
-from sim2reason.questions.moments import Clause
+from sim2reason.questions.moments import Clause, Happening
 from sim2reason.questions.spoken import ordinal
+from sim2reason.questions.words import Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,3 +42,18 @@ class Verb:
 
     def _counted(self, subject: str, number: int) -> str:
         return f"{subject} {self.told} for the {ordinal(number)} time"
+
+
+class VerbHappening(Happening):
+    """Something that happens to a subject, told by a verb.
+
+    Class data:
+        verb: what the subject does.
+    """
+
+    verb: ClassVar[Verb]
+
+    def does(self, words: Words) -> Verb:
+        """What it does, as a text says it."""
+        del words
+        return self.verb
