@@ -115,6 +115,15 @@ def test_duplicates_are_left_out_and_told(make: Make, tmp_path: Path) -> None:
     assert len(prompts) == len(set(prompts)) == manifest.rows
 
 
+@pytest.mark.parametrize(("changed", "tail"), [({"unfiltered": True}, "-unfiltered"), ({"units": "cgs"}, "-cgs")])
+def test_duplicates_are_known_by_their_whole_id(
+    make: Make, tmp_path: Path, changed: dict[str, object], tail: str
+) -> None:
+    make(maker="fake_makers:twins", **changed)
+    found = list(refused(tmp_path / "data", "duplicates"))
+    assert found[0].reason == f"same as incline-easy-numeric-0-0{tail}"
+
+
 def test_a_shard_of_a_dataset_with_duplicates_is_remade_to_the_same_bytes(
     make: Make, tmp_path: Path, contents: Contents
 ) -> None:

@@ -81,7 +81,7 @@ def twins(request: Request) -> Made:
     made = steady(request)
     if made.item is None or request.index % 2 == 0:
         return made
-    before = steady(Request(request.recipe, request.difficulty, request.mode, request.seed, request.index - 1)).item
+    before = steady(replace(request, index=request.index - 1)).item
     prompt = before.prompt if before else made.item.prompt
     return Made(made.item.model_copy(update={"prompt": prompt}), made.rejected)
 

@@ -27,7 +27,7 @@ from sim2reason.datasets.manifest import (
     merged,
 )
 from sim2reason.datasets.pictures import drawn_by, put_pictures, remove_pictures
-from sim2reason.datasets.plan import Config, Request
+from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError
 
 CARD = "README.md"
@@ -126,15 +126,9 @@ def _marks(journal: Journal, number: int) -> Marks:
 
 def _placed(journal: Journal, shard: Shard) -> list[tuple[int, Item]]:
     """The items of a shard with their positions, in order."""
-    items = shard_files.items(journal.out, shard)
-    named = ((journal.plan.config.position(_request(item)), item) for item in items)
+    config, items = journal.plan.config, shard_files.items(journal.out, shard)
+    named = ((config.position(config.named(item.id)), item) for item in items)
     return sorted(named, key=lambda pair: pair[0])
-
-
-def _request(item: Item) -> Request:
-    made = item.provenance
-    weights = tuple(sorted(made.weights.items()))
-    return Request(made.recipe, made.difficulty, made.mode, made.seed, made.index, weights, made.units)
 
 
 def _leave_out(journal: Journal, number: int, found: Sequence[Double]) -> None:
