@@ -12,7 +12,7 @@ from sim2reason.datasets.generate import generate
 from sim2reason.errors import DatasetError, TrainingError, UnknownNameError
 from sim2reason.grading import Outcome
 from sim2reason.training.corpora import Row, corpus_from
-from sim2reason.training.corpora.parts.encoding import EncodedRow, Limits, encoded, templated
+from sim2reason.training.corpora.parts.encoding import EncodedRow, Limits, encoded, encoded_table, templated
 from sim2reason.training.corpora.parts.mix import mixed
 
 installed = pytest.mark.skipif(
@@ -146,7 +146,7 @@ def test_limits_name_what_is_too_long() -> None:
     assert row.excess(Limits(4, 7, 12)) == "prompt too long"
     assert row.excess(Limits(5, 6, 12)) == "completion too long"
     assert row.excess(Limits(5, 7, 11)) == "longer than the context"
-    assert row.columns == {"input_ids": [1] * 5 + [2] * 7, "labels": [-100] * 5 + [2] * 7}
+    assert (row.tokens, row.labels) == ([1] * 5 + [2] * 7, [-100] * 5 + [2] * 7)
 
 
 @pytest.fixture(scope="module")
@@ -166,6 +166,20 @@ def test_plain_rows_are_encoded_apart_and_ended_once(tokenizer: Tokenizer) -> No
         assert tokenizer.decode(tokens.completion) == row.completion.removesuffix("<|end|>") + "<|end|>"
         assert tokens.completion.count(tokenizer.eos_token_id) == 1
     assert encoded([], tokenizer, chat=False) == []
+
+
+@installed
+def test_a_table_holds_what_is_within_the_limits(tokenizer: Tokenizer, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sim2reason.training.corpora.parts.encoding.TOGETHER", 2)
+    rows = [Row("How fast", " is it?"), Row("12" * 9, "1"), Row("1", "2"), Row("12" * 9, "3"), Row("3", "4" * 50)]
+    found, left_out = encoded_table(rows, tokenizer, Limits(10, 20, 30), chat=False)
+    held = encoded([rows[0], rows[2]], tokenizer, chat=False)
+    assert found.to_pylist() == [
+        {"input_ids": row.tokens, "labels": row.labels, "length": len(row.tokens)} for row in held
+    ]
+    assert left_out == {"prompt too long": 2, "completion too long": 1}
+    empty, _ = encoded_table([], tokenizer, Limits(10, 20, 30), chat=False)
+    assert (len(empty), empty.column_names) == (0, found.column_names)
 
 
 @installed

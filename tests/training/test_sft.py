@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from sim2reason.errors import DatasetError, MissingExtraError, TrainingError, UnknownNameError
+from sim2reason.training.sft.by_length import batches_by_length
 from sim2reason.training.sft.config import FineTuning, fine_tuning_from
 from sim2reason.training.sft.folder import SftFolder
 from sim2reason.training.sft.run import NEEDED, train_sft
@@ -124,6 +125,44 @@ def test_a_missing_library_is_named_with_its_extra(settings: Settings, monkeypat
     with pytest.raises(MissingExtraError, match=r"sim2reason\[train\]"):
         train_sft(settings)
     assert not Path(settings["out"]).exists()
+
+
+def test_batches_hold_rows_that_are_about_equally_long() -> None:
+    lengths = [*range(10, 20)] * 30 + [100] * 7
+    found = batches_by_length(lengths, 4, seed=0, epoch=0)
+    assert sorted(found) == [*range(307)]
+    batches = [[lengths[place] for place in found[start : start + 4]] for start in range(0, 304, 4)]
+    assert sum(max(batch) - min(batch) for batch in batches) <= 2 * (20 - 10) + 90  # once around in each stretch
+    assert [min(batch) for batch in batches] != sorted(min(batch) for batch in batches)
+    assert found == batches_by_length(lengths, 4, seed=0, epoch=0)
+    assert len({tuple(batches_by_length(lengths, 4, seed, epoch)) for seed, epoch in ((0, 0), (0, 1), (1, 0))}) == 3
+    assert sorted(batches_by_length([5, 6, 7], 8, 0, 0)) == [0, 1, 2]
+
+
+@installed
+def test_a_run_by_length_goes_on_as_one_that_was_not_broken_off(settings: Settings, tmp_path: Path) -> None:
+    """Sixteen rows a pass, so that the second pass is gone on in."""
+    settings |= {"by_length": True, "steps": 9, "batch": 8}
+    train_sft(settings)
+    broken = {**settings, "out": str(tmp_path / "broken")}
+
+    def stop(_: int, calls: list[int] = []) -> None:  # noqa: B006 - counts its calls
+        calls.append(0)
+        if len(calls) == 8:  # the first tells how many steps are done at the start
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        train_sft(broken, advance=stop)
+    train_sft(broken)
+    assert weights(broken["out"]) == weights(settings["out"])
+
+
+@installed
+def test_no_attention_of_cudnn_is_used(settings: Settings) -> None:
+    train_sft({**settings, "steps": 1})
+    import torch
+
+    assert not torch.backends.cuda.cudnn_sdp_enabled()
 
 
 @installed

@@ -10,6 +10,7 @@ from sim2reason.cli import console
 
 if TYPE_CHECKING:
     from sim2reason.training.rl.folder import Trained
+    from sim2reason.training.rl.run import Stage
 
 EXAMPLE = """\b
 Example:
@@ -63,6 +64,8 @@ Each run lies in OUT/runs/ARM-SEED, all of them together on a page in OUT/report
 was broken off.
 """
 FOLDER = click.Path(file_okay=False, path_type=Path)
+UNTIL = "Only what comes before: data, which needs no GPU, or the warm start, too; the same command goes on."
+UNTIL_DATA = "Only what comes before the first step and needs no GPU; the same command goes on."
 
 
 @click.group("train", epilog=EXAMPLE)
@@ -73,15 +76,20 @@ def command() -> None:
 @command.command("sft", epilog=SFT_EXAMPLE)
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
+@click.option("--until", type=click.Choice(["data"]), default=None, help=UNTIL_DATA)
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
-def sft_command(config: Path, out: Path | None, to_json: bool) -> None:
+def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool) -> None:
     """Fine-tune a model on prompts with completions, as the file CONFIG says; needs the extra [train]."""
     from sim2reason.training.sft.config import fine_tuning_from
-    from sim2reason.training.sft.run import train_sft
+    from sim2reason.training.sft.run import prepare_sft, train_sft
 
     settings = fine_tuning_from(config, out)
     remedy = f"what is finished stays in {settings.out}; give the same command again to go on"
     with console.resumable(remedy), console.Phases() as phases:
+        if until is not None:
+            prepare_sft(settings)
+            _say_prepared(settings.out, until)
+            return
         found = train_sft(settings, begun=phases.begin, advance=phases.advance)
     if int(os.environ.get("RANK", "0")):  # of several processes, the first speaks
         return
@@ -97,17 +105,23 @@ def sft_command(config: Path, out: Path | None, to_json: bool) -> None:
 @command.command("rl", epilog=RL_EXAMPLE)
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
+@click.option("--until", type=click.Choice(["data", "warm-start"]), default=None, help=UNTIL)
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
-def rl_command(config: Path, out: Path | None, to_json: bool) -> None:
+def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train a model on problems by GSPO with our grader as the reward, as the file CONFIG says; needs [train]."""
     from sim2reason.reports.training import report_training
     from sim2reason.training.extras import is_main_process, quiet
     from sim2reason.training.rl.config import reinforcement_learning_from
-    from sim2reason.training.rl.run import train_rl
+    from sim2reason.training.rl.run import prepare_rl, train_rl
 
     settings = reinforcement_learning_from(config, out)
     remedy = f"what is finished stays in {settings.out}; give the same command again to go on"
     with console.resumable(remedy), console.Phases() as phases, quiet():
+        if until is not None:
+            prepare_rl(settings, until=until, begun=phases.begin, advance=phases.advance)
+            if is_main_process():
+                _say_prepared(settings.out, until)
+            return
         found = train_rl(settings, begun=phases.begin, advance=phases.advance)
         main = is_main_process()
         report = report_training(settings, begun=phases.begin, advance=phases.advance) if main else None
@@ -131,16 +145,21 @@ def rl_command(config: Path, out: Path | None, to_json: bool) -> None:
 @command.command("study", epilog=STUDY_EXAMPLE)
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the study. [default: as CONFIG says]")
+@click.option("--until", type=click.Choice(["data", "warm-start"]), default=None, help=UNTIL)
 @click.option("--json", "to_json", is_flag=True, help="Print what came of each run for a program to read.")
-def study_command(config: Path, out: Path | None, to_json: bool) -> None:
+def study_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train by `train rl` in several arms and with several seeds, as the file CONFIG says; needs [train]."""
     from sim2reason.reports.study import report_study
     from sim2reason.training.study.config import study_from
-    from sim2reason.training.study.run import train_study
+    from sim2reason.training.study.run import prepare_study, train_study
 
     study = study_from(config, out)
     remedy = f"what is finished stays in {study.out}; give the same command again to go on"
     with console.resumable(remedy), console.Phases() as phases:
+        if until is not None:
+            prepare_study(study, until=until, begun=phases.begin, advance=phases.advance)
+            _say_prepared(study.out, until)
+            return
         found = train_study(study, begun=phases.begin, advance=phases.advance)
     report = report_study(study) if study.configs[study.runs[0]].held_out else None
     if to_json:
@@ -153,6 +172,10 @@ def study_command(config: Path, out: Path | None, to_json: bool) -> None:
         ]
         console.table(["problems", "responses", "arm", "before (%)", "after (%)", "gain"], rows)
         click.echo(f"The report: {report.folder / 'report.md'}")
+
+
+def _say_prepared(out: Path, until: str) -> None:
+    click.echo(f"Prepared until {until}: {out}; the same command without --until goes on")
 
 
 def _row(name: str, found: "Trained") -> list[object]:

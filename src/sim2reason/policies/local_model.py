@@ -18,6 +18,7 @@ from sim2reason.policies.parts.quiet import quiet
 
 __all__ = ["LocalModel"]
 
+AHEAD = 2**24  # random numbers that are drawn together
 TINY = 1e-20  # the least uniform number, whose logarithm is finite in single precision
 
 
@@ -143,12 +144,14 @@ class LocalModel(Policy):
         if self.sampling.top_p is not None:
             found.append(transformers.TopPLogitsWarper(self.sampling.top_p))
         generators = [torch.Generator(device=model.device).manual_seed(seed) for seed in seeds]
+        ahead: list[Any] = []  # noise of the next tokens: one call for each row draws that of several
 
         def noise(_: Any, scores: Any) -> Any:  # noqa: ANN401 - tensors
-            uniform = torch.stack(
-                [torch.rand(scores.shape[1], generator=each, device=scores.device) for each in generators]
-            )
-            return scores.float() - torch.log(-torch.log(uniform.clamp(TINY, 1.0 - 1e-7)))
+            if not ahead:
+                shape = max(1, min(AHEAD // scores.numel(), self.sampling.max_tokens)), scores.shape[1]
+                drawn = [torch.rand(shape, generator=each, device=scores.device) for each in generators]
+                ahead.extend(reversed(torch.stack(drawn, dim=1)))
+            return scores.float() - torch.log(-torch.log(ahead.pop().clamp(TINY, 1.0 - 1e-7)))
 
         return [*found, noise]
 

@@ -63,7 +63,9 @@ def evaluated(
 def _policy(config: ReinforcementLearning, name: str, model: str, revision: str | None, temperature: float) -> Policy:
     sampling = {"temperature": temperature, "max_tokens": config.gspo.max_completion_tokens}
     settings = {"kind": "transformers", "name": name, "model": model, "revision": revision, "sampling": sampling}
-    asked = {"chat": config.chat is not False, "batch_size": max(64, config.gspo.generations)}
+    together = config.answers_together or max(64, config.gspo.generations)
+    precision = "bfloat16" if config.gspo.precision == "bfloat16" else "auto"
+    asked = {"chat": config.chat is not False, "batch_size": together, "precision": precision}
     return policy_from({**settings, **asked}, name)
 
 

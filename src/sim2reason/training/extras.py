@@ -8,7 +8,7 @@ from typing import Any
 from sim2reason.errors import MissingExtraError
 from sim2reason.policies.parts.quiet import quiet
 
-__all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions"]
+__all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions", "without_cudnn_attention"]
 
 EXTRA = "train"
 APART = "vllm", "wandb"  # each in an extra of its own: few runs want it
@@ -30,6 +30,15 @@ def require(*names: str) -> None:
     for name in names:
         if find_spec(name) is None:
             raise MissingExtraError(name, name if name in APART else EXTRA)
+
+
+def without_cudnn_attention() -> None:
+    """Keep torch from cuDNN's attention, whose gradients may be NaN on GPUs of the Hopper kind since torch 2.11.
+
+    They are where a mask is given and 64 tokens are left beyond a multiple of 128 (pytorch issue 196678). So ended one
+    of six runs of reinforcement learning on an H200, in its second step.
+    """
+    library("torch").backends.cuda.enable_cudnn_sdp(enabled=False)  # a flag, with or without a GPU
 
 
 def versions() -> dict[str, str]:

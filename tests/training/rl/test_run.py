@@ -20,7 +20,7 @@ from sim2reason.reports.training import report_training
 from sim2reason.training.models import Checkpoint
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.rl.config import reinforcement_learning_from
-from sim2reason.training.rl.run import train_rl
+from sim2reason.training.rl.run import prepare_rl, train_rl
 from sim2reason.training.sources.fresh import Fresh
 
 pytest.importorskip("trl")
@@ -56,6 +56,19 @@ def test_a_run_leaves_a_model_a_log_and_a_report(whole: Path) -> None:
     assert (whole / "report" / "steps.png").read_bytes()[:4] == b"\x89PNG"
     assert set(found.differences) == {"greedy", "sampled"}
     assert 0.0 < found.overhead < 1.0
+
+
+def test_a_prepared_run_ends_as_one_that_was_not(whole: Path, tmp_path: Path) -> None:
+    out = tmp_path / "run"
+    prepare_rl(settings(out), until="data")
+    assert {file.name for file in out.iterdir()} == {"rl.json", "held-out", "warm-start"}
+    assert (out / "warm-start" / "initial" / "model.safetensors").is_file()
+    assert not (out / "warm-start" / "checkpoints").exists()
+    prepare_rl(settings(out), until="warm-start")
+    assert (out / "warm-start" / "model" / "model.safetensors").is_file()
+    assert not (out / "train").exists()
+    train_rl(settings(out))
+    assert log(out) == log(whole)
 
 
 def test_no_held_out_problem_is_given_again_even_by_its_own_seed(whole: Path) -> None:
@@ -152,7 +165,11 @@ def test_settings_of_a_model_reach_the_trainer_and_the_evaluation(
     assert told == [Checkpoint(path, "v1", "bfloat16", "eager")]
     policy = held_out._policy(reinforcement_learning_from(given), "before", path, "v1", 0.0)
     assert isinstance(policy, LocalModel)
-    assert (policy.revision, policy.chat) == ("v1", False)
+    assert (policy.revision, policy.chat, policy.batch_size, policy.precision) == ("v1", False, 64, "auto")
+    quick = {**given, "gspo": {**given["gspo"], "precision": "bfloat16"}, "answers_together": 512}
+    policy = held_out._policy(reinforcement_learning_from(quick), "before", path, "v1", 0.0)
+    assert isinstance(policy, LocalModel)
+    assert (policy.batch_size, policy.precision) == (512, "bfloat16")
 
 
 def test_messages_need_a_chat_template(whole: Path, tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from short_run import settings
 from sim2reason.errors import TrainingError
 from sim2reason.reports.study import report_study
 from sim2reason.training.study.config import study_from
-from sim2reason.training.study.run import train_study
+from sim2reason.training.study.run import prepare_study, train_study
 
 pytest.importorskip("trl")
 pytestmark = pytest.mark.filterwarnings("ignore")
@@ -89,6 +89,19 @@ def test_an_arm_that_means_something_else_now_is_refused(whole: Path) -> None:
 
 def test_a_study_may_shrink_and_grow(whole: Path) -> None:
     assert [*train_study(study(whole, seeds=[1]))] == ["ours-1", "drawn-1"]
+
+
+def test_a_prepared_study_has_one_warm_start_for_all(tmp_path: Path) -> None:
+    out = tmp_path / "study"
+    assert prepare_study(study(out), until="data") == out
+    assert [path.parent.name for path in out.glob("runs/*/warm-start")] == ["ours-0"]
+    prepare_study(study(out))
+    assert len({file.stat().st_ino for file in out.glob("runs/*/warm-start/model/model.safetensors")}) == 1
+    assert not [*out.glob("runs/*/train")]
+    broken = study(tmp_path / "broken")
+    broken["base"]["warm_start"]["max_completion_tokens"] = 1
+    with pytest.raises(TrainingError, match=r"4 of 4 runs failed.*ours-1: .*no row is within the limits"):
+        train_study(broken)
 
 
 def test_a_run_that_fails_is_named_and_the_others_are_made(tmp_path: Path) -> None:

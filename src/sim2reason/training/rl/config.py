@@ -81,6 +81,9 @@ class ReinforcementLearning(_Settings):
     """Whether prompts are messages; by default if the tokenizer has a chat template."""
     held_out: Annotated[tuple[HeldOut, ...], BeforeValidator(_one_or_more)] = ()
     """One set of problems, or several, each with a name of its own."""
+    answers_together: Annotated[int, Ge(1), Le(4096)] | None = None
+    """Responses to held-out problems that are generated at once; by default 64, or as many as a prompt has in training
+    if that is more. A GPU takes many more."""
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -128,7 +131,8 @@ class ReinforcementLearning(_Settings):
     def decisive(self) -> dict[str, Any]:
         """What decides the weights."""
         held = self.model_dump(
-            mode="json", exclude={"out": True, "prefetch": True, "held_out": {"__all__": {"samples"}}}
+            mode="json",
+            exclude={"out": True, "prefetch": True, "answers_together": True, "held_out": {"__all__": {"samples"}}},
         )
         held["reward"]["kind"] = REWARDS.name_of(self.reward)
         pairs = zip(self.problems, held["problems"], strict=True)

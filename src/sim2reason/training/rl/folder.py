@@ -56,6 +56,11 @@ class TrainingFolder:
         prepared = self.held_out, self.initial, *SftFolder(self.warm_start).prepared
         claim(self.path / RL_PLAN, config.decisive, config.check, prepared)
 
+    def is_prepared(self, config: ReinforcementLearning) -> bool:
+        """Whether all is there that comes before reinforcement learning."""
+        warm = config.warm_start is None or SftFolder(self.warm_start).result() is not None
+        return warm and (not config.held_out or self._avoided.is_file())
+
     def result(self) -> Trained | None:
         """What came of a run that is finished."""
         return result_in(self.path, Trained)
@@ -64,9 +69,14 @@ class TrainingFolder:
         """The file of a set that is held out."""
         return self.held_out / f"{name}.jsonl"
 
+    @property
+    def _avoided(self) -> Path:
+        """The file of what must not be learned from; written when all that is held out is there."""
+        return self.held_out / AVOIDED
+
     def hold_out(self, sets: Sequence[HeldOut], workers: int) -> frozenset[str]:
         """Draw the problems that are kept for evaluation, unless they are there; what a stream must avoid for them."""
-        keys = self.held_out / AVOIDED
+        keys = self._avoided
         if not keys.is_file():
             self.held_out.mkdir(exist_ok=True)
             drawn = [_drawn(wanted, workers) for wanted in sets]
@@ -77,7 +87,7 @@ class TrainingFolder:
             put_text(keys, canonical(avoided), self.held_out)
         return frozenset(json.loads(keys.read_text("utf-8")))
 
-    def finish(self, run: External, tokenizer: External, initial: Checkpoint) -> Trained:
+    def finish(self, run: External, tokenizer: External, initial: Checkpoint) -> None:
         """Save the model, with adapters merged, its tokenizer, and then the result."""
         scratch = self.path / "model.part"
         model = run.accelerator.unwrap_model(run.model)
@@ -100,7 +110,6 @@ class TrainingFolder:
                 shutil.rmtree(self.model)  # of a run that was killed before its result was written
             scratch.rename(self.model)
             finish(self.path, result)
-        return result
 
 
 def _drawn(wanted: HeldOut, workers: int) -> list[Problem]:

@@ -3,12 +3,14 @@
 # TRL, transformers and torch are an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
-from collections.abc import Mapping
+from collections.abc import Callable, Generator, Mapping
+from contextlib import contextmanager
 from datetime import timedelta
 from pathlib import Path
+from typing import Literal
 
 from sim2reason.datasets.atomic_files import working_in
-from sim2reason.training.extras import External, library, quiet, require
+from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
 from sim2reason.training.gspo import make_trainer
 from sim2reason.training.models import Checkpoint, spoken_to
 from sim2reason.training.prefetch import prefetching
@@ -17,11 +19,14 @@ from sim2reason.training.processes import Advance, Begun, in_processes, launched
 from sim2reason.training.rewards import reward_function
 from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
 from sim2reason.training.rl.folder import Trained, TrainingFolder
-from sim2reason.training.sft.run import train_sft
+from sim2reason.training.sft.config import FineTuning
+from sim2reason.training.sft.run import prepare_sft, train_sft
 
-__all__ = ["NEEDED", "train_rl"]
+__all__ = ["NEEDED", "Stage", "prepare_rl", "train_rl"]
 
 NEEDED = "torch", "transformers", "accelerate", "datasets", "trl"
+Stage = Literal["data", "warm-start"]
+"""Of what comes before reinforcement learning."""
 PATIENCE = timedelta(days=1)  # that processes wait for the first one, which may have many problems to make
 
 
@@ -44,49 +49,102 @@ def train_rl(
         DatasetError: another run is writing in the folder, or a dataset is damaged.
     """
     settings = reinforcement_learning_from(config, out)
+    _in_all_processes(_train, settings, begun, advance)
+    found = TrainingFolder(settings.out).result()
+    assert found is not None
+    return found
+
+
+def prepare_rl(
+    config: Path | str | Mapping[str, object] | ReinforcementLearning,
+    out: Path | None = None,
+    *,
+    until: Stage = "warm-start",
+    begun: Begun = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
+    advance: Advance = lambda _: None,
+) -> Path:
+    """Do what comes before reinforcement learning, with the same arguments; `train_rl` goes on in the folder given.
+
+    *data* are the problems that are held out, and the rows and the model of a warm start: work that needs no GPU, to be
+    done before one is rented. *warm-start* is the same and the warm start itself.
+
+    Raises:
+        TrainingError, MissingExtraError, DatasetError: as `train_rl` does.
+    """
+    settings = reinforcement_learning_from(config, out)
+    _in_all_processes(_prepare_data if until == "data" else _prepare, settings, begun, advance)
+    return settings.out
+
+
+def _in_all_processes(
+    work: Callable[[ReinforcementLearning, Begun, Advance], object],
+    settings: ReinforcementLearning,
+    begun: Begun,
+    advance: Advance,
+) -> None:
+    """Do it, in the processes that the configuration asks for unless it is one of several that were started before."""
     require(*NEEDED, *settings.libraries)
     if settings.processes > 1 and not launched():
-        in_processes(settings.processes, _train, settings, begun, advance)
-        found = TrainingFolder(settings.out).result()
-        assert found is not None
-        return found
-    return _train(settings, begun, advance)
+        in_processes(settings.processes, work, settings, begun, advance)
+    else:
+        work(settings, begun, advance)
 
 
-def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> Trained:
-    """What one process does."""
+@contextmanager
+def _entered(settings: ReinforcementLearning) -> Generator[tuple[TrainingFolder, External]]:
+    """The folder of the run, claimed by the main process, and accelerate's state."""
     torch = library("torch")
+    without_cudnn_attention()
     state = library("accelerate").PartialState(cpu=not torch.accelerator.is_available(), timeout=PATIENCE)
     settings.check_shares(state.num_processes)
     folder = TrainingFolder(settings.out)
     if not state.is_main_process:
         with quiet():
-            return _run(settings, folder, state, begun, advance)
+            yield folder, state
+        return
     with working_in(folder.path), quiet():
         folder.claim(settings)
-        return _run(settings, folder, state, begun, advance)
+        yield folder, state
 
 
-def _run(
-    settings: ReinforcementLearning, folder: TrainingFolder, state: External, begun: Begun, advance: Advance
-) -> Trained:
+def _held_out(settings: ReinforcementLearning, folder: TrainingFolder, state: External) -> frozenset[str]:
+    """Hold problems out; what must not be learned from."""
+    if not settings.held_out:
+        return frozenset()
+    with state.main_process_first():
+        return folder.hold_out(settings.held_out, settings.prefetch.workers + 1)
+
+
+def _prepare_data(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
+    """Hold problems out, and make what a warm start learns from; the main process does it alone."""
+    del begun, advance
+    with _entered(settings) as (folder, state):
+        avoid = _held_out(settings, folder, state)
+        if settings.warm_start is not None and state.is_main_process:
+            prepare_sft(_warm_start(settings.warm_start, folder), avoid=avoid)
+        state.wait_for_everyone()
+
+
+def _prepare(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
+    """Hold problems out, warm up."""
+    with _entered(settings) as (folder, state):
+        _checkpoint(settings, folder, _held_out(settings, folder, state), begun, advance)
+
+
+def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
     """Hold problems out, warm up, train."""
-    done = folder.result()
-    if done is not None:
-        return done
-    avoid = frozenset[str]()
-    if settings.held_out:
-        with state.main_process_first():
-            avoid = folder.hold_out(settings.held_out, settings.prefetch.workers + 1)
-    prefetch = settings.prefetch
-    with prefetching(prefetch.workers if state.is_main_process else 0, prefetch.depth) as store:
-        stream = ProblemStream(settings.problems, store, settings.curriculum, avoid)
-        if state.is_main_process:
-            stream.begin()
-            if not folder.train.is_dir():
-                stream.probe()  # a warm start may take hours before the first problem is asked for
-        checkpoint = _checkpoint(settings, folder, avoid, begun, advance)
-        return _trained(settings, folder, checkpoint, stream, begun, advance)
+    with _entered(settings) as (folder, state):
+        if folder.result() is not None:
+            return
+        avoid, prefetch = _held_out(settings, folder, state), settings.prefetch
+        with prefetching(prefetch.workers if state.is_main_process else 0, prefetch.depth) as store:
+            stream = ProblemStream(settings.problems, store, settings.curriculum, avoid)
+            if state.is_main_process:
+                stream.begin()
+                if not folder.train.is_dir():
+                    stream.probe()  # a warm start may take hours before the first problem is asked for
+            checkpoint = _checkpoint(settings, folder, avoid, begun, advance)
+            _trained(settings, folder, checkpoint, stream, begun, advance)
 
 
 def _checkpoint(
@@ -97,9 +155,13 @@ def _checkpoint(
     if warm is None:
         assert settings.model is not None
         return settings.model.checkpoint((), folder.initial)
-    sft = warm.model_copy(update={"out": folder.warm_start})
-    train_sft(sft, avoid=avoid, begun=begun, advance=advance)
+    train_sft(_warm_start(warm, folder), avoid=avoid, begun=begun, advance=advance)
     return Checkpoint(str(folder.warm_start / "model"))
+
+
+def _warm_start(given: FineTuning, folder: TrainingFolder) -> FineTuning:
+    """The same, in the folder of the run."""
+    return given.model_copy(update={"out": folder.warm_start})
 
 
 def _trained(
@@ -109,7 +171,7 @@ def _trained(
     stream: ProblemStream,
     begun: Begun,
     advance: Advance,
-) -> Trained:
+) -> None:
     settings.gspo.check_context(checkpoint.context)
     tokenizer = checkpoint.tokenizer(padding_side="left")
     stream.chat = spoken_to(tokenizer, checkpoint.path, chat=settings.chat)
@@ -119,10 +181,9 @@ def _trained(
     run.remove_callback(library("transformers").PrinterCallback)
     run.add_callback(_told(advance, settings.gspo.minibatches))
     run.train(resume_from_checkpoint=True)
-    found = folder.finish(run, tokenizer, checkpoint)
+    folder.finish(run, tokenizer, checkpoint)
     run.accelerator.wait_for_everyone()
     run.accelerator.end_training()
-    return found
 
 
 def _told(advance: Advance, minibatches: int) -> External:

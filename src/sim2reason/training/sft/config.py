@@ -51,6 +51,8 @@ class FineTuning(BaseModel):
     """Rows of a step, over all devices."""
     micro_batch: Annotated[int, Ge(1), Le(2**20)] | None = None
     """Rows that a device holds at once; by default its share of the batch."""
+    by_length: bool = False
+    """Whether the rows of a batch are about equally long: less is computed for padding, in a less random order."""
     optimizer: Literal["adamw", "muon"] = "adamw"
     """Muon has the matrices of hidden layers, and AdamW the rest; it is for models made from scratch."""
     learning_rate: Rate = 2e-5

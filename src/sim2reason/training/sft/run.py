@@ -4,23 +4,23 @@
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 import shutil
-from collections import Counter
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 from sim2reason.datasets.atomic_files import working_in
 from sim2reason.errors import TrainingError
-from sim2reason.training.corpora.parts.encoding import EncodedRow, Limits, encoded
+from sim2reason.training.corpora import Row
+from sim2reason.training.corpora.parts.encoding import Limits, encoded_table
 from sim2reason.training.corpora.parts.mix import counted
-from sim2reason.training.extras import External, library, quiet, require
+from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
 from sim2reason.training.models import Loaded, spoken_to
 from sim2reason.training.models.parts.checkpoint import context_of
 from sim2reason.training.sft.config import FineTuning, fine_tuning_from
 from sim2reason.training.sft.folder import FineTuned, SftFolder
 from sim2reason.training.sft.trainer import arguments, trainer
 
-__all__ = ["train_sft"]
+__all__ = ["prepare_sft", "train_sft"]
 
 NEEDED = "torch", "transformers", "accelerate", "datasets", "trl"
 
@@ -47,6 +47,7 @@ def train_sft(
     """
     settings = fine_tuning_from(config, out)
     require(*NEEDED, *settings.libraries)
+    without_cudnn_attention()
     state = library("accelerate").PartialState(cpu=settings.device == "cpu")
     settings.accumulated(state.num_processes)
     folder = SftFolder(settings.out)
@@ -60,6 +61,26 @@ def train_sft(
             done = _trained(settings, folder, state, begun, advance)
         state.wait_for_everyone()
         return done
+
+
+def prepare_sft(
+    config: Path | str | Mapping[str, object] | FineTuning,
+    out: Path | None = None,
+    *,
+    avoid: frozenset[str] = frozenset(),
+) -> None:
+    """Do what comes before the first step: draw the rows, make the model if it is made here. No accelerator is needed.
+
+    Where a machine with GPUs is rented, this is done elsewhere before; `train_sft` goes on in the same folder. It
+    raises what that does.
+    """
+    settings = fine_tuning_from(config, out)
+    require(*NEEDED, *settings.libraries)
+    folder = SftFolder(settings.out)
+    with _held(folder, settings, main=True), quiet():
+        if folder.result() is None:
+            folder.draw(settings, avoid)
+            settings.model.checkpoint(_texts(folder.rows()), folder.initial)
 
 
 @contextmanager
@@ -82,19 +103,18 @@ def _trained(
 ) -> FineTuned:
     """Train, or go on training, and save what came of it."""
     rows = folder.rows()
-    loaded = config.model.load((text for row in rows for text in (row.prompt, row.completion)), folder.initial)
+    loaded = config.model.load(_texts(rows), folder.initial)
     chat = spoken_to(loaded.tokenizer, loaded.path, chat=config.chat)
-    held, left_out = _within(encoded(rows, loaded.tokenizer, chat=chat), _limits(config, loaded))
-    if not held:
+    held, left_out = encoded_table(rows, loaded.tokenizer, _limits(config, loaded), chat=chat)
+    if not len(held):
         raise TrainingError(f"corpora: no row is within the limits of tokens; left out: {counted(left_out)}")
     steps = config.steps_of(len(held))
     last = folder.checkpoint()
     if state.is_main_process:
         begun("fine-tuning", steps)
         advance(int(last.name.partition("-")[2]) if last else 0)
-    data = library("datasets").Dataset.from_list([row.columns for row in held])
     settings = arguments(config, folder.checkpoints, steps, state.num_processes)
-    run = trainer(config, settings, loaded, data, folder, advance)
+    run = trainer(config, settings, loaded, library("datasets").Dataset(held), folder, advance)
     run.train(resume_from_checkpoint=str(last) if last else None)
     parameters = _saved(run, loaded, folder, config)
     result = FineTuned(
@@ -116,10 +136,9 @@ def _limits(config: FineTuning, loaded: Loaded) -> Limits:
     return Limits(config.max_prompt_tokens, config.max_completion_tokens, context_of(loaded.model.config))
 
 
-def _within(rows: list[EncodedRow], limits: Limits) -> tuple[list[EncodedRow], Counter[str]]:
-    """The rows that pass no limit, and how many passed which."""
-    found = [(row, row.excess(limits)) for row in rows]
-    return [row for row, why in found if not why], Counter(why for _, why in found if why)
+def _texts(rows: Sequence[Row]) -> Iterator[str]:
+    """All that a model reads and writes."""
+    return (text for row in rows for text in (row.prompt, row.completion))
 
 
 def _saved(run: External, loaded: Loaded, folder: SftFolder, config: FineTuning) -> int:

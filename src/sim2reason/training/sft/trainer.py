@@ -20,12 +20,14 @@ from sim2reason.errors import TrainingError
 from sim2reason.training.extras import External, library
 from sim2reason.training.models import Loaded
 from sim2reason.training.optimizers import muon_with_adamw
+from sim2reason.training.sft.by_length import sampler_by_length
 from sim2reason.training.sft.config import FineTuning
 from sim2reason.training.sft.folder import SftFolder
 
 __all__ = ["arguments", "trainer"]
 
 SMALL = 2**15  # pieces of a vocabulary whose logits fit in memory
+LOADERS = 2  # processes that put rows together while a GPU computes
 IGNORED = -100
 Advance = Callable[[int], object]
 
@@ -64,6 +66,7 @@ def arguments(config: FineTuning, checkpoints: Path, steps: int, devices: int) -
         max_length=None,  # rows are held to their limits before
         packing=False,
         dataloader_pin_memory=not cpu,
+        dataloader_num_workers=0 if cpu else LOADERS,
         ddp_find_unused_parameters=False,
         disable_tqdm=True,
     )
@@ -85,6 +88,8 @@ def trainer(
         processing_class=loaded.tokenizer,
         peft_config=config.lora.config if config.lora else None,
     )
+    if config.by_length:
+        made.order = sampler_by_length(data["length"][:], arguments.per_device_train_batch_size, config.seed)
     made.rates = (config.muon_learning_rate, config.learning_rate) if config.optimizer == "muon" else None
     made.remove_callback(library("transformers").PrinterCallback)
     made.add_callback(_callback()(made, folder, advance))
@@ -98,6 +103,8 @@ def _trainer() -> External:
     class Trainer(library("trl").SFTTrainer):
         """TRL's, with what this module says."""
 
+        order: External = None
+        """Of rows, where it is not random."""
         rates: tuple[float, float] | None = None
         """Of Muon and of AdamW; None for AdamW alone."""
 
@@ -110,6 +117,9 @@ def _trainer() -> External:
             if self.optimizer is None and self.rates is not None:
                 self.optimizer = muon_with_adamw(model or self.model, *self.rates, self.args.weight_decay)
             return super().create_optimizer(model)
+
+        def _get_train_sampler(self, train_dataset: External = None) -> External:
+            return self.order or super()._get_train_sampler(train_dataset)
 
         def compute_loss(
             self,

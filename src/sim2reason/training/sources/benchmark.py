@@ -1,12 +1,14 @@
 """Problems of a finished dataset or of any benchmark's file, again and again, each time in another order."""
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Annotated, Any
 
+from annotated_types import Ge, Le
 from pydantic import field_validator
 
 from sim2reason.benchmarks import Benchmark, BenchmarkItem, benchmark_from, items_of
 from sim2reason.benchmarks.scoring import SCORINGS
+from sim2reason.datasets.plan import LARGEST
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.errors import Sim2ReasonError
 from sim2reason.lazy import cached_property
@@ -24,8 +26,8 @@ class BenchmarkSource(ProblemSource):
 
     benchmark: dict[str, Any]
     """Its settings, as an evaluation has them: kind, file or dataset, columns, scoring."""
-    shuffle: int = 0
-    """The seed of the orders."""
+    seed: Annotated[int, Ge(0), Le(LARGEST)] = 0
+    """Of the orders."""
 
     @field_validator("benchmark")
     @classmethod
@@ -59,7 +61,7 @@ class BenchmarkSource(ProblemSource):
         """The `index`-th of its passes, each through all of the cell."""
         held = self._held[cell]
         turn, place = divmod(index, len(held))
-        order = generator("order", self.shuffle, self.name, cell, turn).permutation(len(held))
+        order = generator("order", self.seed, self.name, cell, turn).permutation(len(held))
         item = held[int(order[place])]
         return Problem(item=item, source=self.name, cell=cell)
 

@@ -8,7 +8,7 @@ import shutil
 import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from subprocess import STDOUT, Popen
 
@@ -16,10 +16,10 @@ from sim2reason.datasets.atomic_files import canonical, put_text, working_in
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.extras import require
 from sim2reason.training.rl.folder import Trained, TrainingFolder
-from sim2reason.training.rl.run import NEEDED
+from sim2reason.training.rl.run import NEEDED, Stage
 from sim2reason.training.study.config import Arm, TrainingStudy, study_from
 
-__all__ = ["train_study"]
+__all__ = ["prepare_study", "train_study"]
 
 LONGEST = 300  # characters of what a failed run said last
 PARTIAL = ".part"
@@ -43,21 +43,56 @@ def train_study(
         MissingExtraError: a library of the extra [train] is missing.
         DatasetError: another study is writing in the folder.
     """
-    study = study_from(config, out)
-    require(*NEEDED, *(name for each in study.configs.values() for name in each.libraries))
+    study = _checked(config, out)
     with working_in(study.out):
         begun("runs", len(study.runs))
         for arm in study.runs:
             _claim(study, arm)
-        advance(sum(_finished(study, arm) for arm in study.runs))
-        first = _first_of_each_warm_start(study)
-        failed = dict[str, str]()
-        for arms in ([arm for arm in study.runs if arm in first.values()], study.runs):
-            failed |= _made(study, [arm for arm in arms if arm.run not in failed], first, advance)
+        failed = _warm_starts(study, "warm-start")
+        todo = [arm for arm in study.runs if not _finished(study, arm) and arm.run not in failed]
+        advance(len(study.runs) - len(todo) - len(failed))
+        failed |= _made(study, todo, advance=advance)
+    _all_made(failed, len(study.runs))
+    return {arm.run: found for arm in study.runs if (found := _folder(study, arm).result())}
+
+
+def prepare_study(
+    config: Path | str | Mapping[str, object] | TrainingStudy,
+    out: Path | None = None,
+    *,
+    until: Stage = "warm-start",
+    begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
+    advance: Callable[[int], object] = lambda _: None,
+) -> Path:
+    """Do what comes before reinforcement learning, as `prepare_rl` does, once for each warm start of a study.
+
+    `begun` is told how many runs have one of their own, `advance` how many more are prepared. `train_study`, with the
+    same arguments, goes on in the folder given.
+
+    Raises:
+        TrainingError, MissingExtraError, DatasetError: as `train_study` does.
+    """
+    study = _checked(config, out)
+    with working_in(study.out):
+        for arm in study.runs:
+            _claim(study, arm)
+        begun("preparations", len(_firsts(study)))
+        failed = _warm_starts(study, until, advance)
+    _all_made(failed, len(study.runs))
+    return study.out
+
+
+def _checked(config: Path | str | Mapping[str, object] | TrainingStudy, out: Path | None) -> TrainingStudy:
+    study = study_from(config, out)
+    require(*NEEDED, *(name for each in study.configs.values() for name in each.libraries))
+    return study
+
+
+def _all_made(failed: Mapping[str, str], runs: int) -> None:
+    """TrainingError if some were not."""
     if failed:
         told = "; ".join(f"{run}: {why}" for run, why in failed.items())
-        raise TrainingError(f"{len(failed)} of {len(study.runs)} runs failed, the others are finished; {told}")
-    return {arm.run: found for arm in study.runs if (found := _folder(study, arm).result())}
+        raise TrainingError(f"{len(failed)} of {runs} runs failed, the others are finished; {told}")
 
 
 def _folder(study: TrainingStudy, arm: Arm) -> TrainingFolder:
@@ -82,27 +117,46 @@ def _finished(study: TrainingStudy, arm: Arm) -> bool:
     return folder.result() is not None and folder.report.is_file()
 
 
-def _first_of_each_warm_start(study: TrainingStudy) -> dict[Arm, Arm]:
-    """For each run the first that has the same warm start and the same held-out problems."""
-    found, known = dict[Arm, Arm](), dict[str, Arm]()
+def _warm_starts(
+    study: TrainingStudy, until: Stage, advance: Callable[[int], object] = lambda _: None
+) -> dict[str, str]:
+    """Prepare the first run of each warm start, and lay what it has made into the folders of the others.
+
+    Of the runs that cannot begin, what the preparation of theirs said last.
+    """
+    firsts = _firsts(study)
+    open_ones = [first for first, arms in firsts.items() if not all(_finished(study, arm) for arm in arms)]
+    todo = [first for first in open_ones if not _folder(study, first).is_prepared(study.configs[first])]
+    failed = _made(study, todo, until, advance)
+    for first, arms in firsts.items():
+        for arm in arms:
+            if first.run in failed:
+                failed[arm.run] = failed[first.run]
+            elif until == "warm-start":
+                _share(study, first, arm)
+    return failed
+
+
+def _firsts(study: TrainingStudy) -> dict[Arm, list[Arm]]:
+    """By the first of them, the runs that have the same warm start and the same held-out problems."""
+    known = dict[str, list[Arm]]()
     for arm in study.runs:
         config = study.configs[arm].decisive
-        found[arm] = known.setdefault(canonical([config["warm_start"], config["held_out"]]), arm)
-    return found
+        known.setdefault(canonical([config["warm_start"], config["held_out"]]), []).append(arm)
+    return {arms[0]: arms for arms in known.values()}
 
 
 def _made(
-    study: TrainingStudy, arms: Sequence[Arm], first: Mapping[Arm, Arm], advance: Callable[[int], object]
+    study: TrainingStudy,
+    arms: Sequence[Arm],
+    until: Stage | None = None,
+    advance: Callable[[int], object] = lambda _: None,
 ) -> dict[str, str]:
-    """Make those runs that are not finished; of those that failed, what they said last."""
-    todo = [arm for arm in arms if not _finished(study, arm)]
+    """Make these runs, or prepare them; of those that failed, what they said last."""
     running, failed = dict[Arm, Popen[bytes]](), dict[str, str]()
     with ThreadPoolExecutor(study.workers) as pool:
-        made: dict[Future[str], Arm] = {}
         try:
-            for arm in todo:
-                _share(study, first[arm], arm)
-                made[pool.submit(_make, study, arm, running)] = arm
+            made = {pool.submit(_make, study, arm, until, running): arm for arm in arms}
             for future in as_completed(made):
                 advance(1)
                 if said := future.result():
@@ -116,9 +170,9 @@ def _made(
 
 
 def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
-    """Lay what an earlier run has made for both into the folder of another."""
+    """Lay what the first run has made for both into the folder of another."""
     earlier, folder = _folder(study, first), _folder(study, arm)
-    if first == arm or earlier.result() is None:
+    if first == arm:
         return
     for theirs, mine in ((earlier.held_out, folder.held_out), (earlier.warm_start, folder.warm_start)):
         if theirs.is_dir() and not mine.exists():
@@ -137,12 +191,13 @@ def _linked(source: Path, target: Path) -> None:
     partial.rename(target)
 
 
-def _make(study: TrainingStudy, arm: Arm, running: dict[Arm, Popen[bytes]]) -> str:
-    """Make one run; what it said last if it failed."""
+def _make(study: TrainingStudy, arm: Arm, until: Stage | None, running: dict[Arm, Popen[bytes]]) -> str:
+    """Make one run, or prepare it; what it said last if it failed."""
     folder = _folder(study, arm).path
     log = folder.with_name(f"{arm.run}.log")
     with log.open("ab") as said:
         command = [sys.executable, "-m", "sim2reason", "train", "rl", str(folder.with_name(f"{arm.run}.yaml"))]
+        command += [] if until is None else ["--until", until]
         running[arm] = Popen(command, stdout=said, stderr=STDOUT)  # noqa: S603 - our own command, in a list
         code = running[arm].wait()
         del running[arm]

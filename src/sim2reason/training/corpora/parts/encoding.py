@@ -4,15 +4,26 @@ Prompt and completion are encoded apart, as they are when the model answers: a p
 with the start of the other is never seen then.
 """
 
-from collections.abc import Sequence
+# pyarrow ships no types:
+# pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false, reportUnknownParameterType=false
+# pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
+
+import numpy as np
+import pyarrow as pa
 
 from sim2reason.training.corpora import Row
 from sim2reason.training.extras import External
 
-__all__ = ["EncodedRow", "Limits", "encoded", "templated"]
+__all__ = ["EncodedRow", "Limits", "encoded", "encoded_table", "templated"]
 
 IGNORED = -100  # the label of a token that no loss is computed of, as torch has it
+TOGETHER = 8192  # rows whose tokens are objects of Python at one time
+TOKENS = pa.list_(pa.int32())
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,10 +45,14 @@ class EncodedRow:
     completion: list[int]
 
     @property
-    def columns(self) -> dict[str, list[int]]:
-        """As trainers take it: all tokens, and for each its label, which is ignored in the prompt."""
-        labels = [IGNORED] * len(self.prompt) + self.completion
-        return {"input_ids": self.prompt + self.completion, "labels": labels}
+    def tokens(self) -> list[int]:
+        """All of them."""
+        return self.prompt + self.completion
+
+    @property
+    def labels(self) -> list[int]:
+        """Of each token, which is ignored in the prompt."""
+        return [IGNORED] * len(self.prompt) + self.completion
 
     def excess(self, limits: Limits) -> str:
         """Which limit it passes; empty if none."""
@@ -46,6 +61,35 @@ class EncodedRow:
         if len(self.completion) > limits.completion:
             return "completion too long"
         return "longer than the context" if len(self.prompt) + len(self.completion) > limits.both else ""
+
+
+def encoded_table(
+    rows: Sequence[Row], tokenizer: External, limits: Limits, *, chat: bool
+) -> tuple[pa.Table, Counter[str]]:
+    """The rows within limits as trainers take them, and how many are beyond which.
+
+    The columns are `input_ids`, `labels`, both of tokens, and `length`, how many a row has.
+    """
+    left_out = Counter[str]()
+    schema = pa.schema({"input_ids": TOKENS, "labels": TOKENS, "length": pa.int32()})
+    slices = (encoded(rows[start : start + TOGETHER], tokenizer, chat=chat) for start in range(0, len(rows), TOGETHER))
+    return pa.Table.from_batches(_batches(slices, limits, left_out), schema), left_out
+
+
+def _batches(slices: Iterator[list[EncodedRow]], limits: Limits, left_out: Counter[str]) -> Iterator[pa.RecordBatch]:
+    for rows in slices:
+        excess = [row.excess(limits) for row in rows]
+        left_out.update(why for why in excess if why)
+        held = [row for row, why in zip(rows, excess, strict=True) if not why]
+        tokens, labels = _lists([row.tokens for row in held]), _lists([row.labels for row in held])
+        yield pa.record_batch({"input_ids": tokens, "labels": labels, "length": tokens.value_lengths()})
+
+
+def _lists(held: Sequence[Sequence[int]]) -> pa.ListArray:
+    """Lists as one array, which is many times as fast as to let pyarrow find out what they are."""
+    ends = np.cumsum([0, *map(len, held)], dtype=np.int32)
+    values = np.fromiter(chain.from_iterable(held), np.int32, count=int(ends[-1]))
+    return pa.ListArray.from_arrays(ends, values)
 
 
 def encoded(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[EncodedRow]:
