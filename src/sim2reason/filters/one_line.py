@@ -16,7 +16,7 @@ class OneLine(Filter):
     comes out, as the friction ½ m g sin θ on a pipe that rolls down.
     """
 
-    order = 8
+    order = 9
 
     def reason(self, candidate: Candidate) -> str:
         """See how the answer goes with each number, and whether that is all there is to it."""

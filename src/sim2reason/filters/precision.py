@@ -15,7 +15,7 @@ class Precision(Filter):
     What is counted must not change by half a unit in the last place of any number.
     """
 
-    order = 7
+    order = 8
 
     def reason(self, candidate: Candidate) -> str:
         """Shift the stated numbers, one by one, by one part in a thousand and solve again."""

@@ -19,7 +19,7 @@ class Sensitivity(Filter):
     asked about and the radius of what rolls, which may well cancel, and what the kind of question is indifferent to.
     """
 
-    order = 6
+    order = 7
 
     def reason(self, candidate: Candidate) -> str:
         """Count those that move it beyond the tolerance when they are halved or doubled."""

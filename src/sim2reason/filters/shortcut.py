@@ -15,7 +15,7 @@ class Shortcut(Filter):
     answer a little, but might be forgotten, would be paid for.
     """
 
-    order = 3
+    order = 6
 
     def reason(self, candidate: Candidate) -> str:
         """Hold and leave out what can be, part by part."""
