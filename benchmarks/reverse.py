@@ -102,14 +102,24 @@ def last_with_one(result: Function, there: float, beyond: float) -> float:
 
 
 def bisected(result: Function, low: float, high: float, given: float) -> float:
-    """Between two values with the given result between theirs; the lower one where there is none in between."""
+    """Between two values with the given result between theirs; the lower one where that is in none in between.
+
+    Where values in the middle have no result, those before and those behind them are looked into.
+    """
     first = (result(low) or 0.0) > given
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         found = result(middle)
         if found is None:
-            return low
-        low, high = (middle, high) if (found > given) == first else (low, middle)
+            before, behind = last_with_one(result, low, middle), last_with_one(result, high, middle)
+            if ((result(before) or 0.0) > given) != first:
+                high = before
+            elif ((result(behind) or 0.0) > given) == first:
+                low = behind
+            else:
+                return low
+        else:
+            low, high = (middle, high) if (found > given) == first else (low, middle)
     return 0.5 * (low + high)
 
 

@@ -71,6 +71,15 @@ def test_pucks_have_components_along_the_axes_of_the_text() -> None:
     assert not any("up the slope" in (t.sense.positive if t.sense else "") for t in phrases.values())
 
 
+def test_a_component_is_taken_along_the_axes_of_the_motion_at_hand() -> None:
+    """As where the slope of a tilted table is what is asked for: with any other, the y axis runs up that one."""
+    scene = table()
+    name = next(named.name for named in scene.entities)
+    target = next(t for phrase, t in offered(scene).items() if phrase.startswith("the y component of the velocity"))
+    tilted = scene.having(f"{name}.table.tilt", 40.0).mechanism
+    assert target.way(tilted) == pytest.approx((0.0, cos(radians(40.0)), sin(radians(40.0))))
+
+
 def test_signed_targets_have_a_sense_and_magnitudes_have_none() -> None:
     for scene in (ramp(friction=0.3), atwood(), table()):
         for phrase, target in offered(scene).items():

@@ -54,7 +54,7 @@ class Target:
         """Along which the component is taken: the sense of that name in this mechanism, whose slope may be another."""
         assert self.sense is not None
         quantity = QUANTITIES[self.quantity]
-        if self.sense.fixed or quantity.sense is not None:
+        if quantity.sense is not None:
             return self.sense.vector
         named = (self.sense.positive, self.sense.axis)
         here = quantity.of.senses(mechanism, self.subject)
