@@ -3,6 +3,7 @@
 import re
 import time
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 
@@ -195,6 +196,12 @@ VALUES = [
     ("  world: {gravity: 9.8}", "  glued: [1]", "scene.glued[0] (line 21)", "it is 1", "ramp.blocks.0"),
     ("  world: {gravity: 9.8}", "  worlds: {}", "scene.worlds (line 21)", "there is no such key", "world"),
 ]
+
+
+def test_what_stands_beside_the_scene_is_told_to_stand_below_it() -> None:
+    error = refused(dedent(GOOD.partition("\n")[2]))
+    assert error.problem == "there is no such key here"
+    assert "begin with the line scene:" in error.remedy
 
 
 @pytest.mark.parametrize("name", ["world", "tendon_1"])
