@@ -96,21 +96,30 @@ def trainer(
     return made
 
 
+class _Silent:
+    """What TRL's trainer says to others, left unsaid."""
+
+    def create_model_card(self, *args: object, **settings: object) -> None:
+        """None: the folder says what is in it."""
+
+    def _send_telemetry(self) -> None:
+        """Nothing is sent anywhere."""
+
+
 @cache
 def _trainer() -> External:
     """The class, made when TRL is there."""
 
-    class Trainer(library("trl").SFTTrainer):
+    class Trainer(_Silent, library("trl").SFTTrainer):
         """TRL's, with what this module says."""
 
-        order: External = None
-        """Of rows, where it is not random."""
-        rates: tuple[float, float] | None = None
-        """Of Muon and of AdamW; None for AdamW alone."""
+        order: External = None  # of rows, where it is not random
+        rates: tuple[float, float] | None = None  # of Muon and of AdamW; None for AdamW alone
+
+        tokens: External = 0  # of completions and prompts that this process has read since the last log
 
         def __init__(self, *args: External, **settings: External) -> None:
             super().__init__(*args, **settings)
-            self.tokens: External = 0  # of completions and prompts that this process has read since the last log
             self.small = self.model.config.get_text_config().vocab_size <= SMALL and not self.aux_loss_enabled
 
         def create_optimizer(self, model: External = None) -> External:
@@ -132,16 +141,14 @@ def _trainer() -> External:
                 self.tokens = self.tokens + inputs["attention_mask"].sum()
             if return_outputs or not self.small:
                 return super().compute_loss(model, inputs, return_outputs, num_items_in_batch)
-            scale = self.accelerator.num_processes if self.args.average_tokens_across_devices else 1  # DDP averages
-            return _loss(model, inputs, num_items_in_batch, scale)
-
-        def create_model_card(self, *args: object, **settings: object) -> None:
-            """None: the folder says what is in it."""
-
-        def _send_telemetry(self) -> None:
-            """Nothing is sent anywhere."""
+            return _loss(model, inputs, num_items_in_batch, _scale(self))
 
     return Trainer
+
+
+def _scale(trainer: External) -> int:
+    """How many times the loss of one process counts: several processes' gradients are averaged."""
+    return trainer.accelerator.num_processes if trainer.args.average_tokens_across_devices else 1
 
 
 def _loss(model: External, inputs: External, tokens: External, scale: int) -> External:
