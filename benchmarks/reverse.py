@@ -102,7 +102,7 @@ def last_with_one(result: Function, there: float, beyond: float) -> float:
 
 
 def bisected(result: Function, low: float, high: float, given: float) -> float:
-    """Between two values with the given result between theirs; the lower one where that is in none in between.
+    """Between two values with the given result between theirs; the lower one if none in between has it.
 
     Where values in the middle have no result, those before and those behind them are looked into.
     """

@@ -54,6 +54,23 @@ def test_it_prints_a_table_and_says_where_the_model_is(config: Path, tmp_path: P
 
 
 @installed
+def test_what_needs_no_gpu_can_be_done_before(config: Path, tmp_path: Path) -> None:
+    found = run("train", "sft", config, "--until", "data")
+    assert found.exit_code == 0, found.output
+    assert found.stdout == f"Prepared until data: {tmp_path / 'run'}; the same command without --until goes on\n"
+    assert not (tmp_path / "run" / "model").exists()
+    assert run("train", "sft", config, "--until", "warm-start").exit_code == 2
+    out = tmp_path / "rl"
+    (tmp_path / "rl.yaml").write_text(json.dumps(settings(out)))
+    found = run("train", "rl", tmp_path / "rl.yaml", "--until", "warm-start")
+    assert found.exit_code == 0, found.output
+    assert "Prepared until warm-start" in found.stdout
+    assert (out / "warm-start" / "model").is_dir()
+    assert not (out / "train").exists()
+    assert run("train", "rl", tmp_path / "rl.yaml").exit_code == 0
+
+
+@installed
 def test_two_processes_learn_what_one_does_and_one_of_them_speaks(config: Path, tmp_path: Path) -> None:
     command = [sys.executable, "-m", "torch.distributed.run", "--standalone", "--nproc_per_node", "2"]
     args = ["-m", "sim2reason", "train", "sft", str(config), "--json"]

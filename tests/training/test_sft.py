@@ -159,9 +159,11 @@ def test_a_run_by_length_goes_on_as_one_that_was_not_broken_off(settings: Settin
 
 @installed
 def test_no_attention_of_cudnn_is_used(settings: Settings) -> None:
-    train_sft({**settings, "steps": 1})
     import torch
 
+    torch.backends.cuda.enable_cudnn_sdp(enabled=True)
+    assert torch.backends.cuda.cudnn_sdp_enabled()
+    train_sft({**settings, "steps": 1})
     assert not torch.backends.cuda.cudnn_sdp_enabled()
 
 

@@ -88,10 +88,13 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
     with console.resumable(remedy), console.Phases() as phases:
         if until is not None:
             prepare_sft(settings)
-            _say_prepared(settings.out, until)
-            return
-        found = train_sft(settings, begun=phases.begin, advance=phases.advance)
+            found = None
+        else:
+            found = train_sft(settings, begun=phases.begin, advance=phases.advance)
     if int(os.environ.get("RANK", "0")):  # of several processes, the first speaks
+        return
+    if found is None:
+        _say_prepared(settings.out, "data")
         return
     if to_json:
         console.as_json(found.model_dump(mode="json"))

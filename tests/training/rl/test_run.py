@@ -71,6 +71,13 @@ def test_a_prepared_run_ends_as_one_that_was_not(whole: Path, tmp_path: Path) ->
     assert log(out) == log(whole)
 
 
+def test_two_processes_prepare_what_one_does(whole: Path, tmp_path: Path) -> None:
+    out = tmp_path / "run"
+    prepare_rl(settings(out, processes=2), until="data")
+    for file in ("held-out/keys.json", "warm-start/rows.jsonl", "warm-start/initial/model.safetensors"):
+        assert (out / file).read_bytes() == (whole / file).read_bytes()
+
+
 def test_no_held_out_problem_is_given_again_even_by_its_own_seed(whole: Path) -> None:
     held = {json.loads(line)["prompt"] for line in (whole / "held-out" / "rolling.jsonl").read_text().splitlines()}
     avoid = frozenset(json.loads((whole / "held-out" / "keys.json").read_text()))

@@ -116,13 +116,12 @@ def _held_out(settings: ReinforcementLearning, folder: TrainingFolder, state: Ex
 
 
 def _prepare_data(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
-    """Hold problems out, and make what a warm start learns from; the main process does it alone."""
+    """Hold problems out, and make what a warm start learns from."""
     del begun, advance
     with _entered(settings) as (folder, state):
         avoid = _held_out(settings, folder, state)
-        if settings.warm_start is not None and state.is_main_process:
+        if settings.warm_start is not None:
             prepare_sft(_warm_start(settings.warm_start, folder), avoid=avoid)
-        state.wait_for_everyone()
 
 
 def _prepare(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:

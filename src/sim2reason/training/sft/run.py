@@ -76,11 +76,15 @@ def prepare_sft(
     """
     settings = fine_tuning_from(config, out)
     require(*NEEDED, *settings.libraries)
-    folder = SftFolder(settings.out)
-    with _held(folder, settings, main=True), quiet():
-        if folder.result() is None:
+    state = library("accelerate").PartialState(cpu=settings.device == "cpu")
+    folder, main = SftFolder(settings.out), state.is_main_process
+    with _held(folder, settings, main=main), quiet():
+        if main and folder.result() is None:
             folder.draw(settings, avoid)
-            settings.model.checkpoint(_texts(folder.rows()), folder.initial)
+        state.wait_for_everyone()
+        if folder.result() is None:
+            settings.model.checkpoint(_texts(folder.rows() if main else ()), folder.initial)
+        state.wait_for_everyone()
 
 
 @contextmanager

@@ -115,7 +115,6 @@ def _trainer() -> External:
 
         order: External = None  # of rows, where it is not random
         rates: tuple[float, float] | None = None  # of Muon and of AdamW; None for AdamW alone
-
         tokens: External = 0  # of completions and prompts that this process has read since the last log
 
         def __init__(self, *args: External, **settings: External) -> None:
