@@ -1,11 +1,13 @@
 """Where a formula must hold: scenes with other numbers, and what a text must assume to leave out the rest."""
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from itertools import chain, combinations
 
 import numpy as np
 
 from sim2reason.modes.parts.corners import Margin, leaving
+from sim2reason.modes.parts.counterexample import counterexample
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variation, Variations
 from sim2reason.questions import Formula, Study, Words
@@ -18,6 +20,7 @@ NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as
 WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
 TRIES, ACROSS = 16, 4
 SAME = 1e-6  # relative: how well the formula agrees with the engine
+COUNTEREXAMPLES = 4  # after which there seems to be no end of them
 CLOSE = 1e-3  # relative: what misses by more does not miss by the engine's steps
 
 
@@ -28,6 +31,7 @@ class VariedScenes:
         """`factor` makes the engine's answers those of formulas: radians of degrees."""
         self._variations, self._factor = variations, factor
         self._whole: tuple[Expression, ...] = ()  # the formula as its derivation left it: what cancels has signs, too
+        self._signed = False  # whether the sign of the answer is asked for
         self._near: list[Variation] = []
         self._wide: list[Variation] = []
         self._more: Iterator[Variation] | None = None
@@ -47,12 +51,12 @@ class VariedScenes:
 
         Where no sign is asked for, sizes stand between bars if no few regimes fix their signs.
         """
+        self._whole, self._signed = (whole,), signed
+        if not self.near(whole, rng):
+            return None
         try:
             found = shortened(whole)
         except ClosedFormError:
-            return None
-        self._whole = (whole,)
-        if not self.near(found, rng):
             return None
         assumed = self.assumed(found, rng, words)
         if assumed is None and self._wide and not signed:
@@ -74,13 +78,13 @@ class VariedScenes:
         plainer = formula.of_sizes(among)
         return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
 
-    def near(self, formula: ClosedForm, rng: np.random.Generator) -> bool:
+    def near(self, formula: Expression, rng: np.random.Generator) -> bool:
         """Whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
         own = self._near[0]
         for width in NEAR:
             found = [own]
             for other in self._variations.drawn(rng, width, TRIES):
-                if other.story == own.story and self._agrees(formula.expression, other):
+                if other.story == own.story and self._agrees(formula, other):
                     found.append(other)
                 if len(found) > POINTS:
                     self._near = found
@@ -103,9 +107,24 @@ class VariedScenes:
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
         """The fewest regimes that leave no scene in which the formula does not hold; None if no few do.
 
-        And those that are told always, first of all. Other scenes are looked for far from the scene's own, and then
-        where what the scene does is left though all that is told holds: a string may go slack, or what slides stick,
-        without a sum in the formula turning its sign.
+        And those that are told always, first of all. Once they are chosen, a counterexample is looked for.
+        """
+        for _ in range(COUNTEREXAMPLES):
+            found = self._chosen(formula, rng, words)
+            if found is None:
+                return None
+            missed = partial(self._missed, formula.expression, found)
+            other = counterexample(self._variations, formula.expression, missed, WIDE, signed=self._signed)
+            if other is None:
+                return found
+            self._wide.append(other)
+        return None
+
+    def _chosen(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
+        """The fewest regimes that leave no scene that was found in which the formula does not hold; None if no few do.
+
+        Scenes are looked for far from the scene's own, and then where what the scene does is left though all that is
+        told holds: a string may go slack, or what slides stick, without a sum in the formula turning its sign.
         """
         kept = self._shared(words)
         excluding: list[set[Regime]] = []
@@ -144,6 +163,10 @@ class VariedScenes:
     def _leaving_out(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
         """The regimes of which each leaves out a scene."""
         return {held for held in kept if not held.holds(other.study, other.until)}
+
+    def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
+        """Whether a formula does not hold in a scene which is as told."""
+        return not self._leaving_out(other, told) and not self._agrees(formula, other)
 
     def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
         """A scene that is not in a regime, or as close to its end as can be, though what is told may still hold.

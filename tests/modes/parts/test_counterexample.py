@@ -1,0 +1,58 @@
+"""Counterexamples: numbers for which a formula has no value, or a size is negative, though all that is told holds."""
+
+import pytest
+
+from plain_scenes import ramp
+from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.modes.parts.counterexample import counterexample
+from sim2reason.modes.parts.problem_symbol import ProblemSymbol
+from sim2reason.modes.parts.variations import Variation, Variations
+from sim2reason.questions import Query
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.solutions.expressions import Expression, Number, Symbol
+from sim2reason.solutions.functions import Root
+
+WIDTH = 1.1
+LEFT = Number(3.0) - Symbol("m")  # negative for masses of more than 3 kg
+
+
+@pytest.fixture(scope="module")
+def varied() -> Variations:
+    """How long a block of 2 kg takes for 0.5 m down a slope."""
+    symbols = [ProblemSymbol("m", "kg", 2.0, "ramp.blocks.0.mass"), ProblemSymbol("d", "m", 0.5)]
+    study = QuestionSearch(ramp(), 0).study
+    return Variations(study, Query("time_to_event", None, Moved("ramp.blocks.0", 0.5)), symbols)
+
+
+def is_light(other: Variation) -> bool:
+    """Of what is told, that the block weighs less than 4 kg."""
+    return other.values["m"] < 4.0
+
+
+def test_a_size_is_negative_though_what_is_told_holds(varied: Variations) -> None:
+    found = counterexample(varied, LEFT, is_light, WIDTH, signed=False)
+    assert found is not None
+    assert 3.0 < found.values["m"] < 4.0
+
+
+def test_what_has_a_sign_may_be_negative(varied: Variations) -> None:
+    assert counterexample(varied, LEFT, is_light, WIDTH, signed=True) is None
+
+
+@pytest.mark.parametrize("signed", [True, False])
+def test_a_root_of_what_is_negative_has_no_value(varied: Variations, signed: bool) -> None:
+    found = counterexample(varied, Root(LEFT), is_light, WIDTH, signed=signed)
+    assert found is not None
+    assert 3.0 < found.values["m"] < 4.0
+
+
+@pytest.mark.parametrize("formula", [LEFT, Root(Symbol("d"))])
+def test_there_is_none_where_what_is_told_excludes_it(varied: Variations, formula: Expression) -> None:
+    assert counterexample(varied, formula, lambda other: other.values["m"] < 3.0, WIDTH, signed=False) is None
+
+
+def test_the_closest_numbers_are_tried_first(varied: Variations) -> None:
+    seen: list[float] = []
+    counterexample(varied, LEFT, lambda other: bool(seen.append(other.values["m"] / 2.0)), WIDTH, signed=False)
+    assert seen[0] < 1.7
+    assert max(seen) < 2.5  # though factors reach 3.0
