@@ -37,7 +37,7 @@ class AnchoredSpring(Entity):
         "lies": Word(
             "support",
             {
-                "wall": "{block} lies on a smooth level floor, to the right of a wall to which {spring} ties it",
+                "wall": "{block} lies on a smooth level floor, tied by {spring} to a wall on its left",
                 "ceiling": "from the ceiling {block} hangs on {spring}",
                 "floor": "above the floor {block} rests on {spring}, which stands there upright and holds it",
             },
