@@ -352,6 +352,24 @@ def test_tensorboard_gets_what_the_log_gets(model: Path, tmp_path: Path) -> None
         assert values == pytest.approx(expected, rel=1e-5)
 
 
+def test_wandb_gets_what_the_log_gets(model: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Offline, as on a cluster whose nodes reach nobody: a file that `wandb sync` sends later."""
+    for name, value in {"WANDB_MODE": "offline", "WANDB_DIR": str(tmp_path), "WANDB_SILENT": "true"}.items():
+        monkeypatch.setenv(name, value)
+    trained(model, tmp_path, Numbers(), "parity", steps=2, report_to=("wandb",))
+    import wandb
+
+    found = wandb.run.summary
+    last = StepLog(tmp_path).read()[-1]
+    assert [found[f"train/{name}"] for name in ("zero_variance", "kl", "loss")] == pytest.approx(
+        [last.zero_variance, last.kl, last.loss], rel=1e-5
+    )
+    assert found["train/global_step"] == 4
+    wandb.finish()
+    (held,) = tmp_path.rglob("run-*.wandb")
+    assert held.stat().st_size > 0
+
+
 def test_long_prompts_are_passed_over(model: Path, tmp_path: Path) -> None:
     stream = Numbers()
     trained(model, tmp_path, stream, "parity", steps=2, max_prompt_tokens=4)
