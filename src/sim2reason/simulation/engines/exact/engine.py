@@ -73,7 +73,8 @@ class _Run(Settling):
         snapped = self.impact(instant)
         if snapped is None:
             return False
-        if self.v is not instant.v:
+        self.struck = self.v is not instant.v
+        if self.struck:
             instant = self.instant()
         found = self.settle(instant, snapped)
         if found is None:

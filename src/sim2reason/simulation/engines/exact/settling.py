@@ -36,6 +36,7 @@ class Settling:
         self.kinds = self.system.kinds(self.phase)
         self.mode = Mode((True,) * len(self.kinds), (0,) * len(self.system.grips))
         self.due: tuple[Margin, ...] = ()
+        self.struck = False  # whether speeds have just changed by an impact or a jerk
         self.segments: list[Segment] = []
         self.diary = Diary(mechanism)
 
@@ -168,11 +169,14 @@ class Settling:
         return 0.0 if self.curved is None and grip.coordinate >= 0 else STILL
 
     def _is_tight(self, instant: Instant, number: int) -> bool:
-        """Whether a row may act: used up, and not growing."""
+        """Whether a row may act: used up, and not growing.
+
+        What acted until now goes on, however far integration has drifted from it, unless a blow parts it.
+        """
         if self._is_due("force", number):
             return False
         if self.curved is not None and self.segments and self.mode.acting[number]:
-            return instant.rates[number] > -DRIFT
+            return not self.struck or instant.rates[number] > -DRIFT
         return instant.spare[number] <= TOUCHING and abs(instant.rates[number]) <= self.still
 
     def _acts(self, number: int) -> bool:
