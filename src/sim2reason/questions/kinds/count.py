@@ -10,5 +10,6 @@ class CountKind(StretchKind):
 
     name = "count"
     of_symbols = False
+    positive = True
     share = 0.12
     whole = True
