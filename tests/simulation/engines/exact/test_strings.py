@@ -100,7 +100,7 @@ def test_rough_block_is_jerked_along_by_a_falling_load(agree: Callable[..., None
 
 
 def test_a_string_stays_taut_where_the_equations_are_solved_in_another_order() -> None:
-    """T ≥ m (v²/l − 5 g) > 0. Coarse steps have drifted by 2 µm when the ball passes a point at which a pivot is lost."""
+    """T ≥ m (v²/l − 5 g) > 0. Coarse steps have drifted by 2 µm when the ball comes to where a pivot is lost."""
     builder = Builder(gravity=(0.0, 0.0, -9.572258543531126))
     room = builder.room()
     room.site("peg", at=(0.0, 0.0, 0.0))
