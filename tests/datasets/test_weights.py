@@ -11,6 +11,7 @@ from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Request
 from sim2reason.datasets.weights import check, in_drawn_order, weight
 from sim2reason.errors import DatasetError
+from sim2reason.filters.few_laws import FEW_LAWS
 from sim2reason.questions import KINDS
 from sim2reason.recipes import RECIPES
 
@@ -100,3 +101,12 @@ def test_a_search_is_a_pure_function_of_its_request() -> None:
     assert prompts[0] == prompts[1]
     assert searches[0].rejected == searches[1].rejected
     assert searches[0].wanted == searches[1].wanted
+
+
+def test_what_a_textbook_has_ready_is_not_counted_as_asked_for() -> None:
+    """The period of one planet, by Kepler's third law: no fault of a filter leaves such a cell empty."""
+    only_periods = tuple((dict.fromkeys(KINDS, 0.0) | {"period": 1.0}).items())
+    search = ItemSearch(Request("orbital", "easy", "numeric", 4, 0, weights=only_periods))
+    assert search.found() is None
+    assert search.rejected.keys() == {FEW_LAWS}
+    assert search.wanted == ""

@@ -14,8 +14,9 @@ FALSE_ALARM = 1e-3
 class Cell(Record):
     """One mode, kind and recipe.
 
-    `asked` counts the requests that the weights gave this kind, among those that their scenes offer; `kept` the items,
-    those included that took the place of a kind whose questions were all refused.
+    `asked` counts the requests that the weights gave this kind, among those that their scenes offer and of which no
+    textbook has the answers ready (`few laws`); `kept` the items, those included that took the place of a kind whose
+    questions were all refused.
     """
 
     mode: str

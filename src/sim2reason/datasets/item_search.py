@@ -42,7 +42,8 @@ class ItemSearch:
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
         self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
-        self.wanted = ""  # the first kind of its order that a scene offers
+        self._offered = False  # whether any scene offers anything
+        self.wanted = ""  # the first kind of its order that a scene offers, of which no textbook has the answers ready
 
     def found(self) -> CertifiedQuestion | None:
         """The first question that passes every filter; None if none does within the budget."""
@@ -50,7 +51,7 @@ class ItemSearch:
             begin = turn % len(self._kinds)
             kinds = sorted((*self._kinds[begin:], *self._kinds[:begin]), key=self._is_last)
             found = self._among(range(first, first + TOGETHER), kinds)
-            hopeless = not self.wanted and self.rejected[NOTHING] >= EMPTY
+            hopeless = not self._offered and self.rejected[NOTHING] >= EMPTY
             if found is not None or hopeless:
                 return found
         return None
@@ -107,9 +108,12 @@ class ItemSearch:
     ) -> CertifiedQuestion | None:
         """A question of the first kind that a scene offers."""
         for kind in kinds:
+            known, refused = self._known[kind], self.rejected.total()
             found = self._asked(search, rng, kind)
             if kind in search.kinds:
-                self.wanted = self.wanted or kind
+                self._offered = True
+                if found is not None or self._known[kind] - known < self.rejected.total() - refused:
+                    self.wanted = self.wanted or kind
                 return found
             self._absent[kind] += 1
         self.rejected[NOTHING] += 1
