@@ -5,7 +5,6 @@ closest to the scene's own first: there what is told holds most likely.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
@@ -20,40 +19,30 @@ OTHER_SIGN = 3.0  # as far as a factor of e³: a number with the other sign
 TINY = 1e-9  # of the answer: a size of less is none, whatever its sign
 
 
-class Unfit(NamedTuple):
-    """Scenes for which a formula is not fit, if there are any."""
-
-    told: Variation | None = None  # that is as told
-    untold: Variation | None = None  # that has an answer, but is not as told: there the formula is negative
-
-
 def counterexample(
     variations: Variations, formula: Expression, missed: Callable[[Variation], bool], width: float, *, signed: bool
-) -> Unfit:
+) -> Variation | None:
     """A scene that a formula has `missed`, as it has no value there, or is negative though the answer is not `signed`.
 
     Numbers are the scene's own times factors whose logarithms are at most `width`; half of them have any signs.
     """
     own = variations.own()
     if own is None:
-        return Unfit()
+        return None
     drawn = _drawn(variations, width)
     found = values(formula, {held.symbol: held.counted(1.0) * drawn[:, n] for n, held in enumerate(variations.symbols)})
     unfit = np.flatnonzero(np.isnan(found) | (not signed) & (found < -TINY * abs(own.answer)))
     here = np.array([held.value for held in variations.symbols])
     far = np.abs(np.log(np.abs(drawn[unfit] / here))) + OTHER_SIGN * (drawn[unfit] * here < 0.0)
-    untold, answered = None, False
+    answered = False
     for tried, number in enumerate(unfit[np.argsort(far.sum(1), kind="stable")][:TRIES].tolist()):
         if tried == HOPELESS and not answered:
-            break
+            return None
         other = variations.having(drawn[number].tolist(), [])
-        if other is None:
-            continue
-        if missed(other):
-            return Unfit(other, untold)
-        answered = True
-        untold = untold or (None if np.isnan(found[number]) else other)
-    return Unfit(untold=untold)
+        answered = answered or other is not None
+        if other is not None and missed(other):
+            return other
+    return None
 
 
 def _drawn(variations: Variations, width: float) -> Array:

@@ -10,7 +10,7 @@ from sim2reason.modes.parts.corners import Margin, leaving
 from sim2reason.modes.parts.counterexample import counterexample
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variation, Variations
-from sim2reason.questions import KINDS, Formula, Study, Words
+from sim2reason.questions import Formula, Study, Words
 from sim2reason.questions.regimes import FEW, Regime, regimes
 from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, shortened
 from sim2reason.solutions.expressions import Expression
@@ -32,7 +32,6 @@ class VariedScenes:
         self._variations, self._factor = variations, factor
         self._whole: tuple[Expression, ...] = ()  # the formula as its derivation left it: what cancels has signs, too
         self._signed = False  # whether the sign of the answer is asked for
-        self._untold: Variation | None = None  # where the formula of a size is negative, but things are not as told
         self._near: list[Variation] = []
         self._wide: list[Variation] = []
         self._more: Iterator[Variation] | None = None
@@ -64,7 +63,7 @@ class VariedScenes:
             found, assumed = self._sized(found, rng, words)
         if assumed is None:
             return None
-        found = self._between_bars(self._plainer(found, assumed, rng, words), assumed)
+        found = self._plainer(found, assumed, rng, words)
         return (found, assumed) if len(found.latex) <= LONGEST else None
 
     def _sized(
@@ -78,13 +77,6 @@ class VariedScenes:
         among = [other.values for other in (*self._near, *self._wide) if not self._leaving_out(other, assumed)]
         plainer = formula.of_sizes(among)
         return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
-
-    def _between_bars(self, formula: ClosedForm, assumed: Sequence[Regime]) -> ClosedForm:
-        """The formula of a size whose sign nothing that is assumed gives, though it may be negative."""
-        positive = KINDS[self._variations.query.kind].positive
-        if self._signed or positive or self._untold is None or any(held.gives_signs for held in assumed):
-            return formula
-        return formula.of_sizes([other.values for other in (*self._near, *self._wide, self._untold)])
 
     def near(self, formula: Expression, rng: np.random.Generator) -> bool:
         """Whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
@@ -122,11 +114,10 @@ class VariedScenes:
             if found is None:
                 return None
             missed = partial(self._missed, formula.expression, found)
-            unfit = counterexample(self._variations, formula.expression, missed, WIDE, signed=self._signed)
-            if unfit.told is None:
-                self._untold = unfit.untold
+            other = counterexample(self._variations, formula.expression, missed, WIDE, signed=self._signed)
+            if other is None:
                 return found
-            self._wide.append(unfit.told)
+            self._wide.append(other)
         return None
 
     def _chosen(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:

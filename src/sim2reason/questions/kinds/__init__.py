@@ -47,13 +47,11 @@ class Kind(ABC):
         name: under which it is registered.
         share: how often it is asked, compared with other kinds; positive, or it could not be registered.
         of_symbols: whether an answer is a function of the text's symbols, none of which it leaves unknown.
-        positive: whether answers are so by nature, as times are, and no sizes of what may have either sign.
     """
 
     name: ClassVar[str]
     share: ClassVar[float]
     of_symbols: ClassVar[bool] = True
-    positive: ClassVar[bool] = False
 
     @property
     def stated(self) -> bool:

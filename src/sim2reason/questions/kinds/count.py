@@ -10,6 +10,5 @@ class CountKind(StretchKind):
 
     name = "count"
     of_symbols = False
-    positive = True
     share = 0.12
     whole = True

@@ -42,7 +42,6 @@ class PeriodKind(Kind):
 
     name = "period"
     share = 0.35  # as often as a velocity, where it exists
-    positive = True
 
     def of_motion(self, query: Query) -> bool:
         """Not that of small oscillations: their equilibrium is the only one."""

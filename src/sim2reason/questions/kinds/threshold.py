@@ -60,7 +60,6 @@ class ThresholdKind(Kind):
 
     name = "threshold"
     of_symbols = False
-    positive = True
     share = 0.25
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:

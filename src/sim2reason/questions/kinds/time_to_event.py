@@ -18,7 +18,6 @@ class TimeToEventKind(Kind):
 
     name = "time_to_event"
     share = 0.18
-    positive = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Something that happens in this motion."""

@@ -23,12 +23,10 @@ class Regime(ABC):
     Class data:
         of: the kind of subject.
         unseen: whether it may end though no sum in a formula turns its sign there; then that is looked for by `margin`.
-        gives_signs: whether, where it holds, all such scenes may well have an answer of one sign.
     """
 
     of: ClassVar[Subject]
     unseen: ClassVar[bool] = False
-    gives_signs: ClassVar[bool] = True
 
     name: str
 

@@ -24,7 +24,6 @@ class CollideInTurn(Regime):
     """Some collisions come before the moment that is asked about, in this order, and no other does."""
 
     of = Pairs()
-    gives_signs = False  # who has met whom does not say which way anything has gone
 
     order: tuple[tuple[str, ...], ...]  # the bodies of each; one body alone meets what is fixed
 
