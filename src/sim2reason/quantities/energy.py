@@ -27,8 +27,8 @@ class KineticEnergy(Energy):
     """The kinetic energy of a body alone, that of its turning included."""
 
     name, symbol = "kinetic energy", "K"
-    magnitude = "the kinetic energy of {body}"
-    how = "how much kinetic energy does {body} have {when}?"
+    magnitude = "the kinetic energy of {body}{ground}"
+    how = "how much kinetic energy does {body} have{ground} {when}?"
     given = True
     panel, pooled, order = "energy", True, 5
 
@@ -57,7 +57,7 @@ class TranslationalEnergy(EnergyOfTurning):
     """The kinetic energy of the motion of the centre of mass."""
 
     name, symbol = "translational kinetic energy", "K"
-    magnitude = "the translational kinetic energy of {body}"
+    magnitude = "the translational kinetic energy of {body}{ground}"
     order = 6
 
     @staticmethod

@@ -11,4 +11,4 @@ class GreatestKineticEnergy(Extreme):
 
     name = "greatest kinetic energy"
     quantity = KineticEnergy
-    phrase = "the greatest kinetic energy of {body}"
+    phrase = "the greatest kinetic energy of {body}{ground}"
