@@ -14,6 +14,7 @@ from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.functions import values
 
 LOOKED, SEED = 2000, 0  # numbers for which a formula alone is worked out
+CHANGED = 0.3  # of the numbers, in every second draw: the others are the scene's own
 TRIES, HOPELESS = 60, 16  # of those for which it is not fit; without any answer, after which none is expected
 OTHER_SIGN = 3.0  # as far as a factor of e³: a number with the other sign
 TINY = 1e-9  # of the answer: a size of less is none, whatever its sign
@@ -24,7 +25,8 @@ def counterexample(
 ) -> Variation | None:
     """A scene that a formula has `missed`, as it has no value there, or is negative though the answer is not `signed`.
 
-    Numbers are the scene's own times factors whose logarithms are at most `width`; half of them have any signs.
+    Numbers are the scene's own times factors whose logarithms are at most `width`, all or some of them; half of them
+    have any signs.
     """
     own = variations.own()
     if own is None:
@@ -48,7 +50,8 @@ def counterexample(
 def _drawn(variations: Variations, width: float) -> Array:
     """Numbers around the scene's own, (n, s)."""
     rng, here = np.random.default_rng(SEED), np.array([held.value for held in variations.symbols])
-    drawn = here * np.exp(rng.uniform(-width, width, (LOOKED, len(here))))
+    changed = rng.random((LOOKED, len(here))) < np.where(np.arange(LOOKED) % 2, CHANGED, 1.0)[:, None]
+    drawn = here * np.exp(np.where(changed, rng.uniform(-width, width, changed.shape), 0.0))
     may = np.array([held.signed for held in variations.symbols])
     drawn[LOOKED // 2 :] *= np.where(may, rng.choice((-1.0, 1.0), (LOOKED - LOOKED // 2, len(here))), 1.0)
     return drawn
