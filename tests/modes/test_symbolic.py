@@ -26,6 +26,7 @@ from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.entities.parts.pieces import FIRST, OTHER, BallPiece
 from sim2reason.entities.parts.springs import Blow, Strained
 from sim2reason.entities.pendulum import Pendulum
+from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.entities.spring_mass_chain import SpringMassChain
@@ -34,8 +35,9 @@ from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
 from sim2reason.filters.few_symbols import FewSymbols
 from sim2reason.grading import formula
+from sim2reason.modes.parts import varied_scenes
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
-from sim2reason.modes.parts.variations import EACH, Variations
+from sim2reason.modes.parts.variations import EACH, Variation, Variations
 from sim2reason.prose.formula_numbers import said_in
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions import MODES, Query, Question, Study, Target
@@ -456,6 +458,37 @@ def test_what_sticks_where_no_sum_turns_its_sign_is_not_missed() -> None:
     found = make(Request("box", "hard", "symbolic", 1140, 8)).item
     assert found is not None
     assert "block A slides to the right on the box" in found.prompt
+
+
+def bounced() -> Question | None:
+    """Thrown from 4.1 m, and twice on the ground after 3.8 s."""
+    entity = Projectile(ball=Ball(mass=1.9), height=4.1, speed=7.8, angle=62.0, restitution=0.75)
+    scene = Scene(entities=(Named(name="throw", entity=entity),))
+    return completed(scene, StretchQuery("sum", None, AtTime(3.8), "impulse of the net force", "throw.ball"), "N s", 1)
+
+
+def test_a_size_that_few_numbers_make_negative_stands_between_bars() -> None:
+    """The ground's impulse (1 + e)² m w may be more than m g t, though there are two impacts all the same."""
+    found = bounced()
+    assert found is not None
+    assert "exactly two collisions" in found.text
+    assert found.formula is not None
+    assert found.formula.latex.startswith(r"m \left|")
+    assert paid(found, r"\left|m g t_1 - m (1 + e)^2 \sqrt{v^2 \sin^2\theta + 2 g h}\right|")
+
+
+def test_a_formula_with_counterexamples_without_end_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    sought: list[Variation] = []
+
+    def another(variations: Variations, *_: object, **__: object) -> Variation | None:
+        found = variations.own()
+        assert found is not None
+        sought.append(found)
+        return found
+
+    monkeypatch.setattr(varied_scenes, "counterexample", another)
+    assert bounced() is None
+    assert varied_scenes.COUNTEREXAMPLES <= len(sought) <= 3 * varied_scenes.COUNTEREXAMPLES
 
 
 SPRUNG = """

@@ -8,10 +8,15 @@ import pytest
 
 from motions import told_motions
 from plain_scenes import G, atwood, ramp, squeezed, swing, table
+from sim2reason.bodies.block import Block
+from sim2reason.bodies.box import Box
+from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
+from sim2reason.entities.mass_box_plane import MassBoxPlane
 from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import KINDS, MODES, Noun, Query, Study, Words
+from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen
@@ -140,3 +145,23 @@ def test_an_unknown_time_has_no_answer() -> None:
     assert KINDS["state"].answer(Query("state", target, AtTime(99.0)), study) is None
     assert KINDS["time_to_event"].answer(Query("time_to_event", None, AtStart()), study) == 0.0
     assert isinstance(words_of(describe(ramp())), Words)
+
+
+@pytest.mark.parametrize("riding", [True, False])
+def test_what_hangs_on_the_frame_names_it_where_something_rides(riding: bool) -> None:
+    """A block on a box that slides; one on a plane that is fixed."""
+    boxes = MassBoxPlane(box=Box(mass=8.0), blocks=(Block(mass=2.0),), right=Block(mass=1.0), length=3.0)
+    scene = Scene(entities=(Named(name="table", entity=boxes),)) if riding else atwood()
+    words = words_of(describe(scene))
+    body = "table.blocks.0" if riding else next(iter(scene.bodies))
+    of_frame = {"displacement", "velocity", "acceleration", "momentum", "kinetic energy"}
+    asked = {target.quantity: noun.phrase for target, noun in targets(words).items() if target.subject == body}
+    asked |= {
+        name: found.asked(words)[body].phrase
+        for name, found in FUNCTIONALS.items()
+        if name in ("greatest kinetic energy", "greatest speed", "work of a tension") and body in found.asked(words)
+    }
+    assert of_frame <= asked.keys()
+    assert ("work of a tension" in asked) == (not riding)
+    for name in (of_frame | {"greatest kinetic energy", "greatest speed"}) & asked.keys():
+        assert ("relative to the ground" in asked[name]) == riding, name

@@ -42,8 +42,13 @@ class ItemSearch:
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
         self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
-        self._offered = False  # whether any scene offers anything
-        self.wanted = ""  # the first kind of its order that a scene offers, of which no textbook has the answers ready
+        self._first = ""  # the first kind of its order that a scene offers
+        self._problems = set[str]()  # kinds with a question of which no textbook has the answer ready
+
+    @property
+    def wanted(self) -> str:
+        """The first kind of its order that a scene offers; empty if a textbook has all its answers ready."""
+        return self._first if self._first in self._problems else ""
 
     def found(self) -> CertifiedQuestion | None:
         """The first question that passes every filter; None if none does within the budget."""
@@ -51,7 +56,7 @@ class ItemSearch:
             begin = turn % len(self._kinds)
             kinds = sorted((*self._kinds[begin:], *self._kinds[:begin]), key=self._is_last)
             found = self._among(range(first, first + TOGETHER), kinds)
-            hopeless = not self._offered and self.rejected[NOTHING] >= EMPTY
+            hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
             if found is not None or hopeless:
                 return found
         return None
@@ -108,26 +113,25 @@ class ItemSearch:
     ) -> CertifiedQuestion | None:
         """A question of the first kind that a scene offers."""
         for kind in kinds:
-            known, refused = self._known[kind], self.rejected.total()
             found = self._asked(search, rng, kind)
             if kind in search.kinds:
-                self._offered = True
-                if found is not None or self._known[kind] - known < self.rejected.total() - refused:
-                    self.wanted = self.wanted or kind
+                self._first = self._first or kind
                 return found
             self._absent[kind] += 1
         self.rejected[NOTHING] += 1
         return None
 
     def _asked(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:
-        before = self.rejected[FEW_LAWS]
+        refused, found = Counter[str](), None
         try:
-            return search.ask(self._mode, rng, self.rejected, kind, TRIES)
+            found = search.ask(self._mode, rng, refused, kind, TRIES)
         except (SceneError, SimulationError, UnsupportedError) as error:
-            self.rejected[_counted(error)] += 1
-            return None
-        finally:
-            self._known[kind] += self.rejected.get(FEW_LAWS, 0) - before
+            refused[_counted(error)] += 1
+        self._known[kind] += refused[FEW_LAWS]
+        if found is not None or refused.keys() - {FEW_LAWS}:
+            self._problems.add(kind)
+        self.rejected.update(refused)
+        return found
 
     def _generator(self, name: object) -> np.random.Generator:
         asked = self._request

@@ -1,13 +1,16 @@
 """Counterexamples: numbers for which a formula has no value, or a size is negative, though all that is told holds."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import pytest
 
 from plain_scenes import ramp
 from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.modes.parts.counterexample import counterexample
+from sim2reason.modes.parts.counterexample import CLOSEST, SCATTERED, SIMULATED, counterexample
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variation, Variations
-from sim2reason.questions import Query
+from sim2reason.questions import Query, Study
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.functions import Root
@@ -54,5 +57,27 @@ def test_there_is_none_where_what_is_told_excludes_it(varied: Variations, formul
 def test_the_closest_numbers_are_tried_first(varied: Variations) -> None:
     seen: list[float] = []
     counterexample(varied, LEFT, lambda other: bool(seen.append(other.values["m"] / 2.0)), WIDTH, signed=False)
-    assert seen[0] < 1.7
-    assert max(seen) < 2.5  # though factors reach 3.0
+    assert len(seen) == SIMULATED
+    assert max(seen[:CLOSEST]) < 1.7  # though factors reach 3.0
+    assert max(seen) > 2.5  # and some are from everywhere
+
+
+class Told(Variations):
+    """Notes which numbers are tried, and says that there is no answer with any."""
+
+    def having(self, values: Sequence[float], unanswered: list[Study] | None = None) -> Variation | None:
+        del unanswered
+        TRIED.append(tuple(values))
+        return None
+
+
+TRIED: list[tuple[float, ...]] = []
+
+
+def test_few_are_tried_where_none_has_an_answer_and_none_twice(varied: Variations) -> None:
+    TRIED.clear()
+    symbols = [replace(held, signed=True) for held in varied.symbols]
+    told = Told(varied.study, varied.query, symbols)
+    assert counterexample(told, LEFT, lambda _: True, WIDTH, signed=False) is None
+    assert len(TRIED) == len(set(TRIED)) == CLOSEST + SCATTERED
+    assert any(value < 0.0 for numbers in TRIED for value in numbers)

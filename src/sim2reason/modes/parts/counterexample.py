@@ -1,10 +1,10 @@
-"""Numbers for which a formula has no value, or a size is negative, though all that its text tells holds: few may.
+"""Numbers for which a formula has no value, or gives a size less than nothing, though all is as its text tells.
 
-Which these can be is seen from the formula alone, for thousands of numbers at once. Only such scenes are simulated, the
-closest to the scene's own first: there what is told holds most likely.
+Which these can be is seen from the formula alone, for thousands of numbers at once. Only such scenes are simulated,
+above all those closest to the scene's own: there what is told holds most often.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -13,45 +13,60 @@ from sim2reason.modes.parts.variations import Variation, Variations
 from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.functions import values
 
-LOOKED, SEED = 2000, 0  # numbers for which a formula alone is worked out
-CHANGED = 0.3  # of the numbers, in every second draw: the others are the scene's own
-TRIES, HOPELESS = 60, 16  # of those for which it is not fit; without any answer, after which none is expected
-OTHER_SIGN = 3.0  # as far as a factor of e³: a number with the other sign
+DRAWN, SEED = 2000, 0  # sets of numbers for which the formula is worked out
+CHANGED = 0.3  # of the numbers of every second set: the others are the scene's own
+SIMULATED = 60  # of those where it is not fit, at most
+CLOSEST, SCATTERED = 8, 8  # so many first; if there is an answer in none of these scenes, no other is simulated
+OTHER_SIGN = 3.0  # the distance of a number from itself with the other sign, as of one e³ times as large
 TINY = 1e-9  # of the answer: a size of less is none, whatever its sign
 
 
 def counterexample(
-    variations: Variations, formula: Expression, missed: Callable[[Variation], bool], width: float, *, signed: bool
+    variations: Variations,
+    formula: Expression,
+    is_counterexample: Callable[[Variation], bool],
+    width: float,
+    *,
+    signed: bool,
 ) -> Variation | None:
-    """A scene that a formula has `missed`, as it has no value there, or is negative though the answer is not `signed`.
+    """A scene that is a counterexample, sought where the formula has no value, or is negative if not `signed`.
 
     Numbers are the scene's own times factors whose logarithms are at most `width`, all or some of them; half of them
-    have any signs.
+    have any signs. None if none is found.
     """
     own = variations.own()
     if own is None:
         return None
     drawn = _drawn(variations, width)
     found = values(formula, {held.symbol: held.counted(1.0) * drawn[:, n] for n, held in enumerate(variations.symbols)})
-    unfit = np.flatnonzero(np.isnan(found) | (not signed) & (found < -TINY * abs(own.answer)))
+    unfit = drawn[np.isnan(found) | (not signed) & (found < -TINY * abs(own.answer))]
     here = np.array([held.value for held in variations.symbols])
-    far = np.abs(np.log(np.abs(drawn[unfit] / here))) + OTHER_SIGN * (drawn[unfit] * here < 0.0)
+    distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
     answered = False
-    for tried, number in enumerate(unfit[np.argsort(far.sum(1), kind="stable")][:TRIES].tolist()):
-        if tried == HOPELESS and not answered:
+    for tried, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist())):
+        if tried == CLOSEST + SCATTERED and not answered:
             return None
-        other = variations.having(drawn[number].tolist(), [])
-        answered = answered or other is not None
-        if other is not None and missed(other):
+        other = variations.having(unfit[number].tolist(), [])
+        if other is not None and is_counterexample(other):
             return other
+        answered = answered or other is not None
     return None
 
 
+def _in_turn(closest: list[int]) -> Iterator[int]:
+    """The closest, some from everywhere, and then the next to these."""
+    beyond = closest[SIMULATED - SCATTERED :]
+    yield from closest[:CLOSEST]
+    yield from beyond[:: max(1, len(beyond) // SCATTERED)][:SCATTERED]
+    yield from closest[CLOSEST : SIMULATED - SCATTERED]
+
+
 def _drawn(variations: Variations, width: float) -> Array:
-    """Numbers around the scene's own, (n, s)."""
+    """Numbers around the scene's own, (n, s), no set of them twice."""
     rng, here = np.random.default_rng(SEED), np.array([held.value for held in variations.symbols])
-    changed = rng.random((LOOKED, len(here))) < np.where(np.arange(LOOKED) % 2, CHANGED, 1.0)[:, None]
+    changed = rng.random((DRAWN, len(here))) < np.where(np.arange(DRAWN) % 2, CHANGED, 1.0)[:, None]
     drawn = here * np.exp(np.where(changed, rng.uniform(-width, width, changed.shape), 0.0))
     may = np.array([held.signed for held in variations.symbols])
-    drawn[LOOKED // 2 :] *= np.where(may, rng.choice((-1.0, 1.0), (LOOKED - LOOKED // 2, len(here))), 1.0)
-    return drawn
+    drawn[DRAWN // 2 :] *= np.where(may, rng.choice((-1.0, 1.0), (DRAWN - DRAWN // 2, len(here))), 1.0)
+    found: Array = np.unique(drawn, axis=0)
+    return found

@@ -64,7 +64,8 @@ class VariedScenes:
         if assumed is None:
             return None
         found = self._plainer(found, assumed, rng, words)
-        return (found, assumed) if len(found.latex) <= LONGEST else None
+        fits = all(self._agrees(found.expression, other) for other in self._near)
+        return (found, assumed) if fits and len(found.latex) <= LONGEST else None
 
     def _sized(
         self, formula: ClosedForm, rng: np.random.Generator, words: Words

@@ -9,6 +9,7 @@ from sim2reason.dsl.state import Array, State
 from sim2reason.dsl.triples import minus, product
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.quantities.subjects.paths import rides
 from sim2reason.quantities.subjects.strings import strings
 from sim2reason.quantities.tension import Tension
 from sim2reason.questions.functionals import functional
@@ -34,9 +35,9 @@ class StringWork(Integral):
         return {"string": _called(words)[_tied(words.mechanism, name)[0][0]]}
 
     def present(self, words: Words, name: str) -> bool:
-        """A body with one string, which the text can name, and on which no pulley rides."""
+        """A body with one string, which the text can name, that rides on no other, and on which no pulley rides."""
         tied = _tied(words.mechanism, name)
-        ridden = any(body.parent == name for body in words.mechanism.bodies)
+        ridden = any(body.parent == name for body in words.mechanism.bodies) or rides(words.mechanism, name)
         return len(tied) == 1 and not ridden and tied[0][0] in _called(words)
 
     def rate(self, state: State, name: str) -> Array:

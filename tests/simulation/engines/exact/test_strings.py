@@ -99,16 +99,52 @@ def test_rough_block_is_jerked_along_by_a_falling_load(agree: Callable[..., None
     agree(last.tension, [m2 * G])
 
 
-def test_a_string_stays_taut_where_the_equations_are_solved_in_another_order() -> None:
-    """T ≥ m (v²/l − 5 g) > 0. Coarse steps have drifted by 2 µm when the ball comes to where a pivot is lost."""
+def circling() -> Builder:
+    """A ball in fast circles; coarse steps have drifted by 2 µm when it comes to where a pivot is lost."""
     builder = Builder(gravity=(0.0, 0.0, -9.572258543531126))
     room = builder.room()
     room.site("peg", at=(0.0, 0.0, 0.0))
     ball = room.body("ball", 0.9795763643248696, at=(0.0, 0.0, -0.6213037494035291))
     ball.slide(X, speed=-13.1916675649595, name="x").slide(Z, name="z").site("ball.hook")
     room.string("s", "peg", "ball.hook")
-    trace = simulate(builder.finish(), np.array([0.0, 6.19223639]), 1e-8)
+    return builder
+
+
+def test_a_string_stays_taut_where_the_equations_are_solved_in_another_order() -> None:
+    """T ≥ m (v²/l − 5 g) > 0."""
+    trace = simulate(circling().finish(), np.array([0.0, 6.19223639]), 1e-8)
     assert {event.kind for event in trace.events} == {"turn"}
+
+
+@pytest.mark.parametrize("time", [1.4, 3.0, 4.8, 5.9])
+def test_a_string_stays_taut_while_others_collide(time: float) -> None:
+    """The same, and two carts that meet far away."""
+    builder = circling()
+    room = builder.room()
+    one = room.body("one", 1.0, at=(50.0, 0.0, 0.0)).slide(X, speed=1.0)
+    other = room.body("other", 1.0, at=(50.1 + time, 0.0, 0.0)).slide(X)
+    room.collide(one, other, 0.1, 0.5)
+    trace = simulate(builder.finish(), np.array([0.0, 6.19223639]), 1e-8)
+    (met,) = (event for event in trace.events if event.kind != "turn")
+    assert met.kind == "collision"
+    assert met.time == pytest.approx(time)
+
+
+def test_an_impact_makes_a_taut_string_slack(agree: Callable[..., None]) -> None:
+    """What comes from below with w gives a ball that hangs at rest 2 w/(1 + m/M), upwards."""
+    builder = Builder()
+    room = builder.room()
+    room.site("peg", at=(0.0, 0.0, 0.0))
+    ball = room.body("ball", 1.0, at=(0.0, 0.0, -1.0)).slide(X, name="x").slide(Z, name="z")
+    ball.site("ball.hook")
+    striker = room.body("striker", 3.0, at=(0.0, 0.0, -2.0)).slide(Z, speed=6.0)
+    room.string("s", "peg", "ball.hook")
+    room.collide(ball, striker, 0.2, 1.0)
+    t = (6.0 - sqrt(36.0 - 2.0 * G * 0.8)) / G
+    trace = simulate(builder.finish(), np.array([0.0, t + 0.01]), 1e-8)
+    kinds = [(event.kind, event.subjects) for event in trace.events if event.kind != "turn"]
+    assert kinds == [("collision", ("ball", "striker")), ("slack", ("s",))]
+    agree(trace.state.v[-1, 1], 1.5 * (6.0 - G * t) - 0.01 * G, 6.0)
 
 
 def test_a_load_reaches_its_pulley(agree: Callable[..., None]) -> None:

@@ -62,21 +62,19 @@ class _Run(Settling):
     def finish(self) -> Motion:
         """What was found."""
         if not self.segments:  # an impact at the start ended it
-            found = self.balance(self.instant(), set(), free=True)
+            found = self.balance(self.instant(), set(), None)
             self.append(found, None)
         return Motion(self.mechanism, tuple(self.segments), self.diary.sorted(), self.now, self.diary.cut)
 
     def step(self) -> bool:
         """Settle the present instant and go on to the next event; False when there is nothing more to do."""
         self.v = [0.0 if abs(speed) < REST else speed for speed in self.v]
-        instant = self.instant()
-        snapped = self.impact(instant)
+        before = self.instant()
+        snapped = self.impact(before)
         if snapped is None:
             return False
-        self.struck = self.v is not instant.v
-        if self.struck:
-            instant = self.instant()
-        found = self.settle(instant, snapped)
+        instant = before if self.v is before.v else self.instant()
+        found = self.settle(instant, snapped, before.rates)
         if found is None:
             return False
         return self._advance(instant, found)

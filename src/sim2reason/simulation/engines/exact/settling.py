@@ -1,5 +1,7 @@
 """One instant of a motion in the making: impacts, then the forces and the mode that they bring about."""
 
+from collections.abc import Sequence
+
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.approach import STILL
 from sim2reason.simulation.engines.exact.balance import Balance, Demand, balance
@@ -36,7 +38,6 @@ class Settling:
         self.kinds = self.system.kinds(self.phase)
         self.mode = Mode((True,) * len(self.kinds), (0,) * len(self.system.grips))
         self.due: tuple[Margin, ...] = ()
-        self.struck = False  # whether speeds have just changed by an impact or a jerk
         self.segments: list[Segment] = []
         self.diary = Diary(mechanism)
 
@@ -117,10 +118,10 @@ class Settling:
 
     # -- forces ----------------------------------------------------------------------------------
 
-    def settle(self, instant: Instant, snapped: set[int]) -> Balance | None:
-        """Find the forces and note what changed; None at the end."""
+    def settle(self, instant: Instant, snapped: set[int], rates: Sequence[float]) -> Balance | None:
+        """Find the forces and note what changed; None at the end. `rates` are those of rows before any impact."""
         before = self.mode
-        found = self.balance(instant, snapped)
+        found = self.balance(instant, snapped, rates)
         touching = (i for i, near in enumerate(instant.pairs) if near.touching)
         pressing = next((i for i in touching if self._pressed(instant, i, found.a)), None)
         torn = [margin.number for margin in self.due if self._is_torn(instant, margin, found.a)]
@@ -146,10 +147,13 @@ class Settling:
             self.diary.end(self.now, "lift", self.kinds[number].name)
         return None
 
-    def balance(self, instant: Instant, snapped: set[int], *, free: bool = False) -> Balance:
-        """The forces; with what is due decided as it is due, and nothing tight if everything shall be `free`."""
-        rows = range(len(self.kinds))
-        tight = [] if free else [i for i in rows if self.kinds[i].both or self._is_tight(instant, i)]
+    def balance(self, instant: Instant, snapped: set[int], rates: Sequence[float] | None) -> Balance:
+        """The forces; with what is due decided as it is due.
+
+        `rates` are those of rows before any impact; None: nothing is tight.
+        """
+        rows = range(len(self.kinds) if rates is not None else 0)
+        tight = [i for i in rows if self.kinds[i].both or self._is_tight(instant, i, rates or ())]
         tight = [i for i in tight if self.kinds[i].follows < 0 or self.kinds[i].follows in tight]
         sliding = [
             grip.side(slip, self._least(grip)) for grip, slip in zip(self.system.grips, instant.slips, strict=True)
@@ -168,15 +172,16 @@ class Settling:
         """The slip that is none: where it is the rate of one coordinate alone that can be exactly zero."""
         return 0.0 if self.curved is None and grip.coordinate >= 0 else STILL
 
-    def _is_tight(self, instant: Instant, number: int) -> bool:
+    def _is_tight(self, instant: Instant, number: int, rates: Sequence[float]) -> bool:
         """Whether a row may act: used up, and not growing.
 
-        What acted until now goes on, however far integration has drifted from it, unless a blow parts it.
+        What acted until now goes on, however far integration has drifted from it, unless an impact makes it grow.
         """
         if self._is_due("force", number):
             return False
-        if self.curved is not None and self.segments and self.mode.acting[number]:
-            return not self.struck or instant.rates[number] > -DRIFT
+        if self.curved is not None and self._acts(number):
+            drifted = rates[number] if number < len(rates) else 0.0
+            return instant.rates[number] > min(drifted, 0.0) - DRIFT
         return instant.spare[number] <= TOUCHING and abs(instant.rates[number]) <= self.still
 
     def _acts(self, number: int) -> bool:
