@@ -149,7 +149,7 @@ def test_an_unknown_time_has_no_answer() -> None:
 
 @pytest.mark.parametrize("riding", [True, False])
 def test_what_hangs_on_the_frame_names_it_where_something_rides(riding: bool) -> None:
-    """A block on a box that slides; one on a plane that is fixed."""
+    """A block on a box that slides; one that hangs from a fixed pulley."""
     boxes = MassBoxPlane(box=Box(mass=8.0), blocks=(Block(mass=2.0),), right=Block(mass=1.0), length=3.0)
     scene = Scene(entities=(Named(name="table", entity=boxes),)) if riding else atwood()
     words = words_of(describe(scene))

@@ -36,7 +36,9 @@ def test_work_is_counted_alike_each_time() -> None:
     spent: list[int] = []
     for _ in range(2):
         run = Settling(singing(), 1e-4, FINEST)
-        flow = Flow(CurvedEquations(run.system), run.instant(), run.phase, run.balance(run.instant(), set(), ()), FINEST)
+        flow = Flow(
+            CurvedEquations(run.system), run.instant(), run.phase, run.balance(run.instant(), set(), ()), FINEST
+        )
         flow.advance(1e-4, 1e-4)
         spent.append(run.system.budget.all - run.system.budget.left)
     assert spent[0] == spent[1] > 0

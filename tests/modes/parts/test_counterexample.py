@@ -1,6 +1,5 @@
 """Counterexamples: numbers for which a formula has no value, or a size is negative, though all that is told holds."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import pytest
@@ -10,7 +9,7 @@ from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.modes.parts.counterexample import CLOSEST, SCATTERED, SIMULATED, counterexample
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variation, Variations
-from sim2reason.questions import Query, Study
+from sim2reason.questions import Query
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.solutions.expressions import Expression, Number, Symbol
 from sim2reason.solutions.functions import Root
@@ -62,22 +61,12 @@ def test_the_closest_numbers_are_tried_first(varied: Variations) -> None:
     assert max(seen) > 2.5  # and some are from everywhere
 
 
-class Told(Variations):
-    """Notes which numbers are tried, and says that there is no answer with any."""
-
-    def having(self, values: Sequence[float], unanswered: list[Study] | None = None) -> Variation | None:
-        del unanswered
-        TRIED.append(tuple(values))
-        return None
-
-
-TRIED: list[tuple[float, ...]] = []
-
-
-def test_few_are_tried_where_none_has_an_answer_and_none_twice(varied: Variations) -> None:
-    TRIED.clear()
-    symbols = [replace(held, signed=True) for held in varied.symbols]
-    told = Told(varied.study, varied.query, symbols)
-    assert counterexample(told, LEFT, lambda _: True, WIDTH, signed=False) is None
-    assert len(TRIED) == len(set(TRIED)) == CLOSEST + SCATTERED
-    assert any(value < 0.0 for numbers in TRIED for value in numbers)
+def test_few_are_tried_where_none_has_an_answer_and_none_twice(
+    varied: Variations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tried: list[tuple[float, ...]] = []
+    monkeypatch.setattr(Variations, "having", lambda _, numbers, __: tried.append(tuple(numbers)))
+    signed = replace(varied, symbols=[replace(held, signed=True) for held in varied.symbols])
+    assert counterexample(signed, LEFT, lambda _: True, WIDTH, signed=False) is None
+    assert len(tried) == len(set(tried)) == CLOSEST + SCATTERED
+    assert any(value < 0.0 for numbers in tried for value in numbers)

@@ -38,7 +38,7 @@ def counterexample(
     if own is None:
         return None
     drawn = _drawn(variations, width)
-    found = values(formula, {held.symbol: held.counted(1.0) * drawn[:, n] for n, held in enumerate(variations.symbols)})
+    found = values(formula, variations.columns(drawn))
     unfit = drawn[np.isnan(found) | (not signed) & (found < -TINY * abs(own.answer))]
     here = np.array([held.value for held in variations.symbols])
     distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)

@@ -8,6 +8,7 @@ from math import copysign, exp, inf, isfinite
 import numpy as np
 
 from sim2reason.dsl.scene import Scene
+from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.lazy import cached_property
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
@@ -135,8 +136,11 @@ class Variations:
 
     def _turns(self, held: Expression, sign: float | None, drawn: Sequence[Sequence[float]]) -> list[bool]:
         """For which of some numbers a sum has another sign, or none where it has one."""
-        columns = zip(self.symbols, np.array(drawn).T, strict=True)
-        return turns(held, sign, {symbol.symbol: column * symbol.counted(1.0) for symbol, column in columns})
+        return turns(held, sign, self.columns(np.array(drawn)))
+
+    def columns(self, drawn: Array) -> dict[str, Array]:
+        """Sets of numbers, (n, s), as formulas count them: those under each symbol, (n,)."""
+        return {held.symbol: held.counted(1.0) * numbers for held, numbers in zip(self.symbols, drawn.T, strict=True)}
 
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
         """Numbers on the way from the scene's own to others, a little beyond where a sum turns its sign."""

@@ -180,7 +180,7 @@ class Settling:
         if self._is_due("force", number):
             return False
         if self.curved is not None and self._acts(number):
-            drifted = rates[number] if number < len(rates) else 0.0
+            drifted = rates[number] if number < len(rates) else 0.0  # a pair that now sticks has one row more
             return instant.rates[number] > min(drifted, 0.0) - DRIFT
         return instant.spare[number] <= TOUCHING and abs(instant.rates[number]) <= self.still
 
