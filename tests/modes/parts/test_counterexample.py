@@ -70,3 +70,17 @@ def test_few_are_tried_where_none_has_an_answer_and_none_twice(
     assert counterexample(signed, LEFT, lambda _: True, WIDTH, signed=False) is None
     assert len(tried) == len(set(tried)) == CLOSEST + SCATTERED
     assert any(value < 0.0 for numbers in tried for value in numbers)
+
+
+def test_what_is_negative_is_tried_before_what_has_no_value(
+    varied: Variations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where half of all numbers have none, close to the scene's own, they are no reason to give up."""
+    tried: list[tuple[float, ...]] = []
+    monkeypatch.setattr(Variations, "having", lambda _, numbers, __: tried.append(tuple(numbers)))
+    rooted = LEFT * Root(Number(0.51) - Symbol("d"))
+    assert counterexample(varied, rooted, lambda _: True, WIDTH, signed=False) is None
+    first, last = tried[: CLOSEST + SCATTERED], tried[CLOSEST + SCATTERED :]
+    assert len(last) == CLOSEST + SCATTERED
+    assert all(mass > 3.0 and distance < 0.51 for mass, distance in first)
+    assert all(distance > 0.51 for _, distance in last)

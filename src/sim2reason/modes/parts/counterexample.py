@@ -15,8 +15,8 @@ from sim2reason.solutions.functions import values
 
 DRAWN, SEED = 2000, 0  # sets of numbers for which the formula is worked out
 CHANGED = 0.3  # of the numbers of every second set: the others are the scene's own
-SIMULATED = 60  # of those where it is not fit, at most
-CLOSEST, SCATTERED = 8, 8  # so many first; if there is an answer in none of these scenes, no other is simulated
+SIMULATED = 60  # of those where it is negative, and of those where it has no value, at most
+CLOSEST, SCATTERED = 8, 8  # so many of either first; if there is an answer in none of these scenes, that is all
 OTHER_SIGN = 3.0  # the distance of a number from itself with the other sign, as of one e³ times as large
 TINY = 1e-9  # of the answer: a size of less is none, whatever its sign
 
@@ -29,7 +29,7 @@ def counterexample(
     *,
     signed: bool,
 ) -> Variation | None:
-    """A scene that is a counterexample, sought where the formula has no value, or is negative if not `signed`.
+    """A scene that is a counterexample, sought where the formula is negative, if not `signed`, or has no value.
 
     Numbers are the scene's own times factors whose logarithms are at most `width`, all or some of them; half of them
     have any signs. None if none is found.
@@ -39,10 +39,15 @@ def counterexample(
         return None
     drawn = _drawn(variations, width)
     found = values(formula, variations.columns(drawn))
-    unfit = drawn[np.isnan(found) | (not signed) & (found < -TINY * abs(own.answer))]
-    here = np.array([held.value for held in variations.symbols])
+    negative = drawn[:0] if signed else drawn[found < -TINY * abs(own.answer)]
+    each = (_tried(variations, unfit, is_counterexample) for unfit in (negative, drawn[np.isnan(found)]))
+    return next((other for other in each if other is not None), None)
+
+
+def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
+    """The first counterexample among some sets of numbers, (n, s)."""
+    here, answered = np.array([held.value for held in variations.symbols]), False
     distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
-    answered = False
     for tried, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist())):
         if tried == CLOSEST + SCATTERED and not answered:
             return None
