@@ -68,6 +68,15 @@ def test_answers_hang_on_their_seeds_and_not_on_their_batch(folder: Path) -> Non
 
 
 @installed
+@pytest.mark.parametrize("sampling", [{"temperature": 0.0}, {"temperature": 0.7, "top_p": 0.9}])
+def test_answers_are_the_same_by_recorded_passes(folder: Path, sampling: dict[str, float]) -> None:
+    asked = {"sampling": {"max_tokens": 40, **sampling}}
+    plain, recorded = made(folder, **asked), made(folder, **asked, cuda_graphs=True)
+    for seeds in ((1, 2, 3), (4,), (5, 6, 7, 8)):
+        assert recorded.complete(requests(*seeds)) == plain.complete(requests(*seeds))
+
+
+@installed
 def test_it_draws_from_the_model_s_distribution(folder: Path) -> None:
     """First tokens of 2,000 samples against the softmax of the logits at that temperature, by Pearson's χ²."""
     import torch

@@ -13,6 +13,7 @@ from annotated_types import Ge, Le
 from sim2reason.errors import MissingExtraError, PolicyError
 from sim2reason.lazy import cached_property
 from sim2reason.policies import POLICIES, Completion, Finish, Policy, SampleRequest
+from sim2reason.policies.parts.decoding import Decoder
 from sim2reason.policies.parts.hub import explained, loading
 from sim2reason.policies.parts.quiet import quiet
 
@@ -34,6 +35,7 @@ class _Loaded(NamedTuple):
     transformers: Any
     model: Any
     tokenizer: Any
+    decoder: Decoder
 
 
 @POLICIES.register("transformers")
@@ -46,12 +48,15 @@ class LocalModel(Policy):
     """``cpu``, ``cuda``, ``cuda:1`` and so on; by default a GPU if there is one."""
     precision: Literal["auto", "float32", "bfloat16", "float16"] = "auto"
     batch_size: Annotated[int, Ge(1), Le(4096)] = 8
+    cuda_graphs: bool = False
+    """Whether a batch has a cache of fixed size, and each token on a GPU is the replay of one recorded pass: many times
+    as fast for small models, for the memory of a whole batch's longest answers."""
     system: str = ""
     """A message before the prompt."""
     chat: bool = True
     """Whether prompts are put into the tokenizer's chat template, if it has one."""
 
-    operational: ClassVar[frozenset[str]] = Policy.operational | {"batch_size", "device"}
+    operational: ClassVar[frozenset[str]] = Policy.operational | {"batch_size", "cuda_graphs", "device"}
 
     @property
     def batch(self) -> int:
@@ -73,7 +78,7 @@ class LocalModel(Policy):
         except RuntimeError as error:  # it has not the memory, say
             why = " ".join(str(error).split())[:200]
             raise PolicyError(f"policy {self.name!r}: the model can't be moved to {device}: {why}") from None
-        return _Loaded(torch, transformers, model, tokenizer)
+        return _Loaded(torch, transformers, model, tokenizer, Decoder(model))
 
     def check(self) -> None:
         """Look for the libraries, the device and the model's configuration."""
@@ -103,24 +108,40 @@ class LocalModel(Policy):
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
         """All at once. Each draws from a generator of its own: an answer hangs on its seed, not on the others."""
-        torch, _, model, tokenizer = self._loaded
+        tokenizer, device = self._loaded.tokenizer, self._loaded.model.device
         given = tokenizer([self._spoken(request.prompt) for request in requests], return_tensors="pt", padding=True)
-        given = {name: given[name].to(model.device) for name in ("input_ids", "attention_mask")}
-        start = given["input_ids"].shape[1]
+        ids, mask = given["input_ids"].to(device), given["attention_mask"].to(device)
+        processors = self._processors([request.seed for request in requests])
+        rows = self._decoded(ids, mask, processors) if self.cuda_graphs else self._generated(ids, mask, processors)
+        ends, lengths = self._ends(), mask.sum(dim=1).tolist()
+        return [self._completion(row, length, ends) for row, length in zip(rows.tolist(), lengths, strict=True)]
+
+    def _generated(self, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
+        """Tokens behind the prompts, by transformers' own loop."""
+        torch, _, model, tokenizer, _ = self._loaded
         with torch.inference_mode():
             rows = model.generate(
-                **given,
+                input_ids=ids,
+                attention_mask=mask,
                 do_sample=False,
                 temperature=None,
                 top_p=None,
                 top_k=None,
                 max_new_tokens=self.sampling.max_tokens,
-                logits_processor=self._processors([request.seed for request in requests]),
+                logits_processor=processors,
                 pad_token_id=tokenizer.pad_token_id,
             )
-        ends = self._ends()
-        lengths = given["attention_mask"].sum(dim=1).tolist()
-        return [self._completion(row[start:].tolist(), length, ends) for row, length in zip(rows, lengths, strict=True)]
+        return rows[:, ids.shape[1] :]
+
+    def _decoded(self, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
+        """The same with a cache of fixed size."""
+
+        def choose(logits: Any) -> Any:  # noqa: ANN401 - tensors
+            for processor in processors:
+                logits = processor(ids, logits)
+            return logits.argmax(dim=1)
+
+        return self._loaded.decoder(ids, mask, self.sampling.max_tokens, choose, self._ends())
 
     def _spoken(self, prompt: str) -> str:
         """What the model reads."""
@@ -139,7 +160,7 @@ class LocalModel(Policy):
         temperature = 1.0 if self.sampling.temperature is None else self.sampling.temperature
         if temperature == 0.0:
             return []
-        torch, transformers, model, _ = self._loaded
+        torch, transformers, model, _, _ = self._loaded
         found: list[Any] = [transformers.TemperatureLogitsWarper(temperature)] if temperature != 1.0 else []
         if self.sampling.top_p is not None:
             found.append(transformers.TopPLogitsWarper(self.sampling.top_p))

@@ -65,8 +65,8 @@ def _policy(config: ReinforcementLearning, name: str, model: str, revision: str 
     settings = {"kind": "transformers", "name": name, "model": model, "revision": revision, "sampling": sampling}
     together = config.answers_together or max(64, config.gspo.generations)
     precision = "bfloat16" if config.gspo.precision == "bfloat16" else "auto"
-    asked = {"chat": config.chat is not False, "batch_size": together, "precision": precision}
-    return policy_from({**settings, **asked}, name)
+    asked = {"chat": config.chat is not False, "batch_size": together, "cuda_graphs": config.gspo.cuda_graphs}
+    return policy_from({**settings, **asked, "precision": precision}, name)
 
 
 def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -> list[list[object]]:

@@ -318,6 +318,43 @@ def test_adapters_go_on_from_a_checkpoint(model: Path, tmp_path: Path) -> None:
     assert [without_times(line) for line in cut] == [without_times(line) for line in whole]
 
 
+@pytest.mark.parametrize("precision", ["float32", "bfloat16"])
+def test_rollouts_by_one_recorded_pass_go_on_as_they_were(model: Path, tmp_path: Path, precision: str) -> None:
+    given: dict[str, Thing] = {"cuda_graphs": True, "save_every": 1, "precision": precision}
+    trained(model, tmp_path / "whole", Numbers(), "parity", steps=3, **given)
+    check_groups(tmp_path / "whole", 4, 4, 1)
+    trained(model, tmp_path / "cut", Numbers(), "parity", steps=2, **given)
+    found = trainer(model, tmp_path / "cut", Numbers(), ["parity"], steps=3, **given)
+    found.train(resume_from_checkpoint=True)
+    whole, cut = (lines(tmp_path / name / "log.jsonl") for name in ("whole", "cut"))
+    assert [without_times(line) for line in cut] == [without_times(line) for line in whole]
+
+
+def test_rollouts_by_one_recorded_pass_are_drawn_from_the_policy(model: Path, tmp_path: Path) -> None:
+    """First tokens of 4,000 completions against the softmax of the logits at that temperature, by Pearson's χ²."""
+    found = trainer(model, tmp_path, Numbers(), ["parity"], cuda_graphs=True, temperature=0.1)
+    ids = found.processing_class("17?")["input_ids"]
+    with torch.no_grad():
+        logits = found.model(input_ids=torch.tensor([ids])).logits[0, -1].double() / 0.1
+    expected = torch.softmax(logits, dim=0) * 4000
+    drawn = found._rollouts([ids] * 4000)
+    counts = torch.bincount(torch.tensor([tokens[0] for tokens in drawn]), minlength=258)
+    common = expected >= 5
+    observed = torch.cat([counts[common], counts[~common].sum()[None]]).double()
+    wanted = torch.cat([expected[common], expected[~common].sum()[None]])
+    statistic = float(((observed - wanted) ** 2 / wanted.clamp(min=1e-9)).sum())
+    freedom = int(common.sum())
+    assert freedom > 3
+    assert statistic < freedom + 5 * (2 * freedom) ** 0.5
+    assert {len(tokens) for tokens in drawn} <= set(range(1, 7))
+    assert all(256 not in tokens[:-1] for tokens in drawn)
+
+
+def test_recorded_passes_stand_alone() -> None:
+    with pytest.raises(ValueError, match="cuda_graphs: vLLM has its own"):
+        settings(cuda_graphs=True, lora={"rank": 2})
+
+
 @pytest.mark.parametrize("lora", [None, Lora(rank=2)])
 def test_what_is_trained_is_float32_under_bfloat16(model: Path, tmp_path: Path, lora: Thing) -> None:
     found = trained(model, tmp_path, Numbers(), "parity", steps=1, precision="bfloat16", lora=lora)

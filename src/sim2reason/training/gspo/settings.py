@@ -80,6 +80,9 @@ class GSPOSettings(_Settings):
     gradient_checkpointing: bool = True
     """Less memory for a fifth more time: for long completions of large models."""
     lora: Lora | None = None
+    cuda_graphs: bool = False
+    """Rollouts with a cache of fixed size, and each token on a GPU the replay of one recorded pass: for models so small
+    that launches bound them."""
     vllm: VllmSettings | None = None
     report_to: tuple[Literal["tensorboard", "wandb"], ...] = ()
 
@@ -98,8 +101,10 @@ class GSPOSettings(_Settings):
             )
 
     @model_validator(mode="after")
-    def _divisible(self) -> Self:
+    def _consistent(self) -> Self:
         self.shares(1)
+        if self.cuda_graphs and (self.vllm is not None or self.lora is not None):
+            raise ValueError("cuda_graphs: vLLM has its own, and adapters have none here; leave one of them out")
         return self
 
     def shares(self, processes: int) -> tuple[int, int]:

@@ -28,6 +28,7 @@ from sim2reason.training.gspo.checkpoints import (
 )
 from sim2reason.training.gspo.logprobs import score
 from sim2reason.training.gspo.measures import Meter, collapse
+from sim2reason.training.gspo.rollouts import Rollouts
 from sim2reason.training.gspo.sampling import Answered, Filled, Place, balance, fill
 from sim2reason.training.gspo.settings import GSPOSettings
 from sim2reason.training.gspo.step_log import StepLog
@@ -58,6 +59,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         self._meter = Meter()
         self._answered: Tensor = None
         self._later = False
+        self._rollouts = Rollouts(self)
         self.short = self.exhausted = False
         rows = {"prompt": [""] * settings.prompts}
         super().__init__(train_dataset=library("datasets").Dataset.from_dict(rows), **given)
@@ -173,14 +175,9 @@ class GSPOTrainer(trl.GRPOTrainer):
         if self.accelerator.is_main_process:
             why = "the stream of prompts has ended" if filled.exhausted else f"{len(filled.sizes)} rounds are used up"
             found = len(filled.owners)
-            logger.warning(
-                "step %d learns from %d of %d groups: %s, and all rewards of each other group were equal%s",
-                self._step_now + 1,
-                found,
-                self.settings.prompts,
-                why,
-                "" if found else "; the weights stay as they are",
-            )
+            then = "" if found else "; the weights stay as they are"
+            said = "step %d learns from %d of %d groups: %s, and all rewards of each other group were equal%s"
+            logger.warning(said, self._step_now + 1, found, self.settings.prompts, why, then)
 
     @property
     def _step_now(self) -> int:
@@ -192,6 +189,12 @@ class GSPOTrainer(trl.GRPOTrainer):
     def _generate(self, prompts: list[Any]) -> Any:  # noqa: ANN401 - TRL's own
         with self._meter.time("generation"):
             return super()._generate(prompts)
+
+    def _generate_single_turn(self, prompt_ids: list[list[int]], *given: Any, **named: Any) -> Any:  # noqa: ANN401 - TRL's own
+        """Tokens of completions, and None for log-probabilities, as TRL gives them."""
+        if not self.settings.cuda_graphs:
+            return super()._generate_single_turn(prompt_ids, *given, **named)
+        return self._rollouts(prompt_ids), None
 
     def _calculate_rewards(self, *given: Any) -> Tensor:  # noqa: ANN401 - TRL's own
         """The rewards of all processes, (completions, functions), NaN for None; kept for the choice of groups."""

@@ -1,0 +1,136 @@
+"""Continuations of many prompts at once, by a causal model of transformers with a cache of fixed size.
+
+A small model on a GPU is bound by launches: a pass for one more token is a hundred kernels or more, of microseconds
+each. On a CUDA device such a pass is recorded once as a graph, and replayed for each token. It reads the weights where
+they lie, so it stays true when they are updated in place.
+"""
+
+# transformers and torch are an extra, and ship no types to an environment without them:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from collections.abc import Callable, Collection
+from importlib import import_module
+from typing import Any, TypeAlias
+
+__all__ = ["Decoder"]
+
+Tensor: TypeAlias = Any
+ALIGNED = 16  # places of a cache are a multiple of it, which attention's kernels want of a mask
+EVERY = 16  # tokens between two looks at whether all rows have ended: the device is waited for
+RECORDED_AFTER = 2  # passes: libraries set themselves up in the first
+
+
+class Decoder:
+    """Continues prompts with one model, whose weights may change between two calls."""
+
+    def __init__(self, model: Any) -> None:  # noqa: ANN401 - of transformers
+        """For a model, which computes in the type of its weights."""
+        self._model = model
+        self._pass: _Pass | None = None
+
+    def __call__(
+        self, ids: Tensor, mask: Tensor, count: int, choose: Callable[[Tensor], Tensor], ends: Collection[int]
+    ) -> Tensor:
+        """At most `count` tokens behind each prompt, of shape (rows, tokens); what follows an end is arbitrary.
+
+        `ids` and `mask` have the shape (rows, width), padded at the left; `choose` gives a token for each row of the
+        logits, of shape (rows, vocabulary).
+        """
+        torch = import_module("torch")
+        rows, training = len(ids), self._model.training
+        ending = torch.tensor(sorted(ends), device=ids.device)
+        ended, found = torch.zeros(rows, dtype=torch.bool, device=ids.device), list[Tensor]()
+        self._model.eval()
+        try:
+            with torch.no_grad():
+                step = self._step(rows, ids.shape[1] + count)
+                logits = step.begin(ids, mask)
+                while True:
+                    found.append(choose(logits[:rows]))
+                    ended |= (found[-1][:, None] == ending).any(dim=1)
+                    if len(found) == count or (len(found) % EVERY == 0 and bool(ended.all())):
+                        return torch.stack(found, dim=1)
+                    logits = step.go_on(found[-1])
+        finally:
+            self._model.train(training)
+
+    def _step(self, rows: int, places: int) -> "_Pass":
+        """The pass for at least so many rows and places; the last one, if it has room."""
+        held = self._pass
+        if held is None or held.rows < rows or held.places < places:
+            most = (rows, places) if held is None else (max(rows, held.rows), max(places, held.places))
+            self._pass = held = None  # its memory is free before the next one's is taken
+            self._pass = held = _Pass(self._model, most[0], -(-most[1] // ALIGNED) * ALIGNED)
+        return held
+
+
+class _Pass:
+    """One more token for each row: what it reads and writes stays where it is."""
+
+    def __init__(self, model: Any, rows: int, places: int) -> None:  # noqa: ANN401 - of transformers
+        self.rows, self.places = rows, places
+        self._model, self._torch = model, import_module("torch")
+        torch, device = self._torch, model.device
+        self._cache = import_module("transformers").StaticCache(config=model.config, max_cache_len=places)
+        self._token = torch.zeros(rows, 1, dtype=torch.long, device=device)
+        self._position = torch.zeros_like(self._token)
+        self._place = torch.zeros(1, dtype=torch.long, device=device)
+        self._places = torch.arange(places, device=device)
+        self._visible = torch.zeros(rows, 1, 1, places, dtype=torch.bool, device=device)
+        self._graph: Any = None
+        self._logits: Tensor = None
+        if device.type == "cuda":
+            self._record()
+
+    def begin(self, ids: Tensor, mask: Tensor) -> Tensor:
+        """Read prompts; the logits of their next tokens, (rows, vocabulary)."""
+        torch, width = self._torch, ids.shape[1]
+        ids, mask = self._filled(ids), self._filled(mask.bool())
+        self._cache.reset()
+        position = (mask.cumsum(dim=1) - 1).clamp(min=0)
+        keys = torch.nn.functional.pad(mask, (0, self.places - width))
+        query = self._places[:width, None]
+        # padding looks at itself: a softmax over nothing would be NaN, also for those that must not look at it
+        visible = (query >= self._places) & keys[:, None] | (query == self._places)
+        logits = self._forward(ids, visible[:, None], position, logits_to_keep=1)
+        self._visible.copy_(keys[:, None, None])
+        self._position.copy_(position[:, -1:] + 1)
+        self._place.fill_(width)
+        return logits
+
+    def go_on(self, tokens: Tensor) -> Tensor:
+        """Read one token of each of the first rows; the logits of the next ones."""
+        self._token[: len(tokens), 0].copy_(tokens)
+        if self._graph is None:
+            return self._next()
+        self._graph.replay()
+        return self._logits
+
+    def _filled(self, given: Tensor) -> Tensor:
+        """As many rows as there are: the last one again."""
+        return self._torch.cat([given, given[-1:].expand(self.rows - len(given), -1)])
+
+    def _next(self) -> Tensor:
+        self._visible.logical_or_(self._places == self._place)
+        logits = self._forward(self._token, self._visible, self._position)
+        self._place.add_(1)
+        self._position.add_(1)
+        return logits
+
+    def _forward(self, ids: Tensor, visible: Tensor, position: Tensor, **given: int) -> Tensor:
+        """Logits of the last token; the class's own pass, without what a trainer has wrapped about it."""
+        run, named = type(self._model).forward, {"attention_mask": visible, "position_ids": position}
+        found = run(self._model, input_ids=ids, past_key_values=self._cache, use_cache=True, **named, **given)
+        return found.logits[:, -1].float()
+
+    def _record(self) -> None:
+        cuda = self._torch.cuda
+        apart = cuda.Stream()
+        apart.wait_stream(cuda.current_stream())
+        with cuda.stream(apart):
+            for _ in range(RECORDED_AFTER):
+                self._next()
+        cuda.current_stream().wait_stream(apart)
+        self._graph = cuda.CUDAGraph()
+        with cuda.graph(self._graph):
+            self._logits = self._next()

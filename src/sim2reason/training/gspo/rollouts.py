@@ -1,0 +1,72 @@
+"""Completions sampled from the model that is trained, with a recorded pass in place of transformers' own loop."""
+
+# torch and trl are an extra and ship no types to an environment without them:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+from sim2reason.lazy import cached_property
+from sim2reason.policies.parts.decoding import Decoder
+from sim2reason.training.extras import library
+
+__all__ = ["Rollouts"]
+
+Tensor: TypeAlias = Any
+
+
+class Rollouts:
+    """Those of a trainer, which is ready when the first are asked for."""
+
+    def __init__(self, trainer: Any) -> None:  # noqa: ANN401 - of TRL
+        """For a trainer of TRL."""
+        self._trainer = trainer
+
+    @cached_property
+    def _models(self) -> tuple[Any, Any]:
+        """The model that is trained, and the one that answers: a copy in bfloat16, if that is what is computed in.
+
+        Autocasting instead would write keys and values of two types, and cast all weights anew for each token.
+        """
+        trained = self._trainer.accelerator.unwrap_model(self._trainer.model)
+        if not self._trainer.args.bf16:
+            return trained, trained
+        torch = library("torch")
+        with torch.random.fork_rng(devices=[]):  # what is sampled does not hang on when a copy was made
+            copied = library("transformers").AutoModelForCausalLM.from_config(trained.config, dtype=torch.bfloat16)
+        return trained, copied.to(trained.device)
+
+    @cached_property
+    def _decoder(self) -> Decoder:
+        return Decoder(self._models[1])
+
+    def __call__(self, prompts: Sequence[Sequence[int]]) -> list[list[int]]:
+        """The tokens of a completion for each prompt, the one that ends it included."""
+        torch, trainer = library("torch"), self._trainer
+        self._refresh()
+        width, pad = max(map(len, prompts)), trainer._tokenizer.pad_token_id  # noqa: SLF001 - TRL's own
+        rows = [[pad] * (width - len(prompt)) + list(prompt) for prompt in prompts]
+        mask = [[0] * (width - len(prompt)) + [1] * len(prompt) for prompt in prompts]
+        ids, mask = (torch.tensor(each, device=trainer.accelerator.device) for each in (rows, mask))
+        ends = frozenset(trainer.eos_token_ids)
+        found = self._decoder(ids, mask, trainer.max_completion_length, self._sampled, ends).tolist()
+        return [_cut(tokens, ends) for tokens in found]
+
+    def _refresh(self) -> None:
+        """Give the model that answers the weights of the one that is trained."""
+        trained, answering = self._models
+        if answering is not trained:
+            with library("torch").no_grad():
+                for mine, theirs in zip(answering.parameters(), trained.parameters(), strict=True):
+                    mine.copy_(theirs)
+
+    def _sampled(self, logits: Tensor) -> Tensor:
+        """A token of each row: of independent exponential times at these rates the shortest is a draw from them."""
+        rates = (logits / self._trainer.temperature).softmax(dim=1)
+        return (rates / library("torch").empty_like(rates).exponential_()).argmax(dim=1)
+
+
+def _cut(tokens: list[int], ends: frozenset[int]) -> list[int]:
+    """Up to the first end."""
+    end = next((place for place, token in enumerate(tokens) if token in ends), len(tokens))
+    return tokens[: end + 1]
