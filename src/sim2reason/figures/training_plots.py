@@ -38,7 +38,8 @@ def curves(path: Path, panels: Mapping[str, Series]) -> None:
             axes.grid(color="#dddddd", linewidth=0.5)
         for axes in places[len(panels) :]:
             axes.set_visible(False)
-        places[0].legend(frameon=False, fontsize=7.5)
+        lines, names = places[0].get_legend_handles_labels()
+        figure.legend(lines, names, loc="outside upper center", ncols=6, frameon=False, fontsize=7.5)
         figure.supxlabel("step", fontsize=8.5)
         save(figure, path, DPI)
 

@@ -7,6 +7,8 @@ from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from sim2reason.benchmarks import BenchmarkItem, items_of
 from sim2reason.benchmarks.runs.config import Evaluation
 from sim2reason.benchmarks.saved import Saved
@@ -26,6 +28,7 @@ RESPONSES = {"greedy": 0.0, "sampled": 1.0}
 """How responses are chosen, and at what temperature."""
 CELL = "quantity"
 INSIDE = 0.98  # of a tolerance: what is surely inside it when written with six digits
+PROMISING = 16  # constants that are scored: more than enough for what rounding decides
 
 
 def answered(config: ReinforcementLearning) -> dict[str, Path]:
@@ -88,15 +91,32 @@ def _share(points: Sequence[float]) -> str:
 
 
 def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
-    """What the constant that fits the answers best earns: each answer, and both ends of its tolerance, is tried."""
-    numbers = list[float]()
-    for item in items:
-        answer = item.reference.get("answer")
-        value, tolerance = (answer.get("value"), answer.get("tolerance")) if isinstance(answer, dict) else (None, None)
-        if isinstance(value, float) and isinstance(tolerance, float):
-            numbers += [value, (1.0 - INSIDE * tolerance) * value, (1.0 + INSIDE * tolerance) * value]
+    """What the constant that fits the answers best earns, by their own scoring.
+
+    Each answer, and both ends of its tolerance, may be it; those are scored that lie within most tolerances.
+    """
     best = 0
-    for number in sorted(set(numbers)):
+    for number in _promising(items):
         said = f"\\boxed{{{number:.6g}}}"
         best = max(best, sum(SCORINGS[item.scoring].award(said, item.reference).points == 1.0 for item in items))
     return wilson(best, len(items))
+
+
+def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
+    """Numbers that lie within the tolerances of as many answers as any; few, for scoring all would take minutes."""
+    known = [(value, tolerance) for value, tolerance in map(_answer, items) if value is not None]
+    values, tolerances = np.array(known, dtype=float).reshape(-1, 2).T
+    widths = INSIDE * tolerances * np.abs(values)
+    numbers = np.unique(np.concatenate([values, values - widths, values + widths]))
+    widths = tolerances * np.abs(values)
+    begun = np.searchsorted(np.sort(values - widths), numbers, side="right")
+    ended = np.searchsorted(np.sort(values + widths), numbers, side="left")
+    return numbers[np.argsort(ended - begun, kind="stable")][:PROMISING].tolist()
+
+
+def _answer(item: BenchmarkItem) -> tuple[float | None, float]:
+    """Value and tolerance of an answer, if it is a number and no formula."""
+    answer = item.reference.get("answer")
+    number = isinstance(answer, dict) and answer.get("formula") is None
+    value, tolerance = (answer.get("value"), answer.get("tolerance")) if number else (None, None)
+    return (value, tolerance) if isinstance(value, float) and isinstance(tolerance, float) else (None, 0.0)
