@@ -117,6 +117,7 @@ def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
 def _answer(item: BenchmarkItem) -> tuple[float | None, float]:
     """Value and tolerance of an answer, if it is a number and no formula."""
     answer = item.reference.get("answer")
-    number = isinstance(answer, dict) and answer.get("formula") is None
-    value, tolerance = (answer.get("value"), answer.get("tolerance")) if number else (None, None)
+    if not isinstance(answer, dict) or answer.get("formula") is not None:
+        return None, 0.0
+    value, tolerance = answer.get("value"), answer.get("tolerance")
     return (value, tolerance) if isinstance(value, float) and isinstance(tolerance, float) else (None, 0.0)
