@@ -55,7 +55,7 @@ test-ray: .venv-ray/done ## the tests that need Ray, on a local cluster, in an e
 	@touch $@
 
 test-train: .venv-train/done ## the tests that train models, on CPUs, and TRL's example, in an environment of their own
-	.venv-train/bin/python -m pytest --numprocesses auto --dist worksteal tests/training tests/policies/test_local_model.py \
+	.venv-train/bin/python -m pytest --numprocesses auto --dist worksteal tests/training tests/policies \
 		tests/cli/test_train.py tests/exports/libraries/test_trl.py
 	.venv-train/bin/python tests/support/readme.py docs/training.md
 

@@ -35,7 +35,7 @@ class _Loaded(NamedTuple):
     transformers: Any
     model: Any
     tokenizer: Any
-    decoder: Decoder
+    decoder: Decoder | None
 
 
 @POLICIES.register("transformers")
@@ -78,7 +78,7 @@ class LocalModel(Policy):
         except RuntimeError as error:  # it has not the memory, say
             why = " ".join(str(error).split())[:200]
             raise PolicyError(f"policy {self.name!r}: the model can't be moved to {device}: {why}") from None
-        return _Loaded(torch, transformers, model, tokenizer, Decoder(model))
+        return _Loaded(torch, transformers, model, tokenizer, Decoder(model) if self.cuda_graphs else None)
 
     def check(self) -> None:
         """Look for the libraries, the device and the model's configuration."""
@@ -112,7 +112,10 @@ class LocalModel(Policy):
         given = tokenizer([self._spoken(request.prompt) for request in requests], return_tensors="pt", padding=True)
         ids, mask = given["input_ids"].to(device), given["attention_mask"].to(device)
         processors = self._processors([request.seed for request in requests])
-        rows = self._decoded(ids, mask, processors) if self.cuda_graphs else self._generated(ids, mask, processors)
+        decoder = self._loaded.decoder
+        rows = (
+            self._generated(ids, mask, processors) if decoder is None else self._decoded(decoder, ids, mask, processors)
+        )
         ends, lengths = self._ends(), mask.sum(dim=1).tolist()
         return [self._completion(row, length, ends) for row, length in zip(rows.tolist(), lengths, strict=True)]
 
@@ -133,7 +136,7 @@ class LocalModel(Policy):
             )
         return rows[:, ids.shape[1] :]
 
-    def _decoded(self, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
+    def _decoded(self, decoder: Decoder, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
         """The same with a cache of fixed size."""
 
         def choose(logits: Any) -> Any:  # noqa: ANN401 - tensors
@@ -141,7 +144,7 @@ class LocalModel(Policy):
                 logits = processor(ids, logits)
             return logits.argmax(dim=1)
 
-        return self._loaded.decoder(ids, mask, self.sampling.max_tokens, choose, self._ends())
+        return decoder(ids, mask, self.sampling.max_tokens, choose, self._ends())
 
     def _spoken(self, prompt: str) -> str:
         """What the model reads."""

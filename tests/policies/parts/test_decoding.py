@@ -6,6 +6,7 @@ from typing import Any, TypeAlias
 
 import pytest
 
+from sim2reason.errors import PolicyError
 from sim2reason.policies.parts.decoding import ALIGNED, EVERY, Decoder
 
 Tensor: TypeAlias = Any
@@ -123,3 +124,25 @@ def test_training_goes_on_as_it_was(device: str) -> None:
     assert model.training
     model(input_ids=ids, attention_mask=mask, labels=ids).loss.backward()
     assert all(weight.grad is not None for weight in model.parameters())
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"layer_types": ["full_attention", "sliding_attention"], "sliding_window": 4}, "layers of sliding_attention"),
+        ({"attn_implementation": "eager"}, "goes with attention sdpa, not eager"),
+    ],
+)
+def test_attention_that_is_masked_otherwise_is_refused(changed: dict[str, object], said: str) -> None:
+    from transformers import Qwen3Config, Qwen3ForCausalLM
+
+    shape = {
+        "hidden_size": 32,
+        "intermediate_size": 64,
+        "num_hidden_layers": 2,
+        "num_attention_heads": 4,
+        "head_dim": 8,
+    }
+    config = Qwen3Config(vocab_size=51, num_key_value_heads=2, **shape, **changed)
+    with pytest.raises(PolicyError, match=f"cuda_graphs: .*{said}"):
+        Decoder(Qwen3ForCausalLM(config))

@@ -12,19 +12,32 @@ from collections.abc import Callable, Collection
 from importlib import import_module
 from typing import Any, TypeAlias
 
-__all__ = ["Decoder"]
+from sim2reason.errors import PolicyError
+
+__all__ = ["Decoder", "check_recordable"]
 
 Tensor: TypeAlias = Any
 ALIGNED = 16  # places of a cache are a multiple of it, which attention's kernels want of a mask
 EVERY = 16  # tokens between two looks at whether all rows have ended: the device is waited for
 RECORDED_AFTER = 2  # passes: libraries set themselves up in the first
+WHOLE, BY_MASK = "full_attention", "sdpa"
+
+
+def check_recordable(config: Any) -> None:  # noqa: ANN401 - of transformers
+    """PolicyError for a model whose attention is not all masked as it is here: in a window, say."""
+    kinds = set(getattr(config, "layer_types", None) or (WHOLE,))
+    if kinds != {WHOLE}:
+        raise PolicyError(f"cuda_graphs: the model has layers of {', '.join(sorted(kinds - {WHOLE}))}; leave it out")
+    if config._attn_implementation != BY_MASK:  # noqa: SLF001 - transformers tells it nowhere else
+        raise PolicyError(f"cuda_graphs: goes with attention {BY_MASK}, not {config._attn_implementation}")  # noqa: SLF001
 
 
 class Decoder:
     """Continues prompts with one model, whose weights may change between two calls."""
 
     def __init__(self, model: Any) -> None:  # noqa: ANN401 - of transformers
-        """For a model, which computes in the type of its weights."""
+        """For a model, which computes in the type of its weights; PolicyError as `check_recordable` says."""
+        check_recordable(model.config)
         self._model = model
         self._pass: _Pass | None = None
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any, TypeAlias
 
 from sim2reason.lazy import cached_property
-from sim2reason.policies.parts.decoding import Decoder
+from sim2reason.policies.parts.decoding import Decoder, check_recordable
 from sim2reason.training.extras import library
 
 __all__ = ["Rollouts"]
@@ -16,10 +16,11 @@ Tensor: TypeAlias = Any
 
 
 class Rollouts:
-    """Those of a trainer, which is ready when the first are asked for."""
+    """Those of a trainer."""
 
     def __init__(self, trainer: Any) -> None:  # noqa: ANN401 - of TRL
-        """For a trainer of TRL."""
+        """For a trainer of TRL, which is set up; PolicyError if its model's passes cannot be recorded."""
+        check_recordable(trainer.model.config)
         self._trainer = trainer
 
     @cached_property

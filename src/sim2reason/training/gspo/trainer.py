@@ -59,10 +59,10 @@ class GSPOTrainer(trl.GRPOTrainer):
         self._meter = Meter()
         self._answered: Tensor = None
         self._later = False
-        self._rollouts = Rollouts(self)
         self.short = self.exhausted = False
         rows = {"prompt": [""] * settings.prompts}
         super().__init__(train_dataset=library("datasets").Dataset.from_dict(rows), **given)
+        self._rollouts = Rollouts(self) if settings.cuda_graphs else None
         self.step_log = StepLog(Path(self.args.output_dir))
         self.add_callback(BetweenUpdates(self))
 
@@ -192,7 +192,7 @@ class GSPOTrainer(trl.GRPOTrainer):
 
     def _generate_single_turn(self, prompt_ids: list[list[int]], *given: Any, **named: Any) -> Any:  # noqa: ANN401 - TRL's own
         """Tokens of completions, and None for log-probabilities, as TRL gives them."""
-        if not self.settings.cuda_graphs:
+        if self._rollouts is None:
             return super()._generate_single_turn(prompt_ids, *given, **named)
         return self._rollouts(prompt_ids), None
 
