@@ -28,9 +28,9 @@ class GrowingElectric(ElectricField):
 
     says = (
         either(
-            "a uniform electric field has a component in the {way} direction only; its strength at t = 0 is {strength}, and that component {trend} at a rate of {growth}.",
+            "a uniform electric field has a component in the {way} direction only, which is {strength} at t = 0 and {trend} at a rate of {growth}.",
             "there is a uniform electric field, in the {way} direction alone: at t = 0 its strength is {strength}, and its component in that direction {trend} at a rate of {growth}.",
-            "at t = 0 a uniform electric field of strength {strength} points in the {way} direction; it always has this component alone, which {trend} at a rate of {growth}.",
+            "at t = 0 a uniform electric field of strength {strength} points in the {way} direction; it never has another component, and its component in that direction {trend} at a rate of {growth}.",
         ),
     )
 
