@@ -39,12 +39,12 @@ class State:
     mechanism: Mechanism
     times: Array  # s, (n,)
     kinematics: Callable[[], tuple[Array, Array]] = field(repr=False)  # gives q and v
-    dynamics: Callable[[], Dynamics] = field(repr=False)
+    dynamics: Callable[[Array, Array], Dynamics] = field(repr=False)  # of q and v
 
     @classmethod
     def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:
         """What is known already."""
-        return cls(mechanism, times, lambda: kinematics, lambda: dynamics)
+        return cls(mechanism, times, lambda: kinematics, lambda _, __: dynamics)
 
     @cached_property
     def _kinematics(self) -> tuple[Array, Array]:
@@ -52,7 +52,7 @@ class State:
 
     @cached_property
     def _dynamics(self) -> Dynamics:
-        return self.dynamics()
+        return self.dynamics(*self._kinematics)
 
     @property
     def q(self) -> Array:

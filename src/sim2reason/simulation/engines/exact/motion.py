@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import partial
 from math import nan
 
 import numpy as np
@@ -100,8 +100,7 @@ class Motion:
     def state(self, times: Array) -> State:
         """The motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""
         at = self._belonging(times)
-        kinematics = cache(lambda: self._kinematics(times, at))
-        return State(self.mechanism, times, kinematics, lambda: self._dynamics(times, at, *kinematics()))
+        return State(self.mechanism, times, partial(self._kinematics, times, at), partial(self._dynamics, times, at))
 
     def _belonging(self, times: Array) -> NDArray[np.intp]:
         """The number of the segment that each instant belongs to."""
