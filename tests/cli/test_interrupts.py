@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+import warnings
 from contextlib import suppress
 
 import pytest
@@ -41,6 +42,15 @@ def test_afterwards_all_is_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
         interrupt()
     assert [signal.getsignal(number) for number in heeded] == before
     time.sleep(0.2)  # no alarm is left
+
+
+def test_what_a_library_says_of_being_interrupted_is_not_shown() -> None:
+    with interrupts.heard():
+        with suppress(KeyboardInterrupt):
+            interrupt()
+        warnings.warn("a value of another type", stacklevel=1)
+    with pytest.warns(UserWarning, match="again"):
+        warnings.warn("heard again", stacklevel=1)
 
 
 @pytest.mark.parametrize("number", SIGNALS)

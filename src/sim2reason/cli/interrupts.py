@@ -5,6 +5,7 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from threading import current_thread, main_thread
 from types import FrameType
+from warnings import catch_warnings, simplefilter
 
 from sim2reason.datasets.interrupts import SIGNALS
 
@@ -15,8 +16,8 @@ PATIENCE = 2.0  # s, after which whoever was interrupted and goes on is interrup
 def heard() -> Generator[None, None, None]:
     """Raise KeyboardInterrupt in the block at each SIGINT and SIGTERM, and again until the block ends.
 
-    Modules in C drop what is raised at some moments, and a run of hours would go on. Where one of them is ignored, as
-    SIGINT is in a job in the background, it stays so.
+    Modules in C drop what is raised at some moments, and a run of hours would go on; or they warn of it, which is not
+    shown. Where one of them is ignored, as SIGINT is in a job in the background, it stays so.
     """
     heeded = [number for number in SIGNALS if signal.getsignal(number) not in (signal.SIG_IGN, None)]
     if not heeded or current_thread() is not main_thread():
@@ -24,7 +25,8 @@ def heard() -> Generator[None, None, None]:
         return
     before = {number: signal.signal(number, _interrupt) for number in (signal.SIGALRM, *heeded)}
     try:
-        yield
+        with catch_warnings():
+            yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         for number, handler in before.items():
@@ -34,4 +36,5 @@ def heard() -> Generator[None, None, None]:
 def _interrupt(number: int, frame: FrameType | None) -> None:
     del number, frame
     signal.setitimer(signal.ITIMER_REAL, PATIENCE)
+    simplefilter("ignore")  # pydantic warns of a value that it was interrupted at
     raise KeyboardInterrupt
