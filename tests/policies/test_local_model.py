@@ -1,5 +1,6 @@
 """A model in this process: a tiny one of random weights, made here; and what is said without the libraries."""
 
+import shutil
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -74,6 +75,17 @@ def test_answers_are_the_same_by_recorded_passes(folder: Path, sampling: dict[st
     plain, recorded = made(folder, **asked), made(folder, **asked, cuda_graphs=True)
     for seeds in ((1, 2, 3), (4,), (5, 6, 7, 8)):
         assert recorded.complete(requests(*seeds)) == plain.complete(requests(*seeds))
+
+
+@installed
+def test_what_a_model_asks_of_generation_is_not_left_out(folder: Path, tmp_path: Path) -> None:
+    from transformers import GenerationConfig
+
+    other = shutil.copytree(folder, tmp_path / "other")
+    GenerationConfig(repetition_penalty=1.05, eos_token_id=256).save_pretrained(other)
+    assert made(other).complete(requests(1))
+    with pytest.raises(PolicyError, match="cuda_graphs: the model asks for repetition_penalty; leave cuda_graphs out"):
+        made(other, cuda_graphs=True).complete(requests(1))
 
 
 @installed

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pydantic import JsonValue
 
 from sim2reason.benchmarks import BenchmarkItem
-from sim2reason.benchmarks.scoring import SCORINGS
-from sim2reason.reports.held_out import INSIDE, best_constant
+from sim2reason.benchmarks.scoring import SCORINGS, Award
+from sim2reason.reports.held_out import INSIDE, PROMISING, best_constant
 
 ANSWERS = st.lists(st.tuples(st.integers(1, 400), st.sampled_from([0.01, 0.05])), min_size=1, max_size=30)
 
@@ -48,7 +49,16 @@ def test_no_constant_suits_formulas_and_texts() -> None:
     assert best_constant(asked).value == 0.0
 
 
-def test_many_answers_take_no_time() -> None:
-    """A thousand answers are three thousand numbers, of which few are scored."""
+def test_of_many_answers_few_are_scored(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A thousand answers are three thousand numbers that may be it."""
+    rule, scored = SCORINGS["sim2reason"], set[str]()
+    award = rule.award
+
+    def counted(response: str, reference: dict[str, JsonValue]) -> Award:
+        scored.add(response)
+        return award(response, reference)
+
+    monkeypatch.setattr(rule, "award", counted)
     values = np.random.default_rng(0).lognormal(size=1000)
     assert 0.0 < best_constant([item(n, float(value), 0.05) for n, value in enumerate(values)]).value < 0.2
+    assert 0 < len(scored) <= PROMISING

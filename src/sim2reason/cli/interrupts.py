@@ -16,8 +16,9 @@ PATIENCE = 2.0  # s, after which whoever was interrupted and goes on is interrup
 def heard() -> Generator[None, None, None]:
     """Raise KeyboardInterrupt in the block at each SIGINT and SIGTERM, and again until the block ends.
 
-    Modules in C drop what is raised at some moments, and a run of hours would go on; or they warn of it, which is not
-    shown. Where one of them is ignored, as SIGINT is in a job in the background, it stays so.
+    Modules in C drop what is raised at some moments, and a run of hours would go on. From the first one on no warnings
+    are shown: libraries warn of having been interrupted. Where one of them is ignored, as SIGINT is in a job in the
+    background, it stays so.
     """
     heeded = [number for number in SIGNALS if signal.getsignal(number) not in (signal.SIG_IGN, None)]
     if not heeded or current_thread() is not main_thread():

@@ -20,6 +20,23 @@ from sim2reason.policies.parts.quiet import quiet
 __all__ = ["LocalModel"]
 
 AHEAD = 2**24  # random numbers that are drawn together
+CHANGING = (
+    "bad_words_ids",
+    "begin_suppress_tokens",
+    "encoder_no_repeat_ngram_size",
+    "encoder_repetition_penalty",
+    "exponential_decay_length_penalty",
+    "forced_bos_token_id",
+    "forced_eos_token_id",
+    "guidance_scale",
+    "min_length",
+    "min_new_tokens",
+    "no_repeat_ngram_size",
+    "repetition_penalty",
+    "sequence_bias",
+    "suppress_tokens",
+)  # what a model's own configuration of generation may change about logits
+NEUTRAL = None, 0, 1.0
 TINY = 1e-20  # the least uniform number, whose logarithm is finite in single precision
 
 
@@ -49,8 +66,8 @@ class LocalModel(Policy):
     precision: Literal["auto", "float32", "bfloat16", "float16"] = "auto"
     batch_size: Annotated[int, Ge(1), Le(4096)] = 8
     cuda_graphs: bool = False
-    """Whether a batch has a cache of fixed size, and each token on a GPU is the replay of one recorded pass: many times
-    as fast for small models, for the memory of a whole batch's longest answers."""
+    """Whether a batch has a cache of fixed size, and each token on a GPU is the replay of one recorded pass: faster for
+    small models, for the memory of a whole batch's longest answers."""
     system: str = ""
     """A message before the prompt."""
     chat: bool = True
@@ -78,7 +95,18 @@ class LocalModel(Policy):
         except RuntimeError as error:  # it has not the memory, say
             why = " ".join(str(error).split())[:200]
             raise PolicyError(f"policy {self.name!r}: the model can't be moved to {device}: {why}") from None
-        return _Loaded(torch, transformers, model, tokenizer, Decoder(model) if self.cuda_graphs else None)
+        return _Loaded(torch, transformers, model, tokenizer, self._decoder(model))
+
+    def _decoder(self, model: Any) -> Decoder | None:  # noqa: ANN401 - of transformers
+        """PolicyError where it would give other answers than transformers' own loop."""
+        if not self.cuda_graphs:
+            return None
+        asked = {name: getattr(model.generation_config, name, None) for name in CHANGING}
+        if found := [name for name, value in asked.items() if value not in NEUTRAL]:
+            raise PolicyError(
+                f"policy {self.name!r}: cuda_graphs: the model asks for {found[0]}; leave cuda_graphs out"
+            )
+        return Decoder(model)
 
     def check(self) -> None:
         """Look for the libraries, the device and the model's configuration."""

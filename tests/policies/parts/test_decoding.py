@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 import pytest
 
 from sim2reason.errors import PolicyError
-from sim2reason.policies.parts.decoding import ALIGNED, EVERY, Decoder
+from sim2reason.policies.parts.decoding import ALIGNED, CHECK_EVERY, Decoder
 
 Tensor: TypeAlias = Any
 Model: TypeAlias = Any  # of transformers
@@ -16,26 +16,27 @@ pytestmark = pytest.mark.skipif(
 )
 END = 50
 WIDTHS = (3, 9, 5)
+SHAPE = {
+    "vocab_size": 51,
+    "hidden_size": 32,
+    "intermediate_size": 64,
+    "num_hidden_layers": 2,
+    "num_attention_heads": 4,
+    "num_key_value_heads": 2,
+}
 devices = pytest.mark.parametrize("device", ["cpu", "cuda"])
 
 
-def model_on(device: str) -> Model:
-    """A Qwen3 of two layers, which ends now and then."""
+def model_on(device: str, **changed: object) -> Model:
+    """A Qwen3 of two layers."""
     import torch
     from transformers import Qwen3Config, Qwen3ForCausalLM
 
     if device == "cuda" and not torch.cuda.is_available():
         pytest.skip("needs a GPU")
     torch.manual_seed(0)
-    shape = {
-        "hidden_size": 32,
-        "intermediate_size": 64,
-        "num_hidden_layers": 2,
-        "num_attention_heads": 4,
-        "head_dim": 8,
-    }
-    ends = {"eos_token_id": END, "pad_token_id": 0, "bos_token_id": None}
-    config = Qwen3Config(vocab_size=51, num_key_value_heads=2, tie_word_embeddings=True, **shape, **ends)
+    given = {**SHAPE, "head_dim": 8, "tie_word_embeddings": True, "eos_token_id": END, "pad_token_id": 0, **changed}
+    config = Qwen3Config(bos_token_id=None, **given)
     model = Qwen3ForCausalLM(config).to(device)
     with torch.no_grad():
         model.model.embed_tokens.weight *= 20.0  # far from ties
@@ -110,17 +111,18 @@ def test_it_stops_soon_after_all_rows_have_ended(device: str) -> None:
         return torch.where(ends, END, logits.argmax(dim=1))
 
     found = Decoder(model)(ids, mask, 100, choose, {END})
-    assert found.shape == (3, EVERY)
-    assert told == [3] * EVERY
+    assert found.shape == (3, CHECK_EVERY)
+    assert told == [3] * CHECK_EVERY
     assert found[:, 3].tolist() == [END] * 3
 
 
 @devices
 def test_training_goes_on_as_it_was(device: str) -> None:
-    """The mode of a model is restored, and gradients flow after it."""
-    model = model_on(device).train()
+    """Nothing is dropped out meanwhile, the mode of a model is restored, and gradients flow after it."""
+    model = model_on(device, attention_dropout=0.5)
     ids, mask = prompts(device)
-    Decoder(model)(ids, mask, 5, greedy, ())
+    expected = generated(model.eval(), ids, mask, 20).tolist()
+    assert Decoder(model.train())(ids, mask, 20, greedy, ()).tolist() == expected
     assert model.training
     model(input_ids=ids, attention_mask=mask, labels=ids).loss.backward()
     assert all(weight.grad is not None for weight in model.parameters())
@@ -129,20 +131,20 @@ def test_training_goes_on_as_it_was(device: str) -> None:
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        ({"layer_types": ["full_attention", "sliding_attention"], "sliding_window": 4}, "layers of sliding_attention"),
+        (
+            {"layer_types": ["full_attention", "sliding_attention"], "sliding_window": 4, "use_sliding_window": True},
+            "layers with a StaticSlidingWindowLayer",
+        ),
         ({"attn_implementation": "eager"}, "goes with attention sdpa, not eager"),
     ],
 )
 def test_attention_that_is_masked_otherwise_is_refused(changed: dict[str, object], said: str) -> None:
-    from transformers import Qwen3Config, Qwen3ForCausalLM
-
-    shape = {
-        "hidden_size": 32,
-        "intermediate_size": 64,
-        "num_hidden_layers": 2,
-        "num_attention_heads": 4,
-        "head_dim": 8,
-    }
-    config = Qwen3Config(vocab_size=51, num_key_value_heads=2, **shape, **changed)
     with pytest.raises(PolicyError, match=f"cuda_graphs: .*{said}"):
-        Decoder(Qwen3ForCausalLM(config))
+        Decoder(model_on("cpu", **changed))
+
+
+def test_a_window_that_layers_do_not_tell_is_refused() -> None:
+    from transformers import MistralConfig, MistralForCausalLM
+
+    with pytest.raises(PolicyError, match="layers with a StaticSlidingWindowLayer"):
+        Decoder(MistralForCausalLM(MistralConfig(sliding_window=8, **SHAPE)))

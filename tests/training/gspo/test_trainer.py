@@ -350,9 +350,10 @@ def test_rollouts_by_one_recorded_pass_are_drawn_from_the_policy(model: Path, tm
     assert all(256 not in tokens[:-1] for tokens in drawn)
 
 
-def test_recorded_passes_stand_alone() -> None:
-    with pytest.raises(ValueError, match="cuda_graphs: vLLM has its own"):
-        settings(cuda_graphs=True, lora={"rank": 2})
+@pytest.mark.parametrize("other", ["lora", "vllm"])
+def test_recorded_passes_stand_alone(other: str) -> None:
+    with pytest.raises(ValueError, match="cuda_graphs: cannot be combined with vllm or lora"):
+        settings(cuda_graphs=True, **{other: {}})
 
 
 @pytest.mark.parametrize("lora", [None, Lora(rank=2)])

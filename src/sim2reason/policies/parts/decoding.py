@@ -9,6 +9,7 @@ they lie, so it stays true when they are updated in place.
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 from collections.abc import Callable, Collection
+from contextlib import AbstractContextManager, nullcontext
 from importlib import import_module
 from typing import Any, TypeAlias
 
@@ -17,19 +18,19 @@ from sim2reason.errors import PolicyError
 __all__ = ["Decoder", "check_recordable"]
 
 Tensor: TypeAlias = Any
-ALIGNED = 16  # places of a cache are a multiple of it, which attention's kernels want of a mask
-EVERY = 16  # tokens between two looks at whether all rows have ended: the device is waited for
-RECORDED_AFTER = 2  # passes: libraries set themselves up in the first
-WHOLE, BY_MASK = "full_attention", "sdpa"
+ALIGNED = 16  # a cache's length is a multiple of it, which attention's kernels want of a mask
+CHECK_EVERY = 16  # tokens between two looks at whether all rows have ended: the device is waited for
+WARMUP_PASSES = 2  # before one is recorded: libraries set themselves up in the first
+ATTENTION, LAYER = "sdpa", "StaticLayer"
 
 
 def check_recordable(config: Any) -> None:  # noqa: ANN401 - of transformers
-    """PolicyError for a model whose attention is not all masked as it is here: in a window, say."""
-    kinds = set(getattr(config, "layer_types", None) or (WHOLE,))
-    if kinds != {WHOLE}:
-        raise PolicyError(f"cuda_graphs: the model has layers of {', '.join(sorted(kinds - {WHOLE}))}; leave it out")
-    if config._attn_implementation != BY_MASK:  # noqa: SLF001 - transformers tells it nowhere else
-        raise PolicyError(f"cuda_graphs: goes with attention {BY_MASK}, not {config._attn_implementation}")  # noqa: SLF001
+    """PolicyError for a model whose layers do not all look back as one mask says: in a window, say."""
+    layers = import_module("transformers").StaticCache(config=config, max_cache_len=ALIGNED).layers
+    if others := {type(layer).__name__ for layer in layers} - {LAYER}:
+        raise PolicyError(f"cuda_graphs: the model has layers with a {', '.join(sorted(others))}; leave it out")
+    if config._attn_implementation != ATTENTION:  # noqa: SLF001 - transformers tells it nowhere else
+        raise PolicyError(f"cuda_graphs: goes with attention {ATTENTION}, not {config._attn_implementation}")  # noqa: SLF001
 
 
 class Decoder:
@@ -39,7 +40,7 @@ class Decoder:
         """For a model, which computes in the type of its weights; PolicyError as `check_recordable` says."""
         check_recordable(model.config)
         self._model = model
-        self._pass: _Pass | None = None
+        self._held: _RecordedPass | None = None
 
     def __call__(
         self, ids: Tensor, mask: Tensor, count: int, choose: Callable[[Tensor], Tensor], ends: Collection[int]
@@ -55,63 +56,68 @@ class Decoder:
         ended, found = torch.zeros(rows, dtype=torch.bool, device=ids.device), list[Tensor]()
         self._model.eval()
         try:
-            with torch.no_grad():
-                step = self._step(rows, ids.shape[1] + count)
-                logits = step.begin(ids, mask)
+            with torch.no_grad(), self._on_its_device():
+                recorded = self._recorded(rows, ids.shape[1] + count)
+                logits = recorded.prefill(ids, mask)
                 while True:
                     found.append(choose(logits[:rows]))
                     ended |= (found[-1][:, None] == ending).any(dim=1)
-                    if len(found) == count or (len(found) % EVERY == 0 and bool(ended.all())):
+                    if len(found) == count or (len(found) % CHECK_EVERY == 0 and bool(ended.all())):
                         return torch.stack(found, dim=1)
-                    logits = step.go_on(found[-1])
+                    logits = recorded.step(found[-1])
         finally:
             self._model.train(training)
 
-    def _step(self, rows: int, places: int) -> "_Pass":
-        """The pass for at least so many rows and places; the last one, if it has room."""
-        held = self._pass
-        if held is None or held.rows < rows or held.places < places:
-            most = (rows, places) if held is None else (max(rows, held.rows), max(places, held.places))
-            self._pass = held = None  # its memory is free before the next one's is taken
-            self._pass = held = _Pass(self._model, most[0], -(-most[1] // ALIGNED) * ALIGNED)
+    def _on_its_device(self) -> AbstractContextManager[None]:
+        """Streams and graphs are made on the current device, which need not be the model's."""
+        device = self._model.device
+        return import_module("torch").cuda.device(device) if device.type == "cuda" else nullcontext()
+
+    def _recorded(self, rows: int, length: int) -> "_RecordedPass":
+        """The pass for at least so many rows and tokens; the last one, if it has room."""
+        held = self._held
+        if held is None or held.rows < rows or held.length < length:
+            rows, length = (rows, length) if held is None else (max(rows, held.rows), max(length, held.length))
+            self._held = held = None  # not two caches at once
+            self._held = held = _RecordedPass(self._model, rows, -(-length // ALIGNED) * ALIGNED)
         return held
 
 
-class _Pass:
+class _RecordedPass:
     """One more token for each row: what it reads and writes stays where it is."""
 
-    def __init__(self, model: Any, rows: int, places: int) -> None:  # noqa: ANN401 - of transformers
-        self.rows, self.places = rows, places
+    def __init__(self, model: Any, rows: int, length: int) -> None:  # noqa: ANN401 - of transformers
+        self.rows, self.length = rows, length
         self._model, self._torch = model, import_module("torch")
         torch, device = self._torch, model.device
-        self._cache = import_module("transformers").StaticCache(config=model.config, max_cache_len=places)
+        self._cache = import_module("transformers").StaticCache(config=model.config, max_cache_len=length)
         self._token = torch.zeros(rows, 1, dtype=torch.long, device=device)
-        self._position = torch.zeros_like(self._token)
-        self._place = torch.zeros(1, dtype=torch.long, device=device)
-        self._places = torch.arange(places, device=device)
-        self._visible = torch.zeros(rows, 1, 1, places, dtype=torch.bool, device=device)
+        self._position_ids = torch.zeros_like(self._token)
+        self._cache_position = torch.zeros(1, dtype=torch.long, device=device)
+        self._positions = torch.arange(length, device=device)
+        self._visible = torch.zeros(rows, 1, 1, length, dtype=torch.bool, device=device)
         self._graph: Any = None
         self._logits: Tensor = None
         if device.type == "cuda":
             self._record()
 
-    def begin(self, ids: Tensor, mask: Tensor) -> Tensor:
+    def prefill(self, ids: Tensor, mask: Tensor) -> Tensor:
         """Read prompts; the logits of their next tokens, (rows, vocabulary)."""
         torch, width = self._torch, ids.shape[1]
         ids, mask = self._filled(ids), self._filled(mask.bool())
         self._cache.reset()
-        position = (mask.cumsum(dim=1) - 1).clamp(min=0)
-        keys = torch.nn.functional.pad(mask, (0, self.places - width))
-        query = self._places[:width, None]
+        position_ids = (mask.cumsum(dim=1) - 1).clamp(min=0)
+        keys = torch.nn.functional.pad(mask, (0, self.length - width))
+        query = self._positions[:width, None]
         # padding looks at itself: a softmax over nothing would be NaN, also for those that must not look at it
-        visible = (query >= self._places) & keys[:, None] | (query == self._places)
-        logits = self._forward(ids, visible[:, None], position, logits_to_keep=1)
+        visible = (query >= self._positions) & keys[:, None] | (query == self._positions)
+        logits = self._forward(ids, visible[:, None], position_ids, logits_to_keep=1)
         self._visible.copy_(keys[:, None, None])
-        self._position.copy_(position[:, -1:] + 1)
-        self._place.fill_(width)
+        self._position_ids.copy_(position_ids[:, -1:] + 1)
+        self._cache_position.fill_(width)
         return logits
 
-    def go_on(self, tokens: Tensor) -> Tensor:
+    def step(self, tokens: Tensor) -> Tensor:
         """Read one token of each of the first rows; the logits of the next ones."""
         self._token[: len(tokens), 0].copy_(tokens)
         if self._graph is None:
@@ -124,26 +130,27 @@ class _Pass:
         return self._torch.cat([given, given[-1:].expand(self.rows - len(given), -1)])
 
     def _next(self) -> Tensor:
-        self._visible.logical_or_(self._places == self._place)
-        logits = self._forward(self._token, self._visible, self._position)
-        self._place.add_(1)
-        self._position.add_(1)
+        self._visible.logical_or_(self._positions == self._cache_position)
+        logits = self._forward(self._token, self._visible, self._position_ids)
+        self._cache_position.add_(1)
+        self._position_ids.add_(1)
         return logits
 
-    def _forward(self, ids: Tensor, visible: Tensor, position: Tensor, **given: int) -> Tensor:
+    def _forward(self, ids: Tensor, visible: Tensor, position_ids: Tensor, **given: int) -> Tensor:
         """Logits of the last token; the class's own pass, without what a trainer has wrapped about it."""
-        run, named = type(self._model).forward, {"attention_mask": visible, "position_ids": position}
+        run, named = type(self._model).forward, {"attention_mask": visible, "position_ids": position_ids}
         found = run(self._model, input_ids=ids, past_key_values=self._cache, use_cache=True, **named, **given)
         return found.logits[:, -1].float()
 
     def _record(self) -> None:
         cuda = self._torch.cuda
-        apart = cuda.Stream()
-        apart.wait_stream(cuda.current_stream())
-        with cuda.stream(apart):
-            for _ in range(RECORDED_AFTER):
+        self._next()  # here, and not aside: the cache is made in it, and is to lie in the memory of this stream
+        side = cuda.Stream()
+        side.wait_stream(cuda.current_stream())
+        with cuda.stream(side):
+            for _ in range(WARMUP_PASSES):
                 self._next()
-        cuda.current_stream().wait_stream(apart)
+        cuda.current_stream().wait_stream(side)
         self._graph = cuda.CUDAGraph()
-        with cuda.graph(self._graph):
+        with cuda.graph(self._graph, stream=side):
             self._logits = self._next()

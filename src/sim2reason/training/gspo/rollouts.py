@@ -4,6 +4,7 @@
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 from collections.abc import Sequence
+from copy import deepcopy
 from typing import Any, TypeAlias
 
 from sim2reason.lazy import cached_property
@@ -32,9 +33,9 @@ class Rollouts:
         trained = self._trainer.accelerator.unwrap_model(self._trainer.model)
         if not self._trainer.args.bf16:
             return trained, trained
-        torch = library("torch")
+        torch, config = library("torch"), deepcopy(trained.config)  # the type that is asked for is written into it
         with torch.random.fork_rng(devices=[]):  # what is sampled does not hang on when a copy was made
-            copied = library("transformers").AutoModelForCausalLM.from_config(trained.config, dtype=torch.bfloat16)
+            copied = library("transformers").AutoModelForCausalLM.from_config(config, dtype=torch.bfloat16)
         return trained, copied.to(trained.device)
 
     @cached_property

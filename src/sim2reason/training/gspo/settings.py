@@ -104,7 +104,7 @@ class GSPOSettings(_Settings):
     def _consistent(self) -> Self:
         self.shares(1)
         if self.cuda_graphs and (self.vllm is not None or self.lora is not None):
-            raise ValueError("cuda_graphs: vLLM has its own, and adapters have none here; leave one of them out")
+            raise ValueError("cuda_graphs: cannot be combined with vllm or lora; leave one of them out")
         return self
 
     def shares(self, processes: int) -> tuple[int, int]:
