@@ -38,8 +38,9 @@ def curves(path: Path, panels: Mapping[str, Series]) -> None:
             axes.grid(color="#dddddd", linewidth=0.5)
         for axes in places[len(panels) :]:
             axes.set_visible(False)
-        lines, names = places[0].get_legend_handles_labels()
-        figure.legend(lines, names, loc="outside upper center", ncols=6, frameon=False, fontsize=7.5)
+        shown = [axes.get_legend_handles_labels() for axes in places]
+        lines = {name: line for held, names in shown for line, name in zip(held, names, strict=True)}
+        figure.legend(lines.values(), lines, loc="outside upper center", ncols=6, frameon=False, fontsize=7.5)
         figure.supxlabel("step", fontsize=8.5)
         save(figure, path, DPI)
 
