@@ -78,13 +78,14 @@ def test_answers_are_the_same_by_recorded_passes(folder: Path, sampling: dict[st
 
 
 @installed
-def test_what_a_model_asks_of_generation_is_not_left_out(folder: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("wish", "value"), [("repetition_penalty", 1.05), ("min_new_tokens", 1)])
+def test_what_a_model_asks_of_generation_is_not_left_out(folder: Path, tmp_path: Path, wish: str, value: float) -> None:
     from transformers import GenerationConfig
 
     other = shutil.copytree(folder, tmp_path / "other")
-    GenerationConfig(repetition_penalty=1.05, eos_token_id=256).save_pretrained(other)
+    GenerationConfig(eos_token_id=256, **{wish: value}).save_pretrained(other)
     assert made(other).complete(requests(1))
-    with pytest.raises(PolicyError, match="cuda_graphs: the model asks for repetition_penalty; leave cuda_graphs out"):
+    with pytest.raises(PolicyError, match=f"cuda_graphs: the model asks for {wish}; leave cuda_graphs out"):
         made(other, cuda_graphs=True).complete(requests(1))
 
 

@@ -24,14 +24,14 @@ def heard() -> Generator[None, None, None]:
     if not heeded or current_thread() is not main_thread():
         yield
         return
-    before = {number: signal.signal(number, _interrupt) for number in (signal.SIGALRM, *heeded)}
-    try:
-        with catch_warnings():
+    with catch_warnings():
+        before = {number: signal.signal(number, _interrupt) for number in (signal.SIGALRM, *heeded)}
+        try:
             yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0.0)
-        for number, handler in before.items():
-            signal.signal(number, handler)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+            for number, handler in before.items():
+                signal.signal(number, handler)
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:

@@ -20,23 +20,22 @@ from sim2reason.policies.parts.quiet import quiet
 __all__ = ["LocalModel"]
 
 AHEAD = 2**24  # random numbers that are drawn together
-CHANGING = (
-    "bad_words_ids",
-    "begin_suppress_tokens",
-    "encoder_no_repeat_ngram_size",
-    "encoder_repetition_penalty",
-    "exponential_decay_length_penalty",
-    "forced_bos_token_id",
-    "forced_eos_token_id",
-    "guidance_scale",
-    "min_length",
-    "min_new_tokens",
-    "no_repeat_ngram_size",
-    "repetition_penalty",
-    "sequence_bias",
-    "suppress_tokens",
-)  # what a model's own configuration of generation may change about logits
-NEUTRAL = None, 0, 1.0
+WISHES = {
+    "bad_words_ids": None,
+    "begin_suppress_tokens": None,
+    "encoder_no_repeat_ngram_size": 0,
+    "encoder_repetition_penalty": 1.0,
+    "exponential_decay_length_penalty": None,
+    "forced_bos_token_id": None,
+    "forced_eos_token_id": None,
+    "guidance_scale": 1.0,
+    "min_length": 0,
+    "min_new_tokens": 0,
+    "no_repeat_ngram_size": 0,
+    "repetition_penalty": 1.0,
+    "sequence_bias": None,
+    "suppress_tokens": None,
+}  # by which a model's own configuration may change logits, with the values that do not
 TINY = 1e-20  # the least uniform number, whose logarithm is finite in single precision
 
 
@@ -101,8 +100,8 @@ class LocalModel(Policy):
         """PolicyError where it would give other answers than transformers' own loop."""
         if not self.cuda_graphs:
             return None
-        asked = {name: getattr(model.generation_config, name, None) for name in CHANGING}
-        if found := [name for name, value in asked.items() if value not in NEUTRAL]:
+        asked = {name: getattr(model.generation_config, name, None) for name in WISHES}
+        if found := [name for name, value in asked.items() if value not in (None, WISHES[name])]:
             raise PolicyError(
                 f"policy {self.name!r}: cuda_graphs: the model asks for {found[0]}; leave cuda_graphs out"
             )

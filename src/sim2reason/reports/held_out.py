@@ -64,12 +64,18 @@ def evaluated(
 
 
 def _policy(config: ReinforcementLearning, name: str, model: str, revision: str | None, temperature: float) -> Policy:
-    sampling = {"temperature": temperature, "max_tokens": config.gspo.max_completion_tokens}
-    settings = {"kind": "transformers", "name": name, "model": model, "revision": revision, "sampling": sampling}
-    together = config.answers_together or max(64, config.gspo.generations)
-    precision = "bfloat16" if config.gspo.precision == "bfloat16" else "auto"
-    asked = {"chat": config.chat is not False, "batch_size": together, "cuda_graphs": config.gspo.cuda_graphs}
-    return policy_from({**settings, **asked, "precision": precision}, name)
+    settings = {
+        "kind": "transformers",
+        "name": name,
+        "model": model,
+        "revision": revision,
+        "precision": "bfloat16" if config.gspo.precision == "bfloat16" else "auto",
+        "chat": config.chat is not False,
+        "sampling": {"temperature": temperature, "max_tokens": config.gspo.max_completion_tokens},
+        "batch_size": config.answers_together or max(64, config.gspo.generations),
+        "cuda_graphs": config.gspo.cuda_graphs,
+    }
+    return policy_from(settings, name)
 
 
 def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -> list[list[object]]:
@@ -106,9 +112,8 @@ def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
     """Numbers that lie within the tolerances of as many answers as any; few, for scoring all would take minutes."""
     known = [(value, tolerance) for value, tolerance in map(_answer, items) if value is not None]
     values, tolerances = np.array(known, dtype=float).reshape(-1, 2).T
-    widths = INSIDE * tolerances * np.abs(values)
-    numbers = np.unique(np.concatenate([values, values - widths, values + widths]))
     widths = tolerances * np.abs(values)
+    numbers = np.unique(np.concatenate([values, values - INSIDE * widths, values + INSIDE * widths]))
     begun = np.searchsorted(np.sort(values - widths), numbers, side="right")
     ended = np.searchsorted(np.sort(values + widths), numbers, side="left")
     return numbers[np.argsort(ended - begun, kind="stable")][:PROMISING].tolist()
