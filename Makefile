@@ -7,7 +7,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-ray test-train test-exports test-endpoint check lint types contracts docs format clean
+.PHONY: help demo test test-ray test-train test-vllm test-exports test-endpoint check lint types contracts docs format clean
 
 help: ## say what can be made
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -59,6 +59,15 @@ test-train: .venv-train/done ## the tests that train models, on CPUs, and TRL's 
 		tests/cli/test_train.py tests/exports/libraries/test_trl.py
 	.venv-train/bin/python tests/support/readme.py docs/training.md
 
+.venv-vllm/done: .venv/pip requirements/vllm.txt pyproject.toml
+	$(PYTHON) -m venv .venv-vllm
+	.venv-vllm/bin/python -m pip install --quiet --no-deps --requirement requirements/vllm.txt
+	.venv-vllm/bin/python -m pip install --quiet --no-deps --editable .
+	@touch $@
+
+test-vllm: .venv-vllm/done ## rollouts by vLLM, and evaluation against its server, on CPUs, in an environment of its own
+	.venv-vllm/bin/python -m pytest tests/training/gspo/test_vllm.py tests/endpoint
+
 # Each library that exports are for has an environment of its own in .exports, 0.6 to 2 GB large. For one of them alone:
 # make test-exports-verl. NeMo Gym needs a newer Python than others; without one it is left out, and says so.
 LIBRARIES := $(patsubst tests/exports/requirements/%.txt,%,$(wildcard tests/exports/requirements/*.txt))
@@ -86,7 +95,7 @@ TEST_EXPORTS = SIM2REASON_PROBLEMS=$(abspath .exports/problems) .exports/$*/bin/
 	@touch $@
 
 test-endpoint: .venv/dev .endpoint/made ## evaluation against a real server, llama.cpp, in an environment of its own
-	SIM2REASON_ENDPOINT_PYTHON=$(abspath .endpoint/bin/python) $(BIN)/pytest tests/endpoint
+	SIM2REASON_LLAMA_PYTHON=$(abspath .endpoint/bin/python) $(BIN)/pytest tests/endpoint
 
 .endpoint/made: tests/endpoint/requirements.txt
 	rm -rf .endpoint

@@ -80,7 +80,7 @@ def of_others(completion_ids: Tokens, other: Sequence[str | None], **_: Thing) -
 REWARDS = {each.__name__: each for each in (parity, never, first, of_solutions, of_others)}
 
 
-def tiny_model(folder: Path) -> Path:
+def tiny_model(folder: Path, heads: int = 2) -> Path:
     """A Qwen2 of two layers with a token for each byte."""
     import torch
     from tokenizers import Tokenizer, decoders, models, pre_tokenizers
@@ -94,10 +94,10 @@ def tiny_model(folder: Path) -> Path:
     fast = PreTrainedTokenizerFast(tokenizer_object=tokenizer, eos_token="<|end|>", pad_token="<|pad|>")
     fast.save_pretrained(folder)
     torch.manual_seed(0)
-    shape = {"hidden_size": 32, "intermediate_size": 64, "num_hidden_layers": 2, "num_attention_heads": 2}
+    shape = {"hidden_size": 32, "intermediate_size": 64, "num_hidden_layers": 2, "num_attention_heads": heads}
     ends = {"eos_token_id": 256, "pad_token_id": 257, "bos_token_id": None}
     model = Qwen2ForCausalLM(
-        Qwen2Config(vocab_size=258, num_key_value_heads=2, tie_word_embeddings=True, **shape, **ends)
+        Qwen2Config(vocab_size=258, num_key_value_heads=heads, tie_word_embeddings=True, **shape, **ends)
     )
     with torch.no_grad():
         model.model.embed_tokens.weight[256] *= 20.0  # some completions end before the greatest length

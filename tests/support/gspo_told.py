@@ -6,6 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+from gspo_run import HOPELESS
+
 
 @dataclass(frozen=True)
 class LearnedGroup:
@@ -34,6 +38,22 @@ def learned(out: Path, generations: int) -> Iterator[LearnedGroup]:
                 (prompt,) = set(line["prompts"][rows])
                 number = int(prompt.rstrip("?"))
                 yield LearnedGroup(line["step"], rank, number, line["completions"][rows], line["advantages"][rows])
+
+
+def check_groups(out: Path, prompts: int, generations: int, ranks: int) -> None:
+    """All groups have unequal rewards, as their tokens say, each prompt is learned once, and all share alike."""
+    groups = list(learned(out, generations))
+    for group in groups:
+        rewards = [float(sum(ids) % 2 == 0 and group.number % HOPELESS != 0) for ids in group.completions]
+        mean = sum(rewards) / generations
+        deviation = (sum((reward - mean) ** 2 for reward in rewards) / (generations - 1)) ** 0.5
+        assert deviation > 0
+        expected = [(reward - mean) / (deviation + 1e-4) for reward in rewards]
+        assert group.advantages == pytest.approx(expected, abs=1e-5)
+    assert len({group.number for group in groups}) == len(groups)
+    for step in {group.step for group in groups}:
+        each = [sum(group.step == step and group.rank == rank for group in groups) for rank in range(ranks)]
+        assert each == [prompts // ranks] * ranks
 
 
 def without_times(record: dict[str, Any]) -> dict[str, Any]:

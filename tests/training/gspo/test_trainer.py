@@ -22,8 +22,8 @@ pytest.importorskip("trl")
 import torch
 from transformers import TrainerCallback
 
-from gspo_run import HOPELESS, REWARDS, Numbers, Thing, settings, trainer
-from gspo_told import learned, lines, without_times
+from gspo_run import REWARDS, Numbers, Thing, settings, trainer
+from gspo_told import check_groups, learned, lines, without_times
 
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::FutureWarning", "ignore::UserWarning")
 
@@ -32,22 +32,6 @@ def trained(model: Path, out: Path, stream: Thing, *rewards: str, **settings: Th
     found = trainer(model, out, stream, rewards, **settings)
     found.train()
     return found
-
-
-def check_groups(out: Path, prompts: int, generations: int, ranks: int) -> None:
-    """All groups have unequal rewards, as their tokens say, each prompt is learned once, and all share alike."""
-    groups = list(learned(out, generations))
-    for group in groups:
-        rewards = [float(sum(ids) % 2 == 0 and group.number % HOPELESS != 0) for ids in group.completions]
-        mean = sum(rewards) / generations
-        deviation = (sum((reward - mean) ** 2 for reward in rewards) / (generations - 1)) ** 0.5
-        assert deviation > 0
-        expected = [(reward - mean) / (deviation + 1e-4) for reward in rewards]
-        assert group.advantages == pytest.approx(expected, abs=1e-5)
-    assert len({group.number for group in groups}) == len(groups)
-    for step in {group.step for group in groups}:
-        each = [sum(group.step == step and group.rank == rank for group in groups) for rank in range(ranks)]
-        assert each == [prompts // ranks] * ranks
 
 
 def test_one_process_learns_from_unequal_rewards_only(model: Path, tmp_path: Path) -> None:

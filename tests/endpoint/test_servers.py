@@ -1,12 +1,15 @@
-"""Evaluation against a real OpenAI-compatible server: llama.cpp, with a tiny model of random weights made here."""
+"""Evaluation against real OpenAI-compatible servers, each with a tiny model of random weights made here."""
 
 import importlib.util
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
+import urllib.request
 from collections.abc import Generator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -16,25 +19,53 @@ from sim2reason.policies import Policy, SampleRequest, policy_from
 from sim2reason.policies.samples.journal import finished
 from sim2reason.reports.evaluation import evaluate
 
-OWN = sys.executable if all(map(importlib.util.find_spec, ("xllamacpp", "gguf"))) else ""
-PYTHON = os.environ.get("SIM2REASON_ENDPOINT_PYTHON", OWN)
+SERVERS = {"llama": ("xllamacpp", "gguf"), "vllm": ("vllm",)}  # with the modules that each needs
+TARGETS = {"llama": "make test-endpoint", "vllm": "make test-vllm"}
 KEY = "sk-local-5Zb8"
+AUTHORIZED = {"Authorization": f"Bearer {KEY}"}
+UP_WITHIN = 300.0  # s
 
-pytestmark = pytest.mark.skipif(not PYTHON, reason="xllamacpp is not installed; make test-endpoint runs these")
+
+def python(server: str) -> str:
+    """The interpreter that can run a server; none if its modules are nowhere."""
+    own = sys.executable if all(map(importlib.util.find_spec, SERVERS[server])) else ""
+    return os.environ.get(f"SIM2REASON_{server.upper()}_PYTHON", own)
 
 
-@pytest.fixture(scope="module")
-def url(tmp_path_factory: pytest.TempPathFactory) -> Generator[str]:
-    folder = tmp_path_factory.mktemp("llama")
-    command = [PYTHON, str(Path(__file__).with_name("llama_server.py")), str(folder), KEY]
+@pytest.fixture(scope="module", params=SERVERS)
+def url(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Generator[str]:
+    server = str(request.param)
+    if not python(server):
+        pytest.skip(f"{SERVERS[server][0]} is not installed; {TARGETS[server]} runs these")
+    folder = tmp_path_factory.mktemp(server)
+    command = [python(server), str(Path(__file__).with_name(f"{server}_server.py")), str(folder), KEY]
     environ = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     with (folder / "log").open("w") as log:
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True, env=environ)
+        process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=log, text=True, env=environ, start_new_session=True
+        )
     assert process.stdout is not None
-    yield process.stdout.readline().strip()
-    process.kill()
-    process.wait()
-    process.stdout.close()
+    try:
+        address = process.stdout.readline().strip()
+        wait_for(address, process)
+        yield address
+    finally:
+        with suppress(ProcessLookupError):  # it may have ended by itself
+            os.killpg(process.pid, signal.SIGKILL)  # and what it has started
+        process.wait()
+        process.stdout.close()
+
+
+def wait_for(address: str, process: "subprocess.Popen[str]") -> None:
+    """Until it answers at all."""
+    end = time.monotonic() + UP_WITHIN
+    while time.monotonic() < end and process.poll() is None:
+        try:
+            with urllib.request.urlopen(urllib.request.Request(f"{address}/models", headers=AUTHORIZED)):
+                return
+        except OSError:
+            time.sleep(0.2)
+    pytest.fail(f"{address} does not answer")
 
 
 @pytest.fixture(autouse=True)
