@@ -64,7 +64,7 @@ Each run lies in OUT/runs/ARM-SEED, all of them together on a page in OUT/report
 was broken off.
 """
 FOLDER = click.Path(file_okay=False, path_type=Path)
-UNTIL = "Only what comes before: data, which needs no GPU, or the warm start, too; the same command goes on."
+UNTIL = "Only what comes before: data, which needs no GPU, or the warm start and its answers; the same command goes on."
 UNTIL_DATA = "Only what comes before the first step and needs no GPU; the same command goes on."
 
 
@@ -112,6 +112,7 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
 def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train a model on problems by GSPO with our grader as the reward, as the file CONFIG says; needs [train]."""
+    from sim2reason.reports.held_out import answer_before
     from sim2reason.reports.training import report_training
     from sim2reason.training.extras import is_main_process, quiet
     from sim2reason.training.rl.config import reinforcement_learning_from
@@ -123,6 +124,8 @@ def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: b
         if until is not None:
             prepare_rl(settings, until=until, begun=phases.begin, advance=phases.advance)
             if is_main_process():
+                if until == "warm-start":
+                    answer_before(settings, phases.begin, phases.advance)
                 _say_prepared(settings.out, until)
             return
         found = train_rl(settings, begun=phases.begin, advance=phases.advance)

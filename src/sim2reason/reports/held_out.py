@@ -4,7 +4,7 @@ RUN/evaluation/greedy, RUN/evaluation/sampled   evaluations, each of both models
 """
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -18,10 +18,11 @@ from sim2reason.policies import Policy, policy_from
 from sim2reason.reports.evaluation import evaluate
 from sim2reason.reports.scores import scores_of
 from sim2reason.reports.statistics import Estimate, wilson
+from sim2reason.training.processes import Advance, Begun
 from sim2reason.training.rl.config import ReinforcementLearning
 from sim2reason.training.rl.folder import TrainingFolder
 
-__all__ = ["AFTER", "BEFORE", "CELL", "RESPONSES", "answered", "best_constant", "cells", "evaluated"]
+__all__ = ["AFTER", "BEFORE", "CELL", "RESPONSES", "answer_before", "answered", "best_constant", "cells", "evaluated"]
 
 BEFORE, AFTER = "before", "after"
 RESPONSES = {"greedy": 0.0, "sampled": 1.0}
@@ -33,14 +34,20 @@ PROMISING = 16  # constants that are scored: more than enough for what rounding 
 
 def answered(config: ReinforcementLearning) -> dict[str, Path]:
     """The folder of the evaluation for each way to choose responses."""
-    return {name: config.out / "evaluation" / name for name in RESPONSES}
+    return {name: TrainingFolder(config.out).evaluation / name for name in RESPONSES}
 
 
-def evaluated(
-    config: ReinforcementLearning,
-    begun: Callable[[str, int], object],
-    advance: Callable[[int], object],
-) -> dict[str, Sequence[BenchmarkItem]]:
+def answer_before(config: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
+    """Let the result of a warm start answer, which `evaluated` and other runs of a study need not ask again then.
+
+    Raises:
+        PolicyError: it cannot be loaded.
+    """
+    if config.warm_start is not None and config.held_out:
+        _asked(config, {BEFORE: (str(TrainingFolder(config.out).warm_start / "model"), None)}, begun, advance)
+
+
+def evaluated(config: ReinforcementLearning, begun: Begun, advance: Advance) -> dict[str, Sequence[BenchmarkItem]]:
     """Let both models of a finished run answer; the problems of each set, by its name.
 
     Raises:
@@ -52,6 +59,14 @@ def evaluated(
     if not config.held_out or result is None:
         raise TrainingError(f"{config.out}: no finished run with held_out problems; train it first")
     models = {BEFORE: (result.initial, result.revision), AFTER: (str(folder.model), None)}
+    return {each.name: items_of(each) for each in _asked(config, models, begun, advance)}
+
+
+def _asked(
+    config: ReinforcementLearning, models: Mapping[str, tuple[str, str | None]], begun: Begun, advance: Advance
+) -> tuple[Saved, ...]:
+    """Let models, each with its revision, answer as far as they have not; what was asked."""
+    folder = TrainingFolder(config.out)
     sets = [(each.problems.name, each.samples) for each in config.held_out]
     benchmarks = tuple(Saved(name=name, file=folder.problems(name), samples=samples) for name, samples in sets)
     for name, out in answered(config).items():
@@ -60,22 +75,13 @@ def evaluated(
         once = tuple(each.model_copy(update={"samples": 1}) for each in benchmarks)
         asked = Evaluation(out=out, policies=policies, benchmarks=benchmarks if temperature else once)
         evaluate(asked, begun=lambda total, name=name: begun(f"answers, {name}", total), advance=advance)
-    return {benchmark.name: items_of(benchmark) for benchmark in benchmarks}
+    return benchmarks
 
 
 def _policy(config: ReinforcementLearning, name: str, model: str, revision: str | None, temperature: float) -> Policy:
-    settings = {
-        "kind": "transformers",
-        "name": name,
-        "model": model,
-        "revision": revision,
-        "precision": "bfloat16" if config.gspo.precision == "bfloat16" else "auto",
-        "chat": config.chat is not False,
-        "sampling": {"temperature": temperature, "max_tokens": config.gspo.max_completion_tokens},
-        "batch_size": config.answers_together or max(64, config.gspo.generations),
-        "cuda_graphs": config.gspo.cuda_graphs,
-    }
-    return policy_from(settings, name)
+    settings = config.answering
+    sampling = {**settings["sampling"], "temperature": temperature}
+    return policy_from({**settings, "name": name, "model": model, "revision": revision, "sampling": sampling}, name)
 
 
 def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -> list[list[object]]:

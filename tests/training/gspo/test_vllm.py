@@ -28,9 +28,10 @@ def _on_cpus(monkeypatch: pytest.MonkeyPatch) -> Generator[None]:
     monkeypatch.setenv("VLLM_ENABLE_V1_MULTIPROCESSING", "0")
     monkeypatch.setenv("VLLM_CPU_KVCACHE_SPACE", "1")  # GiB
     yield
-    distributed = __import__("torch").distributed
-    if distributed.is_initialized():
-        distributed.destroy_process_group()
+    import torch
+
+    if torch.distributed.is_initialized():  # by vLLM, for one process
+        torch.distributed.destroy_process_group()
 
 
 def test_what_vllm_samples_has_the_probabilities_of_the_model_that_is_trained(model: Path, tmp_path: Path) -> None:

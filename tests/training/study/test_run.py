@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from short_run import settings
+from sim2reason.benchmarks.runs.folder import RunFolder
 from sim2reason.errors import TrainingError
 from sim2reason.reports.study import report_study
 from sim2reason.training.study.config import study_from
@@ -50,6 +51,13 @@ def test_a_warm_start_that_runs_share_is_made_once(whole: Path) -> None:
     assert len({file.stat().st_ino for file in files}) == 1
     rows = [(whole / "runs" / name / "held-out" / "rolling.jsonl").read_bytes() for name in ("ours-0", "drawn-1")]
     assert rows[0] == rows[1]
+
+
+def test_what_a_warm_start_answers_is_asked_once_for_all_runs_that_ask_alike(whole: Path) -> None:
+    for responses in ("greedy", "sampled"):
+        held = [path.read_bytes() for path in whole.glob(f"runs/*/evaluation/{responses}/samples/before/rolling.jsonl")]
+        assert (len(held), len(set(held))) == (4, 1)
+        assert len(held[0].splitlines()) == 4
 
 
 def test_seeds_draw_other_prompts_and_arms_the_same(whole: Path) -> None:
@@ -98,6 +106,8 @@ def test_a_prepared_study_has_one_warm_start_for_all(tmp_path: Path) -> None:
     prepare_study(study(out))
     assert len({file.stat().st_ino for file in out.glob("runs/*/warm-start/model/model.safetensors")}) == 1
     assert not [*out.glob("runs/*/train")]
+    records = [RunFolder(path).record for path in out.glob("runs/*/evaluation/sampled")]
+    assert len({json.dumps(record.policies["before"].decisive) for record in records}) == len(records) == 4
     broken = study(tmp_path / "broken")
     broken["base"]["warm_start"]["max_completion_tokens"] = 1
     with pytest.raises(TrainingError, match=r"4 of 4 runs failed.*ours-1: .*no row is within the limits"):

@@ -116,6 +116,18 @@ class ReinforcementLearning(_Settings):
         """Those that these settings need beside what every run does."""
         return (*self.gspo.libraries, *(() if self.warm_start is None else self.warm_start.libraries))
 
+    @property
+    def answering(self) -> dict[str, Any]:
+        """Settings of a policy that answers held-out problems, but for its model and the temperature."""
+        return {
+            "kind": "transformers",
+            "precision": "bfloat16" if self.gspo.precision == "bfloat16" else "auto",
+            "chat": self.chat is not False,
+            "sampling": {"max_tokens": self.gspo.max_completion_tokens},
+            "batch_size": self.answers_together or max(64, self.gspo.generations),
+            "cuda_graphs": self.gspo.cuda_graphs,
+        }
+
     def check(self) -> None:
         """Look for model, corpora and problems, before a folder is claimed.
 

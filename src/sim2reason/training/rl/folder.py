@@ -49,7 +49,7 @@ class TrainingFolder:
         self.warm_start, self.train, self.model = path / WARM_START, path / "train", path / "model"
         self.held_out, self.initial = path / "held-out", path / "initial"
         self.learned = self.warm_start / "corpora.json"
-        self.report = path / "report" / "report.json"
+        self.evaluation, self.report = path / "evaluation", path / "report" / "report.json"
 
     def claim(self, config: ReinforcementLearning) -> None:
         """As `run_plan.claim` does."""
