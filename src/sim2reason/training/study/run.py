@@ -12,7 +12,8 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from subprocess import STDOUT, Popen
 
-from sim2reason.benchmarks.runs.moved import lay_answers
+from sim2reason.benchmarks.runs.copied_answers import copy_answers
+from sim2reason.benchmarks.runs.folder import RUN
 from sim2reason.datasets.atomic_files import canonical, put_text, working_in
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.extras import require
@@ -180,10 +181,10 @@ def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
             _linked(theirs, mine)
     if study.configs[first].answering == study.configs[arm].answering:
         models = [str(each.warm_start / "model") for each in (earlier, folder)]
-        for run in earlier.evaluation.glob("*/"):
+        for run in (record.parent for record in earlier.evaluation.glob(f"*/{RUN}")):
             if not (folder.evaluation / run.name).exists():
                 folder.evaluation.mkdir(exist_ok=True)
-                lay_answers(run, folder.evaluation / run.name, *models)
+                copy_answers(run, folder.evaluation / run.name, *models)
 
 
 def _linked(source: Path, target: Path) -> None:

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from sim2reason.benchmarks.runs.config import evaluation_from
+from sim2reason.benchmarks.runs.copied_answers import copy_answers
 from sim2reason.benchmarks.runs.folder import RunFolder
-from sim2reason.benchmarks.runs.moved import lay_answers
 from sim2reason.benchmarks.runs.run import run
 from sim2reason.policies.samples.journal import finished
 
@@ -30,7 +30,7 @@ def made(tmp_path: Path) -> Path:
 
 def test_answers_of_the_model_come_along_and_no_others(made: Path, tmp_path: Path) -> None:
     out = tmp_path / "other"
-    lay_answers(made, out, "here", "there")
+    copy_answers(made, out, "here", "there")
     found = RunFolder(out)
     assert [(name, plan.decisive["model"]) for name, plan in found.record.policies.items()] == [("1", "there")]
     assert found.record.policies["1"].settings["model"] == "there"
@@ -40,5 +40,5 @@ def test_answers_of_the_model_come_along_and_no_others(made: Path, tmp_path: Pat
 
 
 def test_nothing_is_begun_where_the_model_has_answered_nothing(made: Path, tmp_path: Path) -> None:
-    lay_answers(made, tmp_path / "other", "elsewhere", "there")
+    copy_answers(made, tmp_path / "other", "elsewhere", "there")
     assert not (tmp_path / "other").exists()

@@ -1,4 +1,4 @@
-"""What a model has answered in one run stands in another, whose model is the same under another path."""
+"""Answers of one run copied into another, whose model is the same under another path."""
 
 import shutil
 from pathlib import Path
@@ -6,13 +6,13 @@ from pathlib import Path
 from sim2reason.benchmarks.runs.folder import PROBLEMS, RUN, SAMPLES, PolicyPlan, RunFolder
 from sim2reason.datasets.atomic_files import canonical, put_text
 
-__all__ = ["lay_answers"]
+__all__ = ["copy_answers"]
 
 PARTIAL = ".part"
 
 
-def lay_answers(run: Path, out: Path, model: str, copied: str) -> None:
-    """Begin in `out` a run with the answers that policies of `model` have given in `run`; it lies at `copied`, too.
+def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
+    """Begin in `out` a run with what policies of `model` have answered in `run`, as answers of its copy at `copied`.
 
     Nothing is begun if there are none. EvaluationError if there is no run.
     """
