@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 from gguf import GGUFWriter, TokenType
+from tiny import CONTEXT, TEMPLATE
 from xllamacpp import CommonParams, Server
 
-WIDE, HEADS, LAYERS, INNER, CONTEXT = 64, 4, 2, 128, 512
-TEMPLATE = "{% for message in messages %}<{{ message['role'] }}>{{ message['content'] }}{% endfor %}<assistant>"
+WIDE, HEADS, LAYERS, INNER = 64, 4, 2, 128
 
 
 def byte_letters() -> list[str]:

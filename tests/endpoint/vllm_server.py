@@ -10,10 +10,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "support"))
-from gspo_run import tiny_model
+from tiny import CONTEXT, TEMPLATE
 
-CONTEXT = 512
-TEMPLATE = "{% for message in messages %}<{{ message['role'] }}>{{ message['content'] }}{% endfor %}<assistant>"
+from gspo_run import tiny_model
 
 
 def free_port() -> int:

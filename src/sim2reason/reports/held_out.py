@@ -79,7 +79,7 @@ def _asked(
 
 
 def _policy(config: ReinforcementLearning, name: str, model: str, revision: str | None, temperature: float) -> Policy:
-    settings = config.answering
+    settings = config.evaluation_policy
     sampling = {**settings["sampling"], "temperature": temperature}
     return policy_from({**settings, "name": name, "model": model, "revision": revision, "sampling": sampling}, name)
 

@@ -117,7 +117,7 @@ class ReinforcementLearning(_Settings):
         return (*self.gspo.libraries, *(() if self.warm_start is None else self.warm_start.libraries))
 
     @property
-    def answering(self) -> dict[str, Any]:
+    def evaluation_policy(self) -> dict[str, Any]:
         """Settings of a policy that answers held-out problems, but for its model and the temperature."""
         return {
             "kind": "transformers",

@@ -179,7 +179,7 @@ def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
     for theirs, mine in ((earlier.held_out, folder.held_out), (earlier.warm_start, folder.warm_start)):
         if theirs.is_dir() and not mine.exists():
             _linked(theirs, mine)
-    if study.configs[first].answering == study.configs[arm].answering:
+    if study.configs[first].evaluation_policy == study.configs[arm].evaluation_policy:
         models = [str(each.warm_start / "model") for each in (earlier, folder)]
         for run in (record.parent for record in earlier.evaluation.glob(f"*/{RUN}")):
             if not (folder.evaluation / run.name).exists():

@@ -1,0 +1,4 @@
+"""What the tiny models of all servers share."""
+
+CONTEXT = 512
+TEMPLATE = "{% for message in messages %}<{{ message['role'] }}>{{ message['content'] }}{% endfor %}<assistant>"
