@@ -54,7 +54,7 @@ def is_idle(found: Candidate) -> bool:
     query, trace = found.question.query, found.study.trace
     if query.target is None or query.moment is None or found.time is None or query.kind == "time_to_event":
         return False
-    events = [event.time for event in trace.events if event.kind not in {"turn", *ENDINGS}]
+    events = [event.time for event in trace.events if event.changes_motion and event.kind not in ENDINGS]
     if query.kind == "start" and (events or type(query.moment) is not AtStart):
         return False  # what comes later may differ, or it is asked of all the motion
     before = max((time for time in events if time < found.time * (1.0 - AT_ONCE)), default=0.0)

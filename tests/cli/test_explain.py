@@ -63,3 +63,9 @@ def test_a_problem_of_another_version_is_said_to_be_one(data: Path, monkeypatch:
     told = call("explain", data, "--id", "incline-easy-numeric-0-0")
     assert told.exit_code == 2
     assert "another problem" in told.output
+
+
+def test_a_problem_of_a_dataset_without_filters(tmp_path: Path) -> None:
+    build(tmp_path, Config(items=1, recipes=("incline",), difficulties=("easy",), unfiltered=True), workers=1)
+    told = call("explain", tmp_path, "--id", "incline-easy-numeric-0-0-unfiltered")
+    assert told.exit_code == 0, told.output

@@ -28,7 +28,7 @@ def test_a_motion_goes_on_as_it_was(recipe: str, difficulty: str, seed: int) -> 
         return
     mechanism = scene.mechanism
     trace = simulate(mechanism, np.linspace(0.0, scene.horizon, 11))
-    changes = [event.time for event in trace.events if event.kind != "turn"]
+    changes = [event.time for event in trace.events if event.changes_motion]
     end = min([trace.stable_until, *changes])
     if end < 1e-3 * scene.horizon or not steady(mechanism):
         return

@@ -14,11 +14,11 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.entities.projectile import Projectile
 from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.entities.two_side_mass_plane import TwoSideMassPlane
-from sim2reason.figures.curves import VERBS, motion_curves, told
+from sim2reason.figures.curves import motion_curves, told
 from sim2reason.figures.plot import REASONS, Colors, plot
 from sim2reason.prose.description import describe
 from sim2reason.simulation.scenes import simulate
-from sim2reason.simulation.trace import Event, Trace
+from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
 
 def alone(entity: Entity) -> Scene:
@@ -137,7 +137,7 @@ def test_every_kind_of_event_has_words() -> None:
     scene = SLIDING
     mentions = {address: describe(scene).mention(address) for address in scene.bodies}
     body = next(name for name in scene.mechanism.body)
-    for kind in VERBS:
+    for kind in EVENT_KINDS:
         said = told(Event(0.1, kind, (body, body)), scene.mechanism, mentions)
         assert "{" not in said
         assert kind == "crowd" or mentions[body] in said

@@ -36,4 +36,4 @@ def test_an_answer_that_small_errors_grow_in_hangs_on_no_length(time: float) -> 
     answer = KINDS["state"].answer(query, study)
     assert answer is not None
     question = Question("numeric", query, "?", answer, "m/s")
-    assert FILTERS["unsaid"].reason(Candidate(study, question, "a b c")) == ""
+    assert FILTERS["hidden numbers"].reason(Candidate(study, question, "a b c")) == ""

@@ -80,7 +80,7 @@ class Followed:
 
     def events(self, *kinds: str) -> list[tuple[str, tuple[str, ...], float]]:
         """The events of some kinds, or of all but turns."""
-        wanted = [e for e in self.trace.events if (e.kind in kinds if kinds else e.kind != "turn")]
+        wanted = [e for e in self.trace.events if (e.kind in kinds if kinds else e.changes_motion)]
         return [(e.kind, e.subjects, e.time) for e in wanted]
 
 

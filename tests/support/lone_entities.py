@@ -41,4 +41,4 @@ def planar(trace: Trace) -> tuple[Array, Array, Array, Array]:
 
 def happened(trace: Trace, *kinds: str) -> list[tuple[str, float]]:
     """The events of some kinds, or of all but turns, with their times, s."""
-    return [(e.kind, e.time) for e in trace.events if (e.kind in kinds if kinds else e.kind != "turn")]
+    return [(e.kind, e.time) for e in trace.events if (e.kind in kinds if kinds else e.changes_motion)]

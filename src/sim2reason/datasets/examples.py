@@ -51,9 +51,7 @@ def _made_again(item: Item) -> tuple[str, bytes | None]:
     from sim2reason.datasets.worked_solutions import recorded, worked  # noqa: PLC0415 - the same
     from sim2reason.figures import canvas, drawing  # noqa: PLC0415 - the same
 
-    made = item.provenance
-    weights = tuple(sorted(made.weights.items()))
-    request = Request(made.recipe, made.difficulty, made.mode, made.seed, made.index, weights, made.units)
+    request = Request.of(item)
     found = ItemSearch(request).found()
     if found is None or found.prompt != item.prompt:
         return "", None

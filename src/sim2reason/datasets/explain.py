@@ -6,7 +6,6 @@ from pathlib import Path
 from textwrap import indent
 
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.plan import Request
@@ -50,7 +49,7 @@ def explain(
     """
     check(figure, trace)
     item = (dataset if isinstance(dataset, Dataset) else Dataset(dataset)).item(id)
-    request = _request(item)
+    request = Request.of(item)
     search = ItemSearch(request)
     found, refused = search.found(), search.rejected
     if found is None or item_of(request, found) != item:
@@ -80,14 +79,6 @@ def check(figure: Path | str | None, trace: Path | str | None) -> None:
         canvas.check(Path(figure))
     if trace is not None:
         trace_files.check(Path(trace))
-
-
-def _request(item: Item) -> Request:
-    """The request that an item answers."""
-    made = item.provenance
-    weights = tuple(sorted(made.weights.items()))
-    solved = item.solution is not None or bool(item.unsolved)
-    return Request(made.recipe, made.difficulty, made.mode, made.seed, made.index, weights, made.units, solved)
 
 
 def _solution(request: Request, found: CertifiedQuestion) -> str:

@@ -5,20 +5,20 @@ import json
 
 from pydantic import JsonValue
 
+from sim2reason.datasets import item_search, question_search
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
 from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, Provenance, QueryRecord
-from sim2reason.datasets.item_search import SETTINGS as BUDGET
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Made, Request, versions
-from sim2reason.datasets.question_search import SAMPLES, SHORTEST, CertifiedQuestion
+from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.worked_solutions import recorded, worked
 from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
 
-SETTINGS = hashlib.sha256(json.dumps([*BUDGET, SAMPLES, SHORTEST]).encode()).hexdigest()[:16]
+SETTINGS = hashlib.sha256(json.dumps([*item_search.SETTINGS, *question_search.SETTINGS]).encode()).hexdigest()[:16]
 
 
 def make(request: Request) -> Made:

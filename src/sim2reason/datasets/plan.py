@@ -6,7 +6,7 @@ import platform
 import re
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib import import_module
 from importlib.metadata import version
@@ -135,6 +135,12 @@ class Request:
                 f"{name!r}: its weights or quantities do not stand in its id; see: sim2reason explain DATASET --id ID"
             )
         return request
+
+    @classmethod
+    def of(cls, item: Item) -> Self:
+        """The request that an item answers; DrawError for an item of some quantities alone, which no id names."""
+        solved = item.solution is not None or bool(item.unsolved)
+        return replace(cls.named(item.id, tuple(sorted(item.provenance.weights.items()))), solutions=solved)
 
 
 @dataclass(frozen=True, slots=True)

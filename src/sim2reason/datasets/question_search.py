@@ -27,6 +27,7 @@ WORDINGS = 6  # tries
 QUESTIONS = 4  # tries that differ
 DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
 CHOOSY = 8  # times as many draws, where only some quantities may be asked about
+SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
 NOTHING = "nothing to ask"  # as a manifest counts it
 
 

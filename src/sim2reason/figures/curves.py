@@ -208,6 +208,7 @@ VERBS = {
     "crowd": "impacts too close together",
     "burn-out": "{0} has burnt all its fuel",
     "land": "{0} lands",
+    "leave": "{0} leaves its support",
     "enter": "{0} enters the region",
     "exit": "{0} leaves the region",
     "indeterminate": "nothing holds {0} any more",

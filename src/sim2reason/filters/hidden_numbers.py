@@ -12,7 +12,7 @@ SAME = 1e-6  # relative
 
 
 class HiddenNumbers(Filter):
-    """With every free length at the low end of its range, the moment comes later than the motion goes."""
+    """The answer changes, or there is none, with every hidden length at the low end of its range."""
 
     order = 5
 
@@ -31,7 +31,7 @@ class HiddenNumbers(Filter):
         if time is None or time > tight.trace.stable_until:
             return "with shorter strings the moment does not come"
         again = candidate.response(tight)
-        return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "an unsaid length matters"
+        return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "a hidden length matters"
 
 
 def tightest(scene: Scene) -> Scene:
@@ -45,4 +45,4 @@ def tightest(scene: Scene) -> Scene:
     return scene
 
 
-FILTERS.add("unsaid", HiddenNumbers())
+FILTERS.add("hidden numbers", HiddenNumbers())

@@ -22,7 +22,6 @@ _STEPS: Final = frozenset({"so", "hence", "thus", "therefore", "thereby"})
 _SAYS: Final = frozenset({"is", "equals", "was"})
 _CONDITIONS: Final = frozenset({"at", "when", "for", "after", "with", "given", "from", "since"})
 _NUMERIC: Final = frozenset({"number", "part", "plus", "minus", "dash", "slash", "times"})
-_SEPARATORS: Final = (",", ";", "\\", "&")
 
 Tokens = list[Token]
 

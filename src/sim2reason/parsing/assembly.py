@@ -1,4 +1,4 @@
-"""From what was state to a scene: told numbers where they belong, hidden ones drawn afresh."""
+"""From what was read to a scene: told numbers where they belong, hidden ones drawn afresh."""
 
 from typing import Any
 

@@ -16,7 +16,7 @@ from sim2reason.parsing.string_routes import InnerRoute
 from sim2reason.parsing.tables import parse_table
 
 Step = Callable[[int, ParseState], Iterator[tuple[int, ParseState]]]
-"""From a piece of the text and what was state before it, to all that can be state from there on."""
+"""From a piece of the text and what was read before it, to all that can be read from there on."""
 
 
 class _Said(NamedTuple):

@@ -22,7 +22,7 @@ SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
 NONE_GIVEN: Mapping[str, str] = {}
 
 Found = tuple[int, ParseState]
-"""Where a match ends, and what was state until there."""
+"""Where a match ends, and what was read until there."""
 
 
 @cache

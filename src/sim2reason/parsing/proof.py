@@ -1,4 +1,4 @@
-"""The proof of a reading: its scene, told again with the wordings that were state, has this very text.
+"""The proof of a reading: its scene, told again with the wordings that were read, has this very text.
 
 Only zeros at the end of a decimal fraction are no matter: *1.20 m* is *1.2 m*.
 """

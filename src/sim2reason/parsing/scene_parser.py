@@ -178,7 +178,7 @@ class _Grammar:
 
 
 def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
-    """What was state, with a connection; None if lines that wait for it came in another order than it goes.
+    """What was read, with a connection; None if lines that wait for it came in another order than it goes.
 
     The Writer tells the lines of entities in the order of the links, but a string from the end that makes
     the better sentence; so if the lines came the other way round, the links are the other way round.

@@ -33,7 +33,7 @@ def pick(
 def apart(time: float, trace: Trace) -> bool:
     """Whether a time stays away from every event that changes anything, so that before and after can't be mistaken."""
     clear = CLEAR * float(trace.state.times[-1])
-    return all(abs(time - event.time) > clear for event in trace.events if event.kind != "turn")
+    return all(abs(time - event.time) > clear for event in trace.events if event.changes_motion)
 
 
 def still(trace: Trace, speeds: Array) -> float:

@@ -65,4 +65,4 @@ def _between(trace: Trace, time: float) -> tuple[float, float]:
 
 
 def _changes_something(event: Event) -> bool:
-    return event.kind != "turn" and event.kind not in ENDINGS
+    return event.changes_motion and event.kind not in ENDINGS

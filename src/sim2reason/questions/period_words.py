@@ -135,7 +135,7 @@ def _of_small(query: PeriodQuery, words: Words, place: str) -> tuple[str, ...]:
 def _of_modes(query: PeriodQuery, place: str) -> tuple[str, ...]:
     """Of several modes; the slowest has the longest period."""
     count, last = query.modes, query.rank > 0
-    plural = {"period": "normal periods"}.get(query.measure, f"natural {query.measure[:-1]}ies")
+    plural = {"period": "natural periods"}.get(query.measure, f"natural {query.measure[:-1]}ies")
     which = (LENGTHS if query.measure == "period" else SIZES)[count][last]
     mode = f"the {SPEEDS[count][last]} of the {COUNTS[count]} normal modes of oscillation about {place}"
     return (

@@ -44,7 +44,6 @@ class Study:
         self._times: dict[Timed, float | None] = {}
         self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
         self._shorter: dict[tuple[object, float], Study] = {}  # variants that are known for longer than is asked
-        self._readings: dict[str, Study | None] = {}
         self._known: dict[Hashable, object] = {}
         self._scenes: dict[tuple[tuple[str, float], ...], Scene | None] = {}
 
@@ -94,12 +93,6 @@ class Study:
         """The scene with its mechanism changed, and the motion of that; `name` is that of the change among all."""
         whole = change if self.change is None else _one_after(self.change, change)
         return self._followed(name, lambda: (self.scene, change(self.mechanism), whole), until)
-
-    def read_as(self, reading: str, make: "Callable[[], Study | None]") -> "Study | None":
-        """What `make` gives, for a reading of this motion by that name."""
-        if reading not in self._readings:
-            self._readings[reading] = make()
-        return self._readings[reading]
 
     def once(self, name: Hashable, make: Callable[[], T]) -> T:
         """What `make` gives, worked out when it is first asked for by that name."""

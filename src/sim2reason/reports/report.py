@@ -12,10 +12,9 @@ from sim2reason.reports.answers_page import answers_page
 from sim2reason.reports.markdown import page
 from sim2reason.reports.results import Result, RunReport, result
 
-__all__ = ["REPORT_FILES", "write_report"]
+__all__ = ["write_report"]
 
 JSON, PAGE, SCORES, ANSWERS = "report.json", "report.md", "scores.jsonl", "answers.html"
-REPORT_FILES = JSON, PAGE, SCORES, ANSWERS
 NO_PICTURES = "There are no pictures, since matplotlib is not installed: pip install 'sim2reason[figures]'"
 
 

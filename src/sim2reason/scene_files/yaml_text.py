@@ -41,7 +41,6 @@ _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_.]*", re.ASCII)
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 _TRUTH = {"true": True, "false": False, "null": None}
 _AMBIGUOUS = {"y", "n", "yes", "no", "on", "off", *_TRUTH, "~", "=", "<<"}  # when not exactly true, false or null
-_PLAIN_ONLY = "write plain YAML: keys, lists, numbers and words"
 
 
 def shown(value: object) -> str:

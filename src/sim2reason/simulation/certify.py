@@ -24,8 +24,7 @@ Flags = NDArray[np.bool_]
 SMOOTH = 1e-4  # the relative difference that is allowed where nothing changes mode
 EVENTFUL = 1e-3  # and where something does
 NEAR = 1e-4  # of the duration: events that differ by less in time are simultaneous
-CHANGES = frozenset({"collision", "taut", "slack", "stick", "slip"})
-INFORMATIVE = frozenset({"turn"})  # what no mode depends on need not be matched
+CHANGES = frozenset({"collision", "taut", "slack", "stick", "slip"})  # for all others the strict limit holds
 RECORDED, WITNESS = "exact", "mujoco"
 
 
@@ -134,7 +133,8 @@ def _told(event: Event) -> str:
 
 
 def _telling(events: Iterable[Event]) -> list[Event]:
-    return [event for event in events if event.kind not in INFORMATIVE]
+    """Those that must be matched."""
+    return [event for event in events if event.changes_motion]
 
 
 def _match(recorded: list[Event], witness: list[Event], near: float) -> tuple[tuple[Match, ...], Event | None]:

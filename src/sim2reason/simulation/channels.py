@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
 from sim2reason.quantities import QUANTITIES, Quantity
 
 
@@ -20,8 +19,3 @@ def channels(mechanism: Mechanism) -> Iterator[tuple[Channel, Quantity]]:
     for name, quantity in QUANTITIES.items():
         for subject in quantity.subjects(mechanism):
             yield Channel(subject, name), quantity
-
-
-def evaluate_channels(state: State) -> dict[Channel, Array]:
-    """Every channel of a motion at n instants: (n,), or (n, 3) of a vector."""
-    return {channel: quantity.evaluate(state, channel.subject) for channel, quantity in channels(state.mechanism)}

@@ -1,6 +1,6 @@
 """The record of a simulated motion, the same from every engine."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
@@ -14,26 +14,44 @@ from sim2reason.registry import Registry
 AT_ONCE = 1e-9  # of a time: what comes earlier than something by no more comes with it
 
 
+EVENT_KINDS: Mapping[str, str] = {
+    "collision": "two bodies meet, or one meets the room",
+    "taut": "a slack string is stretched",
+    "land": "a foot or a prop is pressed again",
+    "slack": "a string has no tension any more",
+    "leave": "a foot or a prop is pressed no more",
+    "stick": "what slides stops",
+    "slip": "what rests begins to slide, or what slides reverses",
+    "enter": "a body enters the region of a field",
+    "exit": "it leaves it",
+    "burn-out": "a rocket has burnt its fuel",
+    "turn": "the speed of a coordinate passes through zero: nothing else changes",
+    "reach": "two neighbouring sites of a string meet",
+    "limit": "a coordinate comes to an end of its range",
+    "lift": "a resting body leaves its face",
+    "crowd": "impacts are too close together to tell apart",
+    "indeterminate": "nothing holds a massless part any more",
+}
+"""What each kind of event is, in the order in which simultaneous ones are told. The last five end a motion."""
+
+
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happens at an instant between `subjects`, in the order in which engines name them.
-
-    kind: ``collision`` (bodies a, b) · ``taut`` (string part) · ``slack`` (string part) · ``stick`` and
-    ``slip`` (resting body; to ``slip`` belongs a body that reverses while it slides) · ``turn`` (a
-    coordinate's speed passes through zero; changes no mode) · ``reach`` (two neighbouring sites of a string
-    meet) · ``limit`` (coordinate) · ``lift`` (resting body leaves its face) · ``crowd`` (impacts too close
-    together to tell apart) · ``indeterminate`` (a massless part that nothing holds any more).
-    The last five end the motion that is described.
-    """
+    """Something of one of the `EVENT_KINDS` that happens at an instant, to `subjects` in the order of engines."""
 
     time: float  # s
     kind: str
     subjects: tuple[str, ...]
 
+    @property
+    def changes_motion(self) -> bool:
+        """Whether forces, velocities or their equations change: all events do that but turns."""
+        return self.kind != "turn"
+
 
 def happened(events: Iterable[Event], until: float) -> tuple[Event, ...]:
     """What happens before a time, s, and not just then, in order; turns change nothing and are left out."""
-    return tuple(event for event in events if event.time < until * (1.0 - AT_ONCE) and event.kind != "turn")
+    return tuple(event for event in events if event.time < until * (1.0 - AT_ONCE) and event.changes_motion)
 
 
 @dataclass(frozen=True)

@@ -95,7 +95,7 @@ def alarms(trace: Trace, window: int = WINDOW) -> tuple[Alarm, ...]:
 
 
 def _segments(trace: Trace) -> list[tuple[float, float]]:
-    borders = [-1.0, *(event.time for event in trace.events if event.kind != "turn"), trace.stable_until]
+    borders = [-1.0, *(event.time for event in trace.events if event.changes_motion), trace.stable_until]
     within = sorted(min(border, trace.stable_until) for border in borders)
     return [(a, b) for a, b in pairwise(within) if b > a]
 

@@ -20,7 +20,6 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.unit_latex import METRES, SECONDS, SPEED
 
 ALIGNED = 1e-9
-Relative = tuple[list[Expression], list[Expression], Symbol | None, list[str]]  # place, velocity, since when, axes
 
 
 @dataclass

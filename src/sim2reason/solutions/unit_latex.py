@@ -30,8 +30,8 @@ def unit_of(text: str) -> str:
 METRES, SECONDS, KILOGRAMS, RADIANS = latex("m"), latex("s"), latex("kg"), latex("rad")
 SPEED, ACCELERATION, STIFFNESS = latex("m/s"), latex("m/s^2"), latex("N/m")
 PER_SECOND, ANGULAR_SPEED, ANGULAR_ACCELERATION = latex("1/s"), latex("rad/s"), latex("rad/s^2")
-NEWTONS, JOULES, MOMENTUM, IMPULSE = latex("N"), latex("J"), latex("kg m/s"), latex("N s")
-INERTIA, TORQUE, ANGULAR_MOMENTUM = latex("kg m^2"), latex("N m"), latex("kg m^2/s")
+NEWTONS, JOULES, IMPULSE = latex("N"), latex("J"), latex("N s")
+INERTIA, TORQUE = latex("kg m^2"), latex("N m")
 PER_SECOND_SQUARED = latex("1/s^2")
 
 LENGTHS = "m", "m^2", "m/s", "m/s^2", "m^2/s", "m^3/s^2"

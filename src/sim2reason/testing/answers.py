@@ -15,7 +15,6 @@ from sim2reason.testing.specimens import Specimen
 CLOSE = 1e-6  # relative to the largest value of the quantity
 MOMENTS = (0.0, 0.19, 0.46, 0.73, 0.97)  # parts of the common motion
 SOON, LATE = 1e-6, 1.0 - 1e-4  # parts of the common motion between which events are counted
-UNCOUNTED = frozenset({"turn"})  # what no mode depends on, and rounding may bring about
 
 
 @dataclass(frozen=True)
@@ -73,9 +72,12 @@ def _values(targets: list[Target], trace: Trace, times: list[float], stretch: fl
 
 
 def _events(trace: Trace, end: float, stretch: float) -> list[Event]:
-    """What happens between start and end, at times by the clock of the first motion; at both rounding may decide."""
+    """What happens between start and end, at times by the clock of the first motion.
+
+    At both ends rounding may decide, and for turns everywhere.
+    """
     events = [Event(event.time / stretch, event.kind, event.subjects) for event in trace.events]
-    return [e for e in events if e.kind not in UNCOUNTED and SOON * end < e.time < LATE * end]
+    return [e for e in events if e.changes_motion and SOON * end < e.time < LATE * end]
 
 
 def _parted(mine: list[Event], its: list[Event], end: float, close: float) -> Iterator[Difference]:

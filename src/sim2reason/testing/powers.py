@@ -19,14 +19,13 @@ from sim2reason.simulation.trace import Trace
 NODES = 10  # of each piece of an interval between events, for Gauss and Legendre
 HALVINGS = 12  # at most
 SETTLED = 1e-10  # of the whole: a change of less is none
-SUDDEN = frozenset({"turn"})  # events at which nothing jumps
 NOTHING = 1e-9  # m/s: a line whose length changes no faster does no work, whatever its tension
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 
 
 def intervals(trace: Trace, end: float) -> list[tuple[float, float]]:
     """The stretches between events, s, up to the end of what is described."""
-    times = [event.time for event in trace.events if event.kind not in SUDDEN and 0.0 < event.time < end]
+    times = [event.time for event in trace.events if event.changes_motion and 0.0 < event.time < end]
     return [(a, b) for a, b in pairwise([0.0, *sorted(times), end]) if b - a > 1e-9 * end]
 
 

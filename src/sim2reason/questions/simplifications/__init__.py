@@ -67,7 +67,7 @@ class OtherReading(Simplification):
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
         """That motion."""
         del subject, until
-        return study.read_as(self.name, lambda: self.read(study))
+        return study.once(("reading", self.name), lambda: self.read(study))
 
 
 S = TypeVar("S", bound=Simplification)

@@ -20,7 +20,6 @@ __all__ = [
     "equivalent_equations",
     "is_equation",
     "name_of",
-    "readable_expression",
     "same_text",
 ]
 
@@ -63,11 +62,6 @@ def equal_expressions(right: str, said: str) -> bool | None:
     if score.outcome in {Outcome.UNREADABLE, Outcome.NO_ANSWER, Outcome.TOO_LONG}:
         return None
     return score.outcome is Outcome.CORRECT
-
-
-def readable_expression(right: str) -> bool:
-    """Whether anything could be compared with `right` by value."""
-    return equal_expressions(right, "0") is not None
 
 
 def equivalent_equations(right: str, said: str) -> bool | None:

@@ -79,7 +79,7 @@ class Extreme(Functional):
             return None
         at, top = self._highest(trace, name, times, tops)
         size = abs(top)
-        jumps = any(event.kind != "turn" and times[at - 1] <= event.time <= times[at + 1] for event in trace.events)
+        jumps = any(event.changes_motion and times[at - 1] <= event.time <= times[at + 1] for event in trace.events)
         flat = max(heights[at - 1], heights[at + 1]) > top - FLAT * size
         beyond = highest > top + FLAT * size
         value = self.sign * top

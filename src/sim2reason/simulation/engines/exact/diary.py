@@ -5,17 +5,14 @@ from collections.abc import Iterable
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.problem import Mode, RoughContact
-from sim2reason.simulation.trace import Event
+from sim2reason.simulation.trace import EVENT_KINDS, Event
 
 CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
 SAME = 8  # events back among which one is looked for that says the same
 TIE = 1e-11  # s; events that are no further apart are simultaneous
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}
 STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}
-ORDER = (
-    *("collision", "taut", "land", "slack", "leave", "stick", "slip", "enter", "exit", "burn-out", "turn"),
-    *("reach", "limit", "lift", "crowd", "indeterminate"),
-)
+ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # of simultaneous events
 
 
 class Diary:
@@ -87,4 +84,4 @@ class Diary:
 
     def sorted(self) -> tuple[Event, ...]:
         """All events in order of time."""
-        return tuple(sorted(self.events, key=lambda event: (event.time, ORDER.index(event.kind))))
+        return tuple(sorted(self.events, key=lambda event: (event.time, ORDER[event.kind])))

@@ -1,6 +1,6 @@
 """Which contacts come apart when faces would have to pull.
 
-A solution of `modes` holds every contact closed. Where it needs a face to pull, the contact whose face pulls
+A solution of `contact_modes` holds every contact closed. Where it needs a face to pull, the contact whose face pulls
 most need not be the one that opens: a block that a wedge is jerked away under pulls at the wedge too, and so
 makes the floor seem to pull the wedge, which in truth stays down. So the rises of the contacts that open become
 unknowns like the coordinates, and what opens is found as what acts is: z ≥ 0, N ≥ 0, zN = 0. All contacts that

@@ -1,9 +1,9 @@
 """The MuJoCo engine: the same mechanism through another program, as a witness.
 
-`plant` compiles the mechanism with MjSpec and is the only module that talks to the library; `balance` lets its
-solver find forces and impulses free of the softness of its constraints; `forces` reads from them what is taut,
-sticks or slides; `watch` foresees events; `engine` goes from event to event in steps of RK4; `record` keeps
-what the steps leave. The library is loaded when the first mechanism is simulated.
+`specification` writes the mechanism down for MjSpec and `compiled_model` compiles it: they alone talk to the library.
+`balance` lets its solver find forces and impulses free of the softness of its constraints; `forces` reads from them
+what is taut, sticks or slides; `event_detection` foresees events; `engine` goes from event to event in steps of RK4;
+`record` keeps what the steps leave. The library is loaded when the first mechanism is simulated.
 """
 
 from importlib import import_module

@@ -47,19 +47,19 @@ class ForceBalance:
     rows: Integers
 
 
-def balance(plant: CompiledModel, demand: ForceDemand) -> ForceBalance:
+def balance(model: CompiledModel, demand: ForceDemand) -> ForceBalance:
     """Solve for all forces.
 
     Raises:
         SimulationError: friction and normal forces drive each other without end.
     """
-    plant.stand(demand.q)
-    rough = plant.friction > 0.0
+    model.stand(demand.q)
+    rough = model.friction > 0.0
     normal = np.zeros(len(rough)) if demand.normal is None else demand.normal
     history: list[tuple[Array, Array]] = []
     for number in range(ROUNDS):
-        found = _turns(plant, demand, normal)
-        fresh = found.forces[plant.presses]
+        found = _turns(model, demand, normal)
+        fresh = found.forces[model.presses]
         change = np.where(rough, fresh - normal, 0.0)
         close = 10.0 * (CLOSE if number < PATIENT else EQUAL)
         if np.abs(change).max(initial=0.0) <= close * (_largest(found.forces) + 1e-6):
@@ -83,22 +83,22 @@ def _mixed(history: list[tuple[Array, Array]]) -> Array:
     return guess + change - (guesses + changes) @ weights
 
 
-def _turns(plant: CompiledModel, demand: ForceDemand, normal: Array) -> ForceBalance:
+def _turns(model: CompiledModel, demand: ForceDemand, normal: Array) -> ForceBalance:
     """Iterate overlaps and creep for given normal forces behind the friction."""
-    limits = np.where((demand.sliding == 0.0) & ~demand.locked, plant.friction * normal, 0.0)
+    limits = np.where((demand.sliding == 0.0) & ~demand.locked, model.friction * normal, 0.0)
     applied = demand.applied.copy()
-    np.subtract.at(applied, plant.rubs, demand.sliding * plant.friction * normal)
-    plant.arm(demand.strings, demand.pairs, demand.locked, limits, applied)
-    overlap, creep = np.full(plant.slots, LEAST), np.zeros(plant.size)
+    np.subtract.at(applied, model.rubs, demand.sliding * model.friction * normal)
+    model.arm(demand.strings, demand.pairs, demand.locked, limits, applied)
+    overlap, creep = np.full(model.slots, LEAST), np.zeros(model.size)
     last: ForceBalance | None = None
     for turn in range(TURNS):
-        plant.overlap(overlap)
-        plant.load(demand.q, demand.v + creep)
-        rows = plant.rows()
-        found = ForceBalance(plant.a, plant.forces(rows), rows)
+        model.overlap(overlap)
+        model.load(demand.q, demand.v + creep)
+        rows = model.rows()
+        found = ForceBalance(model.a, model.forces(rows), rows)
         if last is not None and _same(found, last, CLOSE if turn < 5 else EQUAL):
             return found
-        overlap, creep = _corrected(plant, demand, found, limits)
+        overlap, creep = _corrected(model, demand, found, limits)
         last = found
     raise SimulationError("MuJoCo: its constraints find no balance")
 
@@ -115,20 +115,20 @@ def _same(a: ForceBalance, b: ForceBalance, close: float) -> bool:
     return close == EQUAL and _largest(a.a - b.a) <= EQUAL * (_largest(a.a) + 1.0)
 
 
-def _corrected(plant: CompiledModel, demand: ForceDemand, found: ForceBalance, limits: Array) -> tuple[Array, Array]:
+def _corrected(model: CompiledModel, demand: ForceDemand, found: ForceBalance, limits: Array) -> tuple[Array, Array]:
     """Overlaps and creep under which the forces found need no acceleration beyond the targets."""
-    overlap = np.full(plant.slots, LEAST)
+    overlap = np.full(model.slots, LEAST)
     if not len(found.rows):
-        return overlap, np.zeros(plant.size)
-    soft, forces = plant.softness(), found.forces[found.rows]
+        return overlap, np.zeros(model.size)
+    soft, forces = model.softness(), found.forces[found.rows]
     give, rate = soft.regularisation * forces, soft.gradient @ demand.v
     stiff = soft.stiffness > 0.0
     needed = (give + demand.targets[found.rows] + soft.damping * rate) / np.where(stiff, soft.stiffness, 1.0)
     overlap[found.rows] = needed
-    overlap[: plant.grips.start] = np.maximum(overlap[: plant.grips.start], LEAST)
-    held = ~stiff & (np.abs(forces) < np.append(np.zeros(plant.grips.start), limits)[found.rows])
+    overlap[: model.grips.start] = np.maximum(overlap[: model.grips.start], LEAST)
+    held = ~stiff & (np.abs(forces) < np.append(np.zeros(model.grips.start), limits)[found.rows])
     if not held.any():
-        return overlap, np.zeros(plant.size)
+        return overlap, np.zeros(model.size)
     kept = stiff | held
     speeds = np.where(held, -give / soft.damping - rate, 0.0)
     creep = np.linalg.lstsq(soft.gradient[kept], speeds[kept], rcond=1e-10)[0]

@@ -11,7 +11,7 @@ from sim2reason.simulation.engines.mujoco.compiled_model import STEP, CompiledMo
 from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
 from sim2reason.simulation.engines.mujoco.forces import Settled, SoftMode, settle, strike, weightless
 from sim2reason.simulation.engines.mujoco.record import Recorder
-from sim2reason.simulation.trace import Event, Trace
+from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
 SEGMENTS = 500
 STEPS = 100_000
@@ -22,7 +22,7 @@ TOGETHER = 1e-7  # s; the same of ends of the motion, as lengths are known to 1e
 REST = 1e-8  # m/s or rad/s; what rounding leaves of a speed that is zero
 SHORT = 1e-7  # s; how long before two sites meet the last step ends, since there a string has no direction
 STEADY = 1e-4  # of the largest load; forces are constant between events
-ORDER = ("collision", "taut", "slack", "stick", "slip", "turn", "reach", "limit", "lift", "crowd", "indeterminate")
+ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # of simultaneous events
 
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
@@ -32,7 +32,7 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
         if motion.segments > SEGMENTS:
             raise SimulationError(f"more than {SEGMENTS} events before {times[-1]:g} s; simulate a shorter time")
     record = motion.record
-    events = sorted(motion.events, key=lambda event: (event.time, ORDER.index(event.kind)))
+    events = sorted(motion.events, key=lambda event: (event.time, ORDER[event.kind]))
     return Trace("mujoco", record.state(times), tuple(events), motion.now, motion.cut, record.state)
 
 
@@ -42,12 +42,12 @@ class SoftMotion:
     def __init__(self, mechanism: Mechanism, duration: float) -> None:
         """Compile the mechanism, and stand at its start."""
         self.mechanism, self.duration = mechanism, duration
-        self.plant = CompiledModel(mechanism)
-        self.watch = EventDetector(self.plant)
+        self.model = CompiledModel(mechanism)
+        self.detector = EventDetector(self.model)
         self.now = 0.0
-        self.q = np.zeros(self.plant.size)
-        self.v = np.zeros(self.plant.size)
-        self.v[self.plant.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
+        self.q = np.zeros(self.model.size)
+        self.v = np.zeros(self.model.size)
+        self.v[self.model.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
         self.mode: SoftMode | None = None
         self.record = Recorder(mechanism)
         self.events: list[Event] = []
@@ -63,8 +63,8 @@ class SoftMotion:
             return False
         self.segments += 1
         taut = snapped | (np.ones_like(snapped) if self.mode is None else self.mode.taut)
-        settled = settle(self.plant, self.watch, self.q, self.v, taut)
-        self.plant.check()
+        settled = settle(self.model, self.detector, self.q, self.v, taut)
+        self.model.check()
         self._note_changes(settled, snapped)
         if self._ended(settled):
             return False
@@ -75,14 +75,14 @@ class SoftMotion:
 
     def _impact(self) -> Flags:
         """Let what meets bounce and what is full jerk; gives the strings that snapped taut."""
-        zero = np.zeros(self.plant.size)
-        strings = self.watch.strings(self.q, self.v, zero)
+        zero = np.zeros(self.model.size)
+        strings = self.detector.strings(self.q, self.v, zero)
         snapped = (strings.value <= TOUCHING) & (strings.rate < -STILL)
-        gaps = self.watch.approach(self.q, self.v, zero).gaps
+        gaps = self.detector.approach(self.q, self.v, zero).gaps
         hits = np.flatnonzero((gaps.value <= TOUCHING) & (gaps.rate < -STILL))
         if not (snapped.any() or len(hits)) or self._crowded(hits, np.flatnonzero(snapped)):
             return snapped
-        self.v, lifted = strike(self.plant, self.watch, self.q, self.v)
+        self.v, lifted = strike(self.model, self.detector, self.q, self.v)
         self.v[np.abs(self.v) < REST] = 0.0
         for number in hits:
             pair = self.mechanism.meetings[number]
@@ -94,7 +94,7 @@ class SoftMotion:
         if self.cut:
             self._note_snapped(snapped)
         if self.cut and not self.record.times:
-            self._note_forces(settle(self.plant, self.watch, self.q, self.v, snapped))
+            self._note_forces(settle(self.model, self.detector, self.q, self.v, snapped))
         return snapped
 
     def _note_snapped(self, snapped: Flags) -> None:
@@ -103,7 +103,7 @@ class SoftMotion:
 
     def _movable(self, number: int) -> list[str]:
         pair = self.mechanism.meetings[number]
-        return [name for name in pair.names if self.plant.center(name)[1].any()]
+        return [name for name in pair.names if self.model.center(name)[1].any()]
 
     def _crowded(self, hits: Integers, snapped: Integers) -> bool:
         """End at the earlier hit if a body is hit again too soon, or at the earlier jerk of a string."""
@@ -138,7 +138,7 @@ class SoftMotion:
         if not self.record.times:
             self._note_forces(settled)
         self._lift(settled.lifted)
-        gaps = self.watch.approach(self.q, self.v, settled.balance.a).gaps
+        gaps = self.detector.approach(self.q, self.v, settled.balance.a).gaps
         pressed = (gaps.value <= TOUCHING) & (np.abs(gaps.rate) <= STILL) & (gaps.second < -STILL)
         if not self.cut and settled.loose:
             self._end("indeterminate", *self._unheld())
@@ -148,7 +148,7 @@ class SoftMotion:
         return bool(self.cut)
 
     def _unheld(self) -> list[str]:
-        free = np.abs(weightless(self.plant)).max(axis=1)[self.plant.coordinates] > 1e-6
+        free = np.abs(weightless(self.model)).max(axis=1)[self.model.coordinates] > 1e-6
         return [c.name for c, moves in zip(self.mechanism.coordinates, free, strict=True) if moves]
 
     # ---- motion
@@ -159,8 +159,8 @@ class SoftMotion:
         a = settled.balance.a
         while True:
             loose = ~settled.mode.taut
-            change = self.watch.next_change(self.q, self.v, a, loose, settled.mode.rubbing)
-            ends = self.watch.finish(self.q, self.v, a).used_up()
+            change = self.detector.next_change(self.q, self.v, a, loose, settled.mode.rubbing)
+            ends = self.detector.finish(self.q, self.v, a).used_up()
             finish, left = float(ends.min(initial=inf)), self.duration - self.now
             if min(finish, left) <= change + TIE and finish <= left and finish <= SHORT:
                 return self._finish(ends)
@@ -171,33 +171,33 @@ class SoftMotion:
                 return True
             room = finish - 0.5 * SHORT if finish <= left else inf  # what ends after the duration needs no care
             self._step(min(change, room, left, STEP))
-            a = self.plant.a
+            a = self.model.a
             self._note_step(settled, a)
 
     def _step(self, duration: float) -> None:
         """Step once, no further than to where bodies meet, if a curved approach was foreseen a little wrong."""
-        q, v, now = self.plant.q, self.plant.v, self.now
+        q, v, now = self.model.q, self.model.v, self.now
         for _ in range(CLOSER):
-            self.plant.step(duration)
+            self.model.step(duration)
             self.now = now + duration
-            self.q, self.v = self.plant.q, self.plant.v
-            back = self.watch.too_far(self.q, self.v, duration)
+            self.q, self.v = self.model.q, self.model.v
+            back = self.detector.too_far(self.q, self.v, duration)
             if back == 0.0:
                 break
             duration -= back
-            self.plant.load(q, v)
+            self.model.load(q, v)
         self.steps += 1
         if self.steps > STEPS:
             raise SimulationError("MuJoCo: the budget of steps is used up")
-        self.plant.check()
-        if self.watch.bent():
+        self.model.check()
+        if self.detector.bent():
             raise UnsupportedError("a string bends as it moves")
 
     def _finish(self, ends: Array) -> bool:
         soonest = float(ends.min())
         self.now += soonest
         for number in np.flatnonzero(ends <= soonest + TOGETHER):
-            kind, subjects = self.watch.ends[int(number)]
+            kind, subjects = self.detector.ends[int(number)]
             self._end(kind, *subjects)
         return False
 
@@ -207,29 +207,29 @@ class SoftMotion:
         self._keep(settled, self.q, self.v, settled.balance.a, settled.balance.forces)
 
     def _note_step(self, settled: Settled, a: Array) -> None:
-        forces = self.plant.forces(self.plant.rows())
-        if np.abs(forces - settled.balance.forces).max(initial=0.0) > STEADY * self.plant.load_scale:
+        forces = self.model.forces(self.model.rows())
+        if np.abs(forces - settled.balance.forces).max(initial=0.0) > STEADY * self.model.load_scale:
             raise SimulationError("MuJoCo: a force changes between two events")
         before, time = self.record.motion[-1], self.record.times[-1]
         self._keep(settled, self.q, self.v, a, forces)
         self._note_turns(before, time)
 
     def _keep(self, settled: Settled, q: Array, v: Array, a: Array, forces: Array) -> None:
-        plant, n = self.plant, self.plant.coordinates
-        normal = forces[plant.presses]
-        friction = forces[plant.grips] - settled.mode.rubbing * plant.friction * normal
+        model, n = self.model, self.model.coordinates
+        normal = forces[model.presses]
+        friction = forces[model.grips] - settled.mode.rubbing * model.friction * normal
         known = np.where(settled.undetermined, np.nan, forces)
-        friction = np.where(settled.undetermined[plant.grips], np.nan, friction)
-        shown = np.concatenate([known[plant.strings], known[plant.presses], friction])
+        friction = np.where(settled.undetermined[model.grips], np.nan, friction)
+        shown = np.concatenate([known[model.strings], known[model.presses], friction])
         self.record.add(self.now, np.concatenate([q[n], v[n], a[n]]), shown)
 
     def _note_turns(self, before: Array, time: float) -> None:
         """Speeds of joints without friction that pass through zero within a step."""
         n = len(self.mechanism.coordinates)
         old, new = before[n : 2 * n], self.record.motion[-1][n : 2 * n]
-        rough = set(self.plant.rubs[self.plant.friction > 0.0])
+        rough = set(self.model.rubs[self.model.friction > 0.0])
         for number in np.flatnonzero((old * new < 0.0) & (np.abs(old) > REST) & (np.abs(new) > REST)):
-            if self.plant.coordinates[number] not in rough:
+            if self.model.coordinates[number] not in rough:
                 part = old[number] / (old[number] - new[number])
                 when = time + float(part) * (self.now - time)
                 self.events.append(Event(when, "turn", (self.mechanism.coordinates[number].name,)))

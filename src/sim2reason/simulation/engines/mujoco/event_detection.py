@@ -74,19 +74,19 @@ class Encounter(NamedTuple):
 class EventDetector:
     """The margins of one mechanism."""
 
-    def __init__(self, plant: CompiledModel) -> None:
+    def __init__(self, model: CompiledModel) -> None:
         """Read the geometry of the start.
 
         Raises:
             SceneError: two sites of a string coincide, or two bodies overlap.
         """
-        self._plant = plant
-        mechanism = plant.mechanism
+        self._plant = model
+        mechanism = model.mechanism
         self.slack: Array = np.array([slack_of(string) for string in mechanism.strings])
-        self._strings = plant.gradients[: len(mechanism.strings)]
+        self._strings = model.gradients[: len(mechanism.strings)]
         self.ends: list[tuple[str, tuple[str, ...]]] = []
         self._offsets: Array = np.zeros(0)
-        self._ends: Array = np.zeros((0, plant.size))
+        self._ends: Array = np.zeros((0, model.size))
         self._read_runs()
         self._read_limits()
         self._read_pairs()
@@ -177,10 +177,10 @@ class EventDetector:
 
         What has come within a hair of its end is not looked at: there a run may have passed through nothing.
         """
-        plant = self._plant
-        if np.all(np.abs(plant.lengths - plant.bare @ plant.q) <= BENT):
+        model = self._plant
+        if np.all(np.abs(model.lengths - model.bare @ model.q) <= BENT):
             return False
-        return bool(np.all(self.finish(plant.q, plant.v, plant.v).value > NEARLY))
+        return bool(np.all(self.finish(model.q, model.v, model.v).value > NEARLY))
 
 
 def slack_of(line: Line) -> float:

@@ -34,113 +34,113 @@ class Settled:
     loose: bool  # a massless part that nothing holds
 
 
-def settle(plant: CompiledModel, watch: EventDetector, q: Array, v: Array, taut: Flags) -> Settled:
+def settle(model: CompiledModel, detector: EventDetector, q: Array, v: Array, taut: Flags) -> Settled:
     """Find the mode and the forces at a state between impacts.
 
     `taut` are the strings that were so, or have just become so: they remain so under no tension while nothing
     moves their ends together. Raises SimulationError if no forces are found.
     """
-    zero = np.zeros(plant.size)
-    spare = watch.strings(q, v, zero)
+    zero = np.zeros(model.size)
+    spare = detector.strings(q, v, zero)
     tight = (spare.value <= TOUCHING) & (np.abs(spare.rate) <= STILL)
-    rough = plant.friction > 0.0
-    sliding = np.where(rough, np.sign(v[plant.rubs]), 0.0)
-    demand = _demand(plant, q, v, tight, sliding, zero)
-    faint = FAINT * plant.load_scale
-    last, found = _decide(plant, demand, START, faint)
+    rough = model.friction > 0.0
+    sliding = np.where(rough, np.sign(v[model.rubs]), 0.0)
+    demand = _demand(model, q, v, tight, sliding, zero)
+    faint = FAINT * model.load_scale
+    last, found = _decide(model, demand, START, faint)
     a = found.a
-    lifted = tuple(int(i) for i in np.flatnonzero(a[plant.faces] > STILL))
-    still = tight & (np.abs(watch.strings(q, v, a).second) <= STILL)
-    held = rough & (v[plant.rubs] == 0.0) & (np.abs(a[plant.rubs]) <= STILL)
-    open_ended = _undetermined(plant, still, held, last.sliding)
+    lifted = tuple(int(i) for i in np.flatnonzero(a[model.faces] > STILL))
+    still = tight & (np.abs(detector.strings(q, v, a).second) <= STILL)
+    held = rough & (v[model.rubs] == 0.0) & (np.abs(a[model.rubs]) <= STILL)
+    open_ended = _undetermined(model, still, held, last.sliding)
     mode = SoftMode(last.strings | (still & taut), last.sliding)
-    pulling = last.strings & ((found.forces[plant.strings] > faint) | open_ended[plant.strings])
-    return Settled(mode, found, open_ended, lifted, _loose(plant, pulling, last.sliding))
+    pulling = last.strings & ((found.forces[model.strings] > faint) | open_ended[model.strings])
+    return Settled(mode, found, open_ended, lifted, _loose(model, pulling, last.sliding))
 
 
-def _demand(plant: CompiledModel, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> ForceDemand:
-    pairs, locked = np.zeros(len(plant.pairs), dtype=bool), np.zeros(len(plant.friction), dtype=bool)
-    return ForceDemand(q, v, strings, pairs, sliding, locked, applied, np.zeros(plant.slots))
+def _demand(model: CompiledModel, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> ForceDemand:
+    pairs, locked = np.zeros(len(model.pairs), dtype=bool), np.zeros(len(model.friction), dtype=bool)
+    return ForceDemand(q, v, strings, pairs, sliding, locked, applied, np.zeros(model.slots))
 
 
 def _decide(
-    plant: CompiledModel, demand: ForceDemand, start: float, faint: float, *, impact: bool = False
+    model: CompiledModel, demand: ForceDemand, start: float, faint: float, *, impact: bool = False
 ) -> tuple[ForceDemand, ForceBalance]:
     """Let the solver say what pulls and slides, and solve again with that alone.
 
     A contact at rest slides if its friction is at its limit and it accelerates by more than `start`; a string
     pulls with more than `faint`, but in an impact all may: no jerk is small enough to be left out.
     """
-    first = balance(plant, demand)
-    pulling = demand.strings & ((first.forces[plant.strings] > faint) | impact)
-    resting = (plant.friction > 0.0) & (demand.sliding == 0.0)
+    first = balance(model, demand)
+    pulling = demand.strings & ((first.forces[model.strings] > faint) | impact)
+    resting = (model.friction > 0.0) & (demand.sliding == 0.0)
     if not resting.any() and np.array_equal(pulling, demand.strings):
         return demand, first
-    normal, a = first.forces[plant.presses], first.a[plant.rubs]
-    at_limit = np.abs(first.forces[plant.grips]) >= plant.friction * normal - faint
+    normal, a = first.forces[model.presses], first.a[model.rubs]
+    at_limit = np.abs(first.forces[model.grips]) >= model.friction * normal - faint
     started = resting & at_limit & (np.abs(a) > start)
     sliding = np.where(started, np.sign(a), demand.sliding)
     last = replace(demand, strings=pulling, sliding=sliding, locked=resting & ~started, normal=normal)
-    found = balance(plant, last)
-    torn = demand.strings & ~pulling & (plant.gradients[: len(pulling)] @ found.a > STILL)
+    found = balance(model, last)
+    torn = demand.strings & ~pulling & (model.gradients[: len(pulling)] @ found.a > STILL)
     if not torn.any():
         return last, found
     last = replace(last, strings=pulling | torn)  # a faint pull holds what has hardly any mass
-    return last, balance(plant, last)
+    return last, balance(model, last)
 
 
-def strike(plant: CompiledModel, watch: EventDetector, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
+def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
     """The velocities just after an impact, and the contacts that it lifts off their faces.
 
     The solver sees impulses as forces, and velocities as accelerations from M·v, with neither gravity nor pulls.
     """
-    zero = np.zeros(plant.size)
-    full = watch.strings(q, v, zero).value <= TOUCHING
-    gaps = watch.approach(q, v, zero).gaps
+    zero = np.zeros(model.size)
+    full = detector.strings(q, v, zero).value <= TOUCHING
+    gaps = detector.approach(q, v, zero).gaps
     touching = gaps.value <= TOUCHING
-    restitution = np.array([pair.restitution for pair in plant.mechanism.meetings])
-    targets = np.zeros(plant.slots)
-    targets[plant.hits] = SCALE * np.maximum(-restitution * gaps.rate, 0.0)
-    plant.aim(watch.closing(q))
-    plant.loads(on=False)
-    momenta, fast = SCALE * plant.mass @ v, float(np.abs(v).max())
-    demand = _demand(plant, q, zero, full, np.zeros(len(plant.friction)), momenta)
+    restitution = np.array([pair.restitution for pair in model.mechanism.meetings])
+    targets = np.zeros(model.slots)
+    targets[model.hits] = SCALE * np.maximum(-restitution * gaps.rate, 0.0)
+    model.aim(detector.closing(q))
+    model.loads(on=False)
+    momenta, fast = SCALE * model.mass @ v, float(np.abs(v).max())
+    demand = _demand(model, q, zero, full, np.zeros(len(model.friction)), momenta)
     demand = replace(demand, pairs=touching, targets=targets)
-    last, found = _decide(plant, demand, LIFT * SCALE * fast, FAINT * float(np.abs(momenta).max()), impact=True)
-    plant.loads(on=True)
+    last, found = _decide(model, demand, LIFT * SCALE * fast, FAINT * float(np.abs(momenta).max()), impact=True)
+    model.loads(on=True)
     after = found.a / SCALE
-    lifted = tuple(int(i) for i in np.flatnonzero(after[plant.faces] > LIFT * fast))
-    after[plant.faces] = 0.0
-    after[plant.rubs[last.locked]] = 0.0
+    lifted = tuple(int(i) for i in np.flatnonzero(after[model.faces] > LIFT * fast))
+    after[model.faces] = 0.0
+    after[model.rubs[last.locked]] = 0.0
     return after, lifted
 
 
-def weightless(plant: CompiledModel) -> Array:
+def weightless(model: CompiledModel) -> Array:
     """Directions in which nothing has mass, (joints, k), orthonormal."""
-    sizes, vectors = np.linalg.eigh(plant.mass)
+    sizes, vectors = np.linalg.eigh(model.mass)
     return vectors[:, sizes < 1e3 * TINY]
 
 
-def _loose(plant: CompiledModel, taut: Flags, rubbing: Array) -> bool:
+def _loose(model: CompiledModel, taut: Flags, rubbing: Array) -> bool:
     """Whether some massless part is held neither by a string that pulls nor by a contact that sticks."""
-    free = weightless(plant)
+    free = weightless(model)
     if not free.shape[1]:
         return False
-    stuck = (plant.friction > 0.0) & (rubbing == 0.0)
-    holding = np.vstack([plant.gradients[: len(taut)][taut], np.eye(plant.size)[plant.rubs[stuck]]])
-    holding = np.vstack([holding, np.eye(plant.size)[plant.faces]])
+    stuck = (model.friction > 0.0) & (rubbing == 0.0)
+    holding = np.vstack([model.gradients[: len(taut)][taut], np.eye(model.size)[model.rubs[stuck]]])
+    holding = np.vstack([holding, np.eye(model.size)[model.faces]])
     return int(np.linalg.matrix_rank(holding @ free, tol=1e-6)) < free.shape[1]
 
 
-def _undetermined(plant: CompiledModel, strings: Flags, held: Flags, rubbing: Array) -> Flags:
+def _undetermined(model: CompiledModel, strings: Flags, held: Flags, rubbing: Array) -> Flags:
     """The forces that could be others with all that is motionless counted as acting: a pattern has no effect."""
-    unit = np.eye(plant.size)
-    drag = np.where(held, 0.0, rubbing) * plant.friction
-    faces = -unit[plant.faces] + drag[:, None] * unit[plant.rubs]
-    slots = np.arange(plant.slots)
-    columns = np.vstack([plant.gradients[: len(strings)][strings], faces, unit[plant.rubs[held]]])
-    numbers = np.concatenate([slots[plant.strings][strings], slots[plant.presses], slots[plant.grips][held]])
-    found = np.zeros(plant.slots, dtype=bool)
+    unit = np.eye(model.size)
+    drag = np.where(held, 0.0, rubbing) * model.friction
+    faces = -unit[model.faces] + drag[:, None] * unit[model.rubs]
+    slots = np.arange(model.slots)
+    columns = np.vstack([model.gradients[: len(strings)][strings], faces, unit[model.rubs[held]]])
+    numbers = np.concatenate([slots[model.strings][strings], slots[model.presses], slots[model.grips][held]])
+    found = np.zeros(model.slots, dtype=bool)
     if not len(numbers):
         return found
     _, sizes, right = np.linalg.svd(columns.T)
