@@ -25,7 +25,7 @@ from sim2reason.questions.constancy import ENDINGS
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.recipes import RECIPES, known
+from sim2reason.recipes import RECIPES, difficulty_named
 
 HIDDEN = np.random.default_rng(1)
 AT_ONCE = 1e-6  # of a time: what happens so close to a moment is what comes then
@@ -45,7 +45,7 @@ def candidate_of(item: Item) -> tuple[Candidate, frozenset[str]]:
         study = MODES[item.mode].study(question, study)
         elasticity = (Dependence(query, study, unknown).rate(answer) or 0.0) * answer / given.value
         question = Question(item.mode, query, "", answer, item.answer.unit, "", unknown, given, elasticity)
-    level, told = known(item.difficulty), describe(study.scene, without=parsed.reading.without).told
+    level, told = difficulty_named(item.difficulty), describe(study.scene, without=parsed.reading.without).told
     return Candidate(study, question, item.prompt, difficulty=level, tolerance=item.answer.tolerance), frozenset(told)
 
 

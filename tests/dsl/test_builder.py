@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Drawn, X, Z
+from sim2reason.dsl.mechanism import ConstantTension, X, Z
 from sim2reason.dsl.vectors import unit
 from sim2reason.errors import SceneError
 
@@ -69,7 +69,7 @@ def test_a_hand_pulls_the_last_part_of_a_string() -> None:
     room.pull("rope", "hook", room.pulley("pulley", mass=1.0), "hand", force=5.0)
     mechanism = builder.finish()
     assert [string.name for string in mechanism.strings] == ["rope/1"]
-    assert [(pull.name, pull.law) for pull in mechanism.pulls] == [("rope/2", Drawn(5.0))]
+    assert [(pull.name, pull.law) for pull in mechanism.pulls] == [("rope/2", ConstantTension(5.0))]
 
 
 def test_mistakes_are_named() -> None:

@@ -13,7 +13,7 @@ from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.constancy import changing, steady
 from sim2reason.dsl.fields import Profile, Push, Resistance
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import ZERO, Drawn, Elastic, Inextensible, Mechanism, Prop, X, Y, Z
+from sim2reason.dsl.mechanism import ZERO, ConstantTension, Elastic, Inextensible, Mechanism, Prop, X, Y, Z
 from sim2reason.errors import Sim2ReasonError
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
@@ -116,7 +116,7 @@ def test_what_stays_is_known_to_stay(name: str) -> None:
     STAYS[name](builder)
     mechanism = builder.finish()
     assert changing(mechanism, start(mechanism)) == ""
-    assert all(isinstance(line.law, Inextensible | Drawn | Prop) for line in mechanism.lines)
+    assert all(isinstance(line.law, Inextensible | ConstantTension | Prop) for line in mechanism.lines)
 
 
 @pytest.mark.parametrize("family", FAMILIES)

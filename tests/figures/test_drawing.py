@@ -14,8 +14,7 @@ from sim2reason.dsl.body import Body
 from sim2reason.dsl.builder import Frame
 from sim2reason.dsl.connection import CONNECTIONS, Link
 from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.mechanism import Drawn as ConstantPull
-from sim2reason.dsl.mechanism import X, Z
+from sim2reason.dsl.mechanism import ConstantTension, X, Z
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.mass_prism_plane import MassPrismPlane
 from sim2reason.entities.mass_with_fixed_pulley import MassWithFixedPulley
@@ -90,7 +89,7 @@ def test_angles_and_forces_stand_in_the_drawing(drawings: list[Drawn]) -> None:
         assert set(shown) <= {p.measure.say(p.value) for p in scene.parameters if p.value and p.measure.unit == "deg"}
         for pull in scene.mechanism.pulls:
             assert any(
-                label.text.endswith(" N") and ConstantPull(float(label.text.removeprefix("F = ")[:-2])) == pull.law
+                label.text.endswith(" N") and ConstantTension(float(label.text.removeprefix("F = ")[:-2])) == pull.law
                 for label in drawn.labels
             )
 

@@ -35,7 +35,7 @@ from sim2reason.filters import Candidate
 from sim2reason.filters.degenerate import Degenerate
 from sim2reason.filters.few_symbols import FewSymbols
 from sim2reason.grading import formula
-from sim2reason.modes.parts import varied_scenes
+from sim2reason.modes.parts import formula_validity
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import EACH, Variation, Variations
 from sim2reason.prose.formula_numbers import said_in
@@ -486,9 +486,9 @@ def test_a_formula_with_counterexamples_without_end_is_given_up(monkeypatch: pyt
         sought.append(found)
         return found
 
-    monkeypatch.setattr(varied_scenes, "counterexample", another)
+    monkeypatch.setattr(formula_validity, "counterexample", another)
     assert bounced() is None
-    assert varied_scenes.COUNTEREXAMPLES <= len(sought) <= 3 * varied_scenes.COUNTEREXAMPLES
+    assert formula_validity.COUNTEREXAMPLES <= len(sought) <= 3 * formula_validity.COUNTEREXAMPLES
 
 
 SPRUNG = """

@@ -21,7 +21,7 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
 from sim2reason.questions.outcomes.slides import Slides
-from sim2reason.recipes import RECIPES, known
+from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.check import SEEN, faults
 from sim2reason.solutions.reading import read
@@ -124,7 +124,9 @@ def drawn(recipe: str, kind: str, mode: str, count: int) -> Iterator[Setting]:
     for index in range(count):
         rng = generator("kinds", recipe, kind, mode, index)
         try:
-            search = QuestionSearch(RECIPES[recipe](known(("easy", "medium", "hard")[index % 3]), rng), index)
+            search = QuestionSearch(
+                RECIPES[recipe](difficulty_named(("easy", "medium", "hard")[index % 3]), rng), index
+            )
             found = search.ask(MODES[mode], rng, Counter[str](), kind)
         except (SceneError, SimulationError, UnsupportedError):
             continue

@@ -19,7 +19,7 @@ from sim2reason.questions.prompt import words_of
 from sim2reason.recipes import RECIPES
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.solutions import STRATEGIES, Setting, by, solve
-from sim2reason.solutions.strategies import accelerates
+from sim2reason.solutions.strategies import varying_acceleration
 from worked import asked
 
 SHARE = 0.01  # of the horizon
@@ -31,7 +31,7 @@ def test_accelerations_change_where_the_engine_integrates(recipe: str) -> None:
     """It follows a motion by steps of an integrator just where accelerations change as it moves."""
     scene = sample(recipe, "medium", seed=3)
     segments = motion(scene.mechanism, SHARE * scene.horizon).segments
-    assert bool(accelerates(scene.mechanism)) == any(segment.flow is not None for segment in segments)
+    assert bool(varying_acceleration(scene.mechanism)) == any(segment.flow is not None for segment in segments)
 
 
 @pytest.mark.parametrize("recipe", list(RECIPES))

@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from sim2reason.dsl.frames import Frames
-from sim2reason.dsl.mechanism import Drawn, Elastic, Force, Inextensible, Line
+from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Line
 from sim2reason.dsl.state import Array, State
 from sim2reason.simulation.engines.exact import Motion
 
@@ -82,7 +82,7 @@ class Moment:
         for line in self.mechanism.lines:
             if isinstance(line.law, Elastic):
                 total -= line.law.damping * self.rate(line) ** 2
-            elif isinstance(line.law, Drawn):
+            elif isinstance(line.law, ConstantTension):
                 total -= line.law.force * self.rate(line)
             elif isinstance(line.law, Inextensible) and line.law.reel:
                 total += line.law.reel * self.state.tension[line.name]
@@ -110,7 +110,9 @@ class Moment:
         law = line.law
         if isinstance(law, Elastic):
             return law.stiffness * (self.length(line) - law.length) + law.damping * self.rate(line)
-        return np.full(len(self.times), law.force) if isinstance(law, Drawn) else self.state.tension[line.name]
+        return (
+            np.full(len(self.times), law.force) if isinstance(law, ConstantTension) else self.state.tension[line.name]
+        )
 
     def field(self, force: Force) -> Array:
         """A force, zero outside its region."""

@@ -10,7 +10,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions import MODES, Query
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.recipes import RECIPES, known
+from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.solutions import Setting, solve
 from sim2reason.solutions.check import faults
 from sim2reason.solutions.reading import read
@@ -60,7 +60,7 @@ def _problem(recipe: str, difficulty: str, seed: int, index: int, kinds: Sequenc
     for attempt in range(TRIES):
         rng = generator("worked", recipe, difficulty, seed, index, attempt)
         try:
-            search = QuestionSearch(RECIPES[recipe](known(difficulty), rng), int(rng.random() * 2**31))
+            search = QuestionSearch(RECIPES[recipe](difficulty_named(difficulty), rng), int(rng.random() * 2**31))
             kind = kinds[index % len(kinds)]
             found = search.ask(MODES["numeric"], rng, Counter[str](), kind)
         except (SceneError, SimulationError, UnsupportedError):

@@ -12,7 +12,7 @@ from sim2reason.datasets.weights import in_drawn_order
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.filters.few_laws import FEW_LAWS
 from sim2reason.questions import MODES
-from sim2reason.recipes import RECIPES, Difficulty, known
+from sim2reason.recipes import RECIPES, Difficulty, difficulty_named
 
 SCENES = 60  # drawn for one item, at most
 TOGETHER = 3  # of them are asked for the first kind before another one has its turn
@@ -37,7 +37,7 @@ class ItemSearch:
     def __init__(self, request: Request) -> None:
         """UnknownNameError for a name that is not known."""
         self._request, self._mode, self._recipe = request, MODES[request.mode], RECIPES[request.recipe]
-        self._difficulty: Difficulty = known(request.difficulty)
+        self._difficulty: Difficulty = difficulty_named(request.difficulty)
         self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind

@@ -2,7 +2,7 @@
 
 from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.questions import MODES
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, known
+from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, difficulty_named
 
 
 def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
@@ -23,4 +23,4 @@ def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
 
 def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
     """Difficulties; UnknownNameError for another."""
-    return tuple(known(name) for name in (DIFFICULTIES if names == ALL else several(names)))
+    return tuple(difficulty_named(name) for name in (DIFFICULTIES if names == ALL else several(names)))

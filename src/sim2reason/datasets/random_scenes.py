@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError
-from sim2reason.recipes import RECIPES, known
+from sim2reason.recipes import RECIPES, difficulty_named
 
 TRIES = 50
 
@@ -26,7 +26,7 @@ def sample(recipe: str, difficulty: str = "medium", *, seed: int = 0, index: int
         DrawError: nothing fitted together within the budget.
     """
     found = RECIPES[recipe]
-    checked = known(difficulty)
+    checked = difficulty_named(difficulty)
     for attempt in range(TRIES):
         try:
             scene = found(checked, generator("scene", recipe, difficulty, seed, index, attempt))

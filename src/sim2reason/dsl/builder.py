@@ -10,8 +10,8 @@ from sim2reason.dsl.mechanism import (
     ZERO,
     Attraction,
     Burn,
+    ConstantTension,
     Coordinate,
-    Drawn,
     Elastic,
     Face,
     Foot,
@@ -137,7 +137,7 @@ class Frame:
     def hand(self, name: str, force: float) -> "Frame":
         """Mark a point at which a hand draws whatever string ends there with a constant force."""
         self.site(name)
-        self._builder.drawing[self.address(name)] = Drawn(force)
+        self._builder.drawing[self.address(name)] = ConstantTension(force)
         return self
 
     def winch(self, name: str, speed: float) -> "Frame":
@@ -176,7 +176,7 @@ class Frame:
 
     def pull(self, name: str, *through: str | Rim, force: float) -> None:
         """Like `string`, but its last stop is a hand that draws it in with a constant force."""
-        self._builder.add_line(self.address(name), _flat(through), Inextensible(), last=Drawn(force))
+        self._builder.add_line(self.address(name), _flat(through), Inextensible(), last=ConstantTension(force))
 
     def rod(self, name: str, a: str, b: str) -> None:
         """Join two sites by a light rod that keeps their distance."""

@@ -4,7 +4,7 @@ from itertools import pairwise
 from math import hypot
 
 from sim2reason.dsl.frames import BodyFrame, Frames, start
-from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism, Prop, RigidBody
+from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Prop, RigidBody
 from sim2reason.dsl.points import Point
 from sim2reason.dsl.triples import Triple, cross, minus, times
 from sim2reason.dsl.vectors import Vector
@@ -18,7 +18,7 @@ def changing(mechanism: Mechanism, frames: Frames | None = None) -> str:
         return "attraction, a burning engine or a foot"
     if any(force.region is not None or not force.law.constant for force in mechanism.forces):
         return "a force that changes"
-    if any(not isinstance(line.law, Inextensible | Drawn | Prop) for line in mechanism.lines):
+    if any(not isinstance(line.law, Inextensible | ConstantTension | Prop) for line in mechanism.lines):
         return "a spring or a rod"
     if any(face.turning for face in mechanism.faces):
         return "a face that turns"

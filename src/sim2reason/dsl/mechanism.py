@@ -129,7 +129,7 @@ class Elastic:
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class ConstantTension:
     """A string drawn in with a constant force, its tension."""
 
     row: ClassVar[str] = ""
@@ -137,7 +137,7 @@ class Drawn:
     force: float  # N, at least 0
 
 
-LineLaw = Inextensible | Rigid | Prop | Elastic | Drawn
+LineLaw = Inextensible | Rigid | Prop | Elastic | ConstantTension
 
 
 @dataclass(frozen=True, slots=True)
@@ -279,7 +279,7 @@ class Mechanism:
     @cached_property
     def pulls(self) -> tuple[Line, ...]:
         """The lines that a hand draws in."""
-        return tuple(line for line in self.lines if isinstance(line.law, Drawn))
+        return tuple(line for line in self.lines if isinstance(line.law, ConstantTension))
 
     @cached_property
     def half_springs(self) -> tuple[tuple[Line, Elastic], ...]:

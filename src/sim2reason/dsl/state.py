@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import Drawn, Elastic, Line, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
 from sim2reason.dsl.triples import Triple, minus, product
 from sim2reason.lazy import cached_property
 
@@ -107,7 +107,7 @@ class State:
 
     def _given(self, line: Line) -> Array:
         law = line.law
-        if isinstance(law, Drawn):
+        if isinstance(law, ConstantTension):
             return np.full(len(self.times), law.force)
         assert isinstance(law, Elastic)
         length, rate = self.free_length(line)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from sim2reason.dsl.looks import PulleyWheel
 from sim2reason.dsl.looks import Small as SmallBody
-from sim2reason.dsl.mechanism import Drawn
+from sim2reason.dsl.mechanism import ConstantTension
 from sim2reason.figures.paths import PathKnot, has_faces, is_pulley, owner_of
 from sim2reason.figures.pieces import DrawingPlan, Piece, around, draws
 from sim2reason.figures.shapes import (
@@ -223,6 +223,6 @@ def pull_text(plan: DrawingPlan, hand: str) -> str:
     drawing = plan.scene.builder.drawing
     law = drawing[hand]
     alone = sum(type(other) is type(law) for other in drawing.values()) == 1
-    letter, unit, value = ("F", "N", law.force) if isinstance(law, Drawn) else ("v", "m/s", law.reel)
+    letter, unit, value = ("F", "N", law.force) if isinstance(law, ConstantTension) else ("v", "m/s", law.reel)
     text = plan.stated(owner_of(hand), unit, value)
     return plan.equated(letter, text) if alone else text

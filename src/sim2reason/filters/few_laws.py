@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from sim2reason.dsl.constancy import changing
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.formula_size import has_logarithm, is_vector, size
 from sim2reason.filters.parts.turning import TURNS, turns_by_weight
@@ -10,7 +11,6 @@ from sim2reason.solutions.closed_forms import ClosedFormError, put_together
 from sim2reason.solutions.closed_forms.gathering import symbols_in
 from sim2reason.solutions.derivation import derivation, is_derived
 from sim2reason.solutions.expressions import Expression, Sum, Symbol
-from sim2reason.solutions.strategies import accelerates
 
 FEW_LAWS = "few laws"
 MOST = {0: 11, 1: 11, 2: 8, 3: 7, 4: 7}
@@ -47,7 +47,7 @@ class FewLaws(Filter):
         if found is None:
             return ""
         laws = number_of_laws(found)
-        most = (MOST if accelerates(candidate.study.mechanism) else STEADY).get(laws, -1)
+        most = (MOST if changing(candidate.study.mechanism) else STEADY).get(laws, -1)
         symbols = _symbols(found) if most > 0 else None
         if symbols is None or symbols > most or (symbols > BY_HEART and turns_by_weight(candidate)):
             return ""

@@ -1,4 +1,4 @@
-"""Drops a formula that too few of the symbols stand in, as d/2 for the way of one of two bodies, or too many do not."""
+"""Drops a formula that has too few of the given symbols, as d/2 for the way of one of two bodies, or lacks too many."""
 
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.reach import EVER, least

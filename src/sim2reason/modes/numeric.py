@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Kind, Question, QuestionMode, Reading, Study, Words, mode
+from sim2reason.questions import KINDS, Kind, ParsedQuestion, Question, QuestionMode, Study, Words, mode
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
@@ -34,8 +34,8 @@ class Numeric(QuestionMode):
         unit = words.units.spell(asked.measured(query).unit)
         return Question(self.name, query, sentence(chosen(shapes, rng)), answer, unit, sign, query.hides)
 
-    def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
+    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
         """A query in the words of its kind; what the text leaves unknown must be what it asks for."""
         query = parse_question(text, study, words) if not words.symbolic else None
         hidden = {unknown.path for unknown in words.unknowns}
-        return Reading(self.name, query) if query is not None and hidden <= {query.hides} else None
+        return ParsedQuestion(self.name, query) if query is not None and hidden <= {query.hides} else None

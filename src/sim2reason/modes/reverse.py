@@ -9,10 +9,10 @@ from sim2reason.questions import (
     KINDS,
     Kind,
     Noun,
+    ParsedQuestion,
     Query,
     Question,
     QuestionMode,
-    Reading,
     StatedResult,
     Study,
     Words,
@@ -43,7 +43,7 @@ class Reverse(QuestionMode):
     @property
     def kinds(self) -> frozenset[str]:
         """Those that have words for answers as conditions, and whose answers are no whole numbers."""
-        return frozenset(name for name, kind in KINDS.items() if kind.stated and not getattr(kind, "whole", False))
+        return frozenset(name for name, kind in KINDS.items() if kind.stated and not kind.whole)
 
     def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
         """A result of this motion, and a number that it fixes, or the time at which it is first so."""
@@ -87,7 +87,7 @@ class Reverse(QuestionMode):
             return question.answer * (1.0 - (ratio - 1.0) / question.elasticity)
         return question.answer * float(np.exp(-np.log(ratio) / question.elasticity))
 
-    def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
+    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
         """Every query that the sentence could state as a condition, with every number in it as its answer."""
         heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
@@ -95,20 +95,20 @@ class Reverse(QuestionMode):
                 noun = _noun(query, words)
                 for given in dict.fromkeys(StatedResult.found(text, unit)):
                     if any(sentence(shape) == text for shape in asking_for(unknown, query, given, words, noun)):
-                        return Reading(self.name, query, given)
+                        return ParsedQuestion(self.name, query, given)
         for moment in Reached.parsed(text, study.trace, words) if not words.unknowns else ():
             query = Query("time_to_event", None, moment)
             if any(sentence(shape) == text for shape in KINDS[query.kind].shapes(query, words, None)):
-                return Reading(self.name, query, moment.given)
+                return ParsedQuestion(self.name, query, moment.given)
         return None
 
-    def solution(self, reading: Reading, study: Study, words: Words) -> float | None:
+    def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
         """The only value in its range for which the query has the answer that is given."""
-        if reading.given is None or isinstance(reading.query.moment, Reached):
-            return super().solution(reading, study, words)
+        if asked.given is None or isinstance(asked.query.moment, Reached):
+            return super().solution(asked, study, words)
         for unknown in words.unknowns:
-            dependence = Dependence(reading.query, study, unknown.path, ENOUGH)
-            found = roots(dependence, range_of(study.scene, unknown.path), reading.given.value)
+            dependence = Dependence(asked.query, study, unknown.path, ENOUGH)
+            found = roots(dependence, range_of(study.scene, unknown.path), asked.given.value)
             return found[0] if len(found) == 1 else None
         return None
 

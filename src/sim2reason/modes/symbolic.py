@@ -6,14 +6,14 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.modes.parts.formula_validity import FormulaValidity
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variations
-from sim2reason.modes.parts.varied_scenes import VariedScenes
 from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.prose.symbol_names import with_names
 from sim2reason.prose.voices import symbolic_but_zero
-from sim2reason.questions import KINDS, MODES, Query, Question, QuestionMode, Reading, Study, Words, mode
+from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Question, QuestionMode, Study, Words, mode
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
@@ -77,7 +77,7 @@ class Symbolic(QuestionMode):
         symbols = _symbols(study, spoken)
         if not {held.symbol for held in symbols}.issuperset(whole.symbols()):
             return None  # it goes by where the motion starts, which the text does not tell
-        varied = VariedScenes(Variations(study, query, symbols), factor(question.unit))
+        varied = FormulaValidity(Variations(study, query, symbols), factor(question.unit))
         if not varied.of_scene(whole):
             return None
         held = varied.told(whole, rng, spoken, signed=bool(question.sign))
@@ -94,7 +94,7 @@ class Symbolic(QuestionMode):
         del question
         return with_names(description.voiced(symbolic_but_zero))
 
-    def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
+    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
         """A query in the words of its kind, before what is assumed."""
         if not words.symbolic:
             return None
@@ -103,19 +103,19 @@ class Symbolic(QuestionMode):
         if query is None:
             return None
         if not assumed:
-            return Reading(self.name, query)
+            return ParsedQuestion(self.name, query)
         clauses = {held.clause(words): held for held in possible(study, words)}
         said = assumed.removeprefix(ASSUME).removesuffix(".").split(JOINT)
         held = tuple(clauses[clause] for clause in said if clause in clauses)
         whole = len(held) == len(said) and _assuming(held, words) == assumed
-        return Reading(self.name, query, assumed=held) if whole else None
+        return ParsedQuestion(self.name, query, assumed=held) if whole else None
 
-    def solution(self, reading: Reading, study: Study, words: Words) -> float | None:
+    def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
         """The answer with the numbers that the symbols have; None with those for which what is assumed is not so."""
-        until = KINDS[reading.query.kind].time(reading.query, study) or 0.0
-        if not all(held.holds(study, until) for held in reading.assumed):
+        until = KINDS[asked.query.kind].time(asked.query, study) or 0.0
+        if not all(held.holds(study, until) for held in asked.assumed):
             return None
-        return super().solution(reading, study, words)
+        return super().solution(asked, study, words)
 
 
 def _formulas(mechanism: Mechanism) -> frozenset[str]:

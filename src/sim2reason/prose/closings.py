@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
-from sim2reason.dsl.mechanism import Drawn, Inextensible
+from sim2reason.dsl.mechanism import ConstantTension, Inextensible
 from sim2reason.dsl.mobility import weighs
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Role, Topic
@@ -42,7 +42,7 @@ def _strings(scene: Scene) -> int:
     A massive pulley parts one string into several lines.
     """
     taut = tuple(f"{named.name}." for named in scene.entities if named.entity.tells_taut)
-    lines = [line for line in scene.mechanism.lines if isinstance(line.law, Inextensible | Drawn)]
+    lines = [line for line in scene.mechanism.lines if isinstance(line.law, Inextensible | ConstantTension)]
     left = [line for line in lines if isinstance(line.law, Inextensible) and not line.name.startswith(taut)]
     return min(2, len({line.name.partition("/")[0] for line in lines})) if left else 0
 

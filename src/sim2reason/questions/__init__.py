@@ -72,7 +72,7 @@ class Question:
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class ParsedQuestion:
     """What a sentence that was read asks: the query, and the answer to it that the sentence gives, if it does.
 
     `assumed` is what it says of the motion beforehand.
@@ -120,7 +120,7 @@ class QuestionMode(ABC):
         return with_names(description.voiced(hiding(question.unknown))) if question.unknown else description
 
     @abstractmethod
-    def parsed(self, text: str, study: Study, words: Words) -> Reading | None:
+    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
         """What a sentence asks in this mode, found by trying every phrase; None if it is none of them."""
 
     def study(self, question: Question, study: Study) -> Study:
@@ -136,10 +136,10 @@ class QuestionMode(ABC):
         del study
         return KINDS[question.query.kind].answer(question.query, other)
 
-    def solution(self, reading: Reading, study: Study, words: Words) -> float | None:
+    def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
         """The answer to what was read, in SI units or those of the text; None if there is none, or more than one."""
         del words
-        return KINDS[reading.query.kind].answer(reading.query, study)
+        return KINDS[asked.query.kind].answer(asked.query, study)
 
 
 MODES: Registry[QuestionMode] = Registry("modes")
@@ -160,10 +160,10 @@ __all__ = [
     "Kind",
     "Moment",
     "Noun",
+    "ParsedQuestion",
     "Query",
     "Question",
     "QuestionMode",
-    "Reading",
     "StatedResult",
     "Study",
     "Target",

@@ -37,7 +37,7 @@ def apart(time: float, trace: Trace) -> bool:
 
 
 def still(trace: Trace, speeds: Array) -> float:
-    """What speed, of something whose `speeds` (n,) at the instants of the scan are these, is none.
+    """The speed below which something with these `speeds` (n,) at the instants of the scan counts as at rest.
 
     What never moves has speeds, too, as rounding leaves them.
     """

@@ -25,12 +25,12 @@ from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 LONGER = 2.0  # times the scene's own horizon, until which something is waited for that may come later;
 LATEST = 8.0  # or, where it would be another answer however late it came
 BORDER = 10  # bisections towards where there is no answer
-AT_ONCE = 1e-6  # of a time
+SAME_TIME = 1e-6  # relative
 STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
 
 ROOMY = 100.0  # times: how much longer a string may be
-LANDED = "limit"  # the event that ends the motion of what comes down
+GROUND = "limit"  # the event that ends the motion of what comes down
 TURNING = 1e-6  # of the mean speed: what is slower turns
 STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
 
@@ -125,9 +125,9 @@ class Dependence:
 
         So far as it lasts: lengths, and what a stretch of motion adds up to. Speeds and forces are another motion's.
         """
-        moment, end = self._query.moment, study.trace.stable_until * (1.0 - AT_ONCE)
+        moment, end = self._query.moment, study.trace.stable_until * (1.0 - SAME_TIME)
         lasts = isinstance(self._query, StretchQuery) or KINDS[self._query.kind].measured(self._query).unit == "m"
-        if study.trace.cut != LANDED or moment is None or not lasts or not self._ends(moment) or moment.kind == "start":
+        if study.trace.cut != GROUND or moment is None or not lasts or not self._ends(moment) or moment.kind == "start":
             return None
         return KINDS[self._query.kind].loose_answer(replace(self._query, moment=moment.having([end])), study)
 
@@ -151,7 +151,7 @@ class Dependence:
     def _note(self, value: float, study: Study) -> None:
         """When what is asked about comes in a motion, and after what; itself it may be an event, within rounding."""
         self._times[value] = time = KINDS[self._query.kind].time(self._query, study) or 0.0
-        events = tuple((e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - AT_ONCE))
+        events = tuple((e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - SAME_TIME))
         self._courses[value] = events, _ways(study, time)
 
     def _plans(self, value: float, scene: Scene) -> list[tuple[float, ...]]:

@@ -11,7 +11,7 @@ from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import SimulationError, TextError
 from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
 from sim2reason.prose.symbol_names import without_names
-from sim2reason.questions import KINDS, MODES, Query, Reading, Study, Words
+from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Study, Words
 from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMBOLIC, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.questions.spoken import spoken_of
@@ -37,7 +37,7 @@ class ParsedPrompt:
 
     reading: ParsedScene
     study: Study
-    asked: Reading
+    asked: ParsedQuestion
     unit: str
     shape: str
 

@@ -12,7 +12,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError
 
-BEYOND = 10.0  # times what it is drawn from, either way
+WIDER = 10.0  # times the range that it is drawn from, at either end
 POINTS = 64
 FAR, STEPS = 100.0, 16  # times a value, either way, in so many equal steps on the logarithmic scale
 FARTHER = 300.0, 1000.0  # times a value, also tried
@@ -94,9 +94,9 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     if low < 0.0:
         return tuple(_of_either_sign(max(-low, high), held.most, abs(about)).tolist())
     spaced = np.linspace if unit == "deg" else np.geomspace
-    begin = max((low if unit == "deg" else max(low, high * LEAST)) / BEYOND, held.least)
-    usual = spaced(begin, min(high * BEYOND, held.most), POINTS)
-    return (*usual.tolist(), *_onwards(usual, min(about * BEYOND, held.most)))
+    begin = max((low if unit == "deg" else max(low, high * LEAST)) / WIDER, held.least)
+    usual = spaced(begin, min(high * WIDER, held.most), POINTS)
+    return (*usual.tolist(), *_onwards(usual, min(about * WIDER, held.most)))
 
 
 def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
@@ -137,8 +137,8 @@ def is_usual(scene: Scene, path: str, value: float) -> bool:
 
 
 def _of_either_sign(size: float, most: float, about: float) -> Array:
-    half = np.geomspace(size * LEAST, min(size * BEYOND, most), POINTS // 2)
-    half = np.append(half, _onwards(half, min(about * BEYOND, most)))
+    half = np.geomspace(size * LEAST, min(size * WIDER, most), POINTS // 2)
+    half = np.append(half, _onwards(half, min(about * WIDER, most)))
     return np.concatenate([-half[::-1], [0.0], half])
 
 

@@ -60,7 +60,7 @@ def all_recipes() -> tuple[str, ...]:
     return tuple(name for turn in rounds for name, member in RECIPES.items() if member.share > turn)
 
 
-def known(difficulty: str) -> Difficulty:
+def difficulty_named(difficulty: str) -> Difficulty:
     """A difficulty by its name; UnknownNameError with the names there are."""
     for name in DIFFICULTIES:
         if name == difficulty:

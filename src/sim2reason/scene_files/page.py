@@ -31,7 +31,7 @@ scene:
         blocks:
         - {{mass: 2.0}}
       pulley: {{mass: 0.0}}
-  - name: bight
+  - name: lower_pulley
     type: MassWithReverseMovablePulley
     parameters:
       pulley: {{mass: 0.5}}
@@ -40,9 +40,9 @@ scene:
   connections:
   - tendon:
     - {{entity: fixed, direction: tail}}
-    - {{entity: bight, direction: left}}
+    - {{entity: lower_pulley, direction: left}}
   - tendon:
-    - {{entity: bight, direction: right}}
+    - {{entity: lower_pulley, direction: right}}
     - {{entity: hook, direction: end}}
   world: {{gravity: 9.8}}
   glued: []

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import copysign
 
 from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Coordinate, Drawn, Inextensible, Line, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Coordinate, Inextensible, Line, Mechanism
 from sim2reason.dsl.triples import minus, product
 from sim2reason.lazy import cached_property
 from sim2reason.solutions.arm import Arm
@@ -65,7 +65,7 @@ def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
     if not fixed or abs(abs(product(way, rail.axis)) - product(way, way) ** 0.5) > LEVEL:
         return None
     side = copysign(1.0, float(product(way, rail.axis)))
-    if isinstance(line.law, Drawn):
+    if isinstance(line.law, ConstantTension):
         return Pull(line.name, side) if outer.body is None else None
     plain = isinstance(line.law, Inextensible) and not line.law.slack and not line.law.reel
     down = minus(frames.site(names[-1]).place, frames.site(names[-2]).place)
@@ -140,7 +140,7 @@ class Carriage:
     def _hand(self, line: str) -> Expression:
         def force(m: Mechanism) -> float:
             law = m.line[line].law
-            assert isinstance(law, Drawn)
+            assert isinstance(law, ConstantTension)
             return law.force
 
         return self.read(force)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import Drawn, Line, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Line, Mechanism
 from sim2reason.dsl.triples import applied, product
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
@@ -148,7 +148,7 @@ class Newton:
 
     def tension(self, number: int, line: Line) -> Polynomial:
         """The tension of a line: unknown, or that of a hand; none if it is slack."""
-        if isinstance(line.law, Drawn):
+        if isinstance(line.law, ConstantTension):
             return self.read(lambda m, _: getattr(m.lines[number].law, "force", 0.0))
         if not line.law.row:
             raise UnreadError("there is a spring")

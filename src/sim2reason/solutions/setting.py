@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
-from sim2reason.dsl.mechanism import Drawn, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
@@ -146,7 +146,11 @@ class Setting:
     def lines(self) -> Mapping[str, str]:
         """What strings are called, those that are drawn in included."""
         found = line_phrases(self.mechanism, self.words.mentions, self.mechanism.strings, "string", alone=False)
-        drawn = {line.name: "the string that is pulled" for line in self.mechanism.lines if isinstance(line.law, Drawn)}
+        drawn = {
+            line.name: "the string that is pulled"
+            for line in self.mechanism.lines
+            if isinstance(line.law, ConstantTension)
+        }
         return {**drawn, **found, **self._by_one_end(found)}
 
     @cached_property

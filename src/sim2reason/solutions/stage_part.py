@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from sim2reason.dsl.frames import Frames
-from sim2reason.dsl.mechanism import Drawn, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Mechanism
 from sim2reason.dsl.triples import minus, product
 from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.dynamics import Dynamics
@@ -63,7 +63,7 @@ class StagePart(Stretch):
         m, names = self.way.mechanism, self.laws.names
         if kind == "T":
             line = m.line[name]
-            if isinstance(line.law, Drawn):
+            if isinstance(line.law, ConstantTension):
                 return self._newton.tension(m.lines.index(line), line)
             return names.get(f"T{m.constraints.index(line)}", NIL)
         face = next(number for number, held in enumerate(m.faces) if held.subject == name)

@@ -24,7 +24,7 @@ SAME = 1e-9  # of a margin: less is no change
 def leaving(
     variations: Variations, margin: Margin, others: Sequence[Margin], known: Sequence[Variation]
 ) -> Variation | None:
-    """The scene with numbers at ends of their ranges where a margin is least while others are more than nothing.
+    """The scene, with each number at an end of its range, that minimises a margin while all others stay positive.
 
     Which ends these are is guessed as if all that each of them changes, as is `known` of it alone, added up. From the
     best guess on, and from some scenes that are `known`, each number is tried at its ends. None if nothing is known of

@@ -7,6 +7,7 @@ from math import copysign, exp, inf, isfinite
 
 import numpy as np
 
+from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
@@ -19,7 +20,6 @@ from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 from sim2reason.solutions.expressions import Expression
-from sim2reason.solutions.strategies import accelerates
 
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
 LATEST = 4.0  # times that, before nothing is said to come at all
@@ -91,7 +91,7 @@ class Variations:
 
     def widely(self, rng: np.random.Generator, width: float, unanswered: list[Study]) -> Iterator[Variation]:
         """Many that are drawn so; fewer where motions are integrated, and cost ten times as much."""
-        tries, wanted = WIDELY[bool(accelerates(self.study.mechanism))]
+        tries, wanted = WIDELY[bool(changing(self.study.mechanism))]
         yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
@@ -181,7 +181,7 @@ class Variations:
         here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
         for n in np.flatnonzero(may).tolist():
             yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
-        tries = (EACH if accelerates(self.study.mechanism) else LOOKED) // 2  # of either
+        tries = (EACH if changing(self.study.mechanism) else LOOKED) // 2  # of either
         sizes = self._sizes(max)
         for drawn in self._around(here, rng, width, tries if may.any() else 0):
             values = np.array(drawn)
@@ -280,9 +280,9 @@ class Variations:
         times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []
         if times and not self._waits(query):
             return (max(BEYOND * times[0], least),)
-        comes = self._waits(query) or KINDS[query.kind].name == "period"
+        comes = self._waits(query) or KINDS[query.kind].awaited
         mechanism = self.study.mechanism
-        sooner = SOONER if mechanism.attractions else SOONER[-1:] if accelerates(mechanism) else ()
+        sooner = SOONER if mechanism.attractions else SOONER[-1:] if changing(mechanism) else ()
         tried = sooner if comes and LATER * here > least else ()
         return tuple(max(factor * here, least) for factor in (*tried, LATER))
 

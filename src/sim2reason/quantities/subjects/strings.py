@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Drawn, Inextensible, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Mechanism
 from sim2reason.quantities.subjects import Subject, all_said
 from sim2reason.quantities.subjects.lines import ends_label, line_phrases
 
@@ -16,7 +16,7 @@ class Strings(Subject):
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """All parts, those among them that a constant force draws in."""
-        return tuple(line.name for line in mechanism.lines if isinstance(line.law, Inextensible | Drawn))
+        return tuple(line.name for line in mechanism.lines if isinstance(line.law, Inextensible | ConstantTension))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
         """Those that can be told by their ends."""

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Drawn, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Mechanism
 from sim2reason.quantities.subjects import Subject
 from sim2reason.quantities.tension import StringLength
 from sim2reason.questions.functionals import Functional, functional
@@ -54,7 +54,7 @@ class PullWork(Functional):
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Its force times what it has drawn in; None where it has let out more."""
         line = trace.mechanism.line[name]
-        assert isinstance(line.law, Drawn)
+        assert isinstance(line.law, ConstantTension)
         start, here = (float(trace.at(time).free_length(line)[0][0]) for time in (0.0, end))
         work = line.law.force * (start - here)
         return work if work > 0.0 else None

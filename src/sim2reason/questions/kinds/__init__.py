@@ -47,11 +47,15 @@ class Kind(ABC):
         name: under which it is registered.
         share: how often it is asked, compared with other kinds; positive, or it could not be registered.
         of_symbols: whether an answer is a function of the text's symbols, none of which it leaves unknown.
+        whole: whether answers are whole numbers.
+        awaited: whether the motion brings an answer about in its own time, though no moment is named.
     """
 
     name: ClassVar[str]
     share: ClassVar[float]
     of_symbols: ClassVar[bool] = True
+    whole: ClassVar[bool] = False
+    awaited: ClassVar[bool] = False
 
     @property
     def stated(self) -> bool:

@@ -39,7 +39,7 @@ class EquilibriumKind(Kind):
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """A magnitude at the only stable equilibrium, which is not where the motion starts, and not a body's weight.
 
-        Nor is it an energy less that at the start.
+        Nor a change in energy since the start.
         """
         del words
         mechanism = study.mechanism

@@ -42,6 +42,7 @@ class PeriodKind(Kind):
 
     name = "period"
     share = 0.35  # as often as a velocity, where it exists
+    awaited = True
 
     def of_motion(self, query: Query) -> bool:
         """Not that of small oscillations: their equilibrium is the only one."""

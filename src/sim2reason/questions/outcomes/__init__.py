@@ -15,7 +15,7 @@ from sim2reason.questions.words import Words
 from sim2reason.registry import Registry
 from sim2reason.simulation.trace import Trace
 
-AT_ONCE = 0.01  # of the horizon: how long it takes to see what a release brings about
+ONSET = 0.01  # of the horizon: how long it takes to see what a release brings about
 NOTHING = 1e-12  # of g times the time: less is a slip of numbers; of what is at rest engines leave 1e-15
 
 
@@ -91,10 +91,10 @@ class Onset(PossibleOutcome):
 
     def duration(self, scene: Scene) -> float:
         """A moment."""
-        return AT_ONCE * scene.horizon
+        return ONSET * scene.horizon
 
 
-def slip_of_numbers(trace: Trace) -> float:
+def rest_speed_noise(trace: Trace) -> float:
     """Up to which speed what is at rest may seem to move in a motion, m/s."""
     return NOTHING * float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from sim2reason.quantities.kinematics import Velocity
 from sim2reason.quantities.subjects.bodies import UP, Bodies
 from sim2reason.quantities.subjects.paths import center_path, rides
-from sim2reason.questions.outcomes import OUTCOMES, Onset, is_steady_release, slip_of_numbers
+from sim2reason.questions.outcomes import OUTCOMES, Onset, is_steady_release, rest_speed_noise
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
@@ -33,7 +33,7 @@ class Rises(Onset):
 
     def excess(self, trace: Trace) -> float:
         """That velocity, but for what is none."""
-        return float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - slip_of_numbers(trace)
+        return float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: block A starts to move up the slope."""

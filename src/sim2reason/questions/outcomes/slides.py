@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.quantities.subjects.contacts import Contacts
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
-from sim2reason.questions.outcomes import OUTCOMES, Onset, is_steady_release, slip_of_numbers
+from sim2reason.questions.outcomes import OUTCOMES, Onset, is_steady_release, rest_speed_noise
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
@@ -33,7 +33,7 @@ class Slides(Onset):
 
     def excess(self, trace: Trace) -> float:
         """The fastest that it slips, but for what is none."""
-        return float(np.abs(slip(trace.state, self.name)).max()) - slip_of_numbers(trace)
+        return float(np.abs(slip(trace.state, self.name)).max()) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: block A slips on the plane."""

@@ -9,7 +9,7 @@ from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.dsl.scene import Scene
 from sim2reason.quantities.subjects.contacts import Contacts
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
-from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome, slip_of_numbers
+from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome, rest_speed_noise
 from sim2reason.questions.words import Words
 from sim2reason.simulation.trace import Trace
 
@@ -47,7 +47,7 @@ class SlipsRolling(PossibleOutcome):
 
     def excess(self, trace: Trace) -> float:
         """The fastest that it slips, but for what is none."""
-        return float(np.abs(slip(trace.state, self.name)).max()) - slip_of_numbers(trace)
+        return float(np.abs(slip(trace.state, self.name)).max()) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
         """As in: the cylinder slips."""

@@ -7,7 +7,7 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Drawn, Elastic, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Elastic, Mechanism
 from sim2reason.quantities.subjects.strings import Strings
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
@@ -18,7 +18,7 @@ SLACK = 1e-9  # N
 
 def is_driven(mechanism: Mechanism) -> bool:
     """Whether a spring or a hand acts in it."""
-    return any(isinstance(line.law, Elastic | Drawn) for line in mechanism.lines)
+    return any(isinstance(line.law, Elastic | ConstantTension) for line in mechanism.lines)
 
 
 @REGIMES.register("taut")

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from sim2reason.dsl.ablation import with_lines
-from sim2reason.dsl.mechanism import Drawn, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Mechanism
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
 from sim2reason.questions.study import Study
@@ -25,4 +25,4 @@ class HandLeftOut(ChangedMechanism):
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """With a force of zero."""
-        return with_lines(mechanism, [subject], lambda line: replace(line, law=Drawn(0.0)))
+        return with_lines(mechanism, [subject], lambda line: replace(line, law=ConstantTension(0.0)))

@@ -32,7 +32,7 @@ class ClosedForm:
     symbols: tuple[str, ...]
 
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
-        """Its absolute value, and under each root that what stands there, if it is negative at one of the points.
+        """Its absolute value; a radicand that is negative at one of the points is replaced by its own.
 
         Factors of one sign at all of them have that sign, and the others stand between bars.
         """

@@ -58,7 +58,7 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
     return cls
 
 
-def accelerates(mechanism: Mechanism) -> str:
+def varying_acceleration(mechanism: Mechanism) -> str:
     """That accelerations change as it moves; empty where they only change at events."""
     return "accelerations change as it moves" if changing(mechanism) else ""
 

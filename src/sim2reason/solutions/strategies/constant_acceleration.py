@@ -21,7 +21,7 @@ from sim2reason.solutions.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.stage import End, Stage
 from sim2reason.solutions.stage_part import StagePart
-from sim2reason.solutions.strategies import Strategy, accelerates, no_goal, strategy
+from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
 from sim2reason.solutions.unit_latex import METRES, NEWTONS, SECONDS
 from sim2reason.solutions.way import STILL, Way
 
@@ -38,7 +38,7 @@ class ConstantAcceleration(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether accelerations change."""
-        return accelerates(mechanism)
+        return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""

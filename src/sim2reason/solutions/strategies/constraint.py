@@ -17,7 +17,7 @@ from sim2reason.solutions.polynomials import Polynomial
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.shared import Measure
 from sim2reason.solutions.stage_part import StagePart
-from sim2reason.solutions.strategies import Strategy, accelerates, strategy
+from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration
 from sim2reason.solutions.unit_latex import METRES
 from sim2reason.solutions.way import Way
 from sim2reason.solutions.written_dynamics import WrittenDynamics
@@ -35,7 +35,7 @@ class Constraint(Strategy):
         """Whether accelerations change, or it does not begin at rest."""
         if any(coordinate.speed for coordinate in mechanism.coordinates):
             return "it does not begin at rest"
-        return accelerates(mechanism)
+        return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""

@@ -26,7 +26,7 @@ from sim2reason.solutions.newton import Newton
 from sim2reason.solutions.oblique import Flights
 from sim2reason.solutions.polynomials import NIL, Polynomial
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.strategies import Strategy, accelerates, no_goal, strategy
+from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
 from sim2reason.solutions.struck import FlightPart, StruckBodies
 from sim2reason.solutions.told_root import told_root
 from sim2reason.solutions.unit_latex import METRES, SECONDS, SPEED
@@ -45,7 +45,7 @@ class Impulse(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Whether accelerations change."""
-        return accelerates(mechanism)
+        return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """None where discs meet in a plane: where they touch takes two components of all that there is, and a root."""

@@ -45,12 +45,10 @@ class StretchKind(Kind):
     """What is a functional over the stretch from the start to a moment? Each functional says of which kind it is.
 
     Class data:
-        whole: whether answers are whole numbers.
         ends_matter: whether the answer hangs on where the stretch ends. Where it does not, no stated number may say
             that; where it does, and is no whole number, another end must change it.
     """
 
-    whole: ClassVar[bool] = False
     ends_matter: ClassVar[bool] = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:

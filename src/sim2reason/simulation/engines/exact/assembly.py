@@ -8,7 +8,7 @@ of the equations gives the normal force.
 from collections.abc import Mapping, Sequence
 
 from sim2reason.dsl.frames import BodyFrame, Frames
-from sim2reason.dsl.mechanism import Drawn, Elastic, Force, Inextensible, Line, Mechanism, Meeting, Prop
+from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Line, Mechanism, Meeting, Prop
 from sim2reason.dsl.points import Point, distance
 from sim2reason.dsl.triples import Maths, Number, Triple, applied, cross, minus, plus, product, times
 from sim2reason.dsl.vectors import Tensor
@@ -146,7 +146,7 @@ class Assembly:
     def tension(line: Line, length: PathLength) -> Number:
         """The tension that a line's law gives: of a spring, or of what a hand draws."""
         law = line.law
-        if isinstance(law, Drawn):
+        if isinstance(law, ConstantTension):
             return law.force
         assert isinstance(law, Elastic)
         tension = law.stiffness * (length.value - law.length)

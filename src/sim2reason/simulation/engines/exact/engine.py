@@ -7,7 +7,7 @@ from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.approach import STILL, halt
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
-from sim2reason.simulation.engines.exact.diary import BEGINS, STOPS, TIE
+from sim2reason.simulation.engines.exact.event_log import BEGINS, STOPS, TIE
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.glide import SteadyEquations
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
@@ -64,7 +64,7 @@ class _Run(Settling):
         if not self.segments:  # an impact at the start ended it
             found = self.balance(self.instant(), set(), None)
             self.append(found, None)
-        return Motion(self.mechanism, tuple(self.segments), self.diary.sorted(), self.now, self.diary.cut)
+        return Motion(self.mechanism, tuple(self.segments), self.event_log.sorted(), self.now, self.event_log.cut)
 
     def step(self) -> bool:
         """Settle the present instant and go on to the next event; False when there is nothing more to do."""
@@ -117,7 +117,7 @@ class _Run(Settling):
         rough = self._rough
         for time, number in flow.turns:
             if number not in rough:
-                self.diary.record(time, "turn", self.mechanism.coordinates[number].name)
+                self.event_log.record(time, "turn", self.mechanism.coordinates[number].name)
         return stop
 
     def _happen(self, margin: Margin) -> bool:
@@ -125,13 +125,13 @@ class _Run(Settling):
         number = margin.number
         match margin.kind:
             case "reach":
-                self.diary.end(self.now, "reach", *list(self.system.runs)[number])
+                self.event_log.end(self.now, "reach", *list(self.system.runs)[number])
             case "limit":
-                self.diary.end(self.now, "limit", self.system.limits[number].name)
+                self.event_log.end(self.now, "limit", self.system.limits[number].name)
             case "normal":
-                self.diary.lift(self.now, (number,))
+                self.event_log.lift(self.now, (number,))
             case "burn":
-                self.diary.record(self.now, "burn-out", self.mechanism.burns[number].body)
+                self.event_log.record(self.now, "burn-out", self.mechanism.burns[number].body)
                 burning = tuple(on and i != number for i, on in enumerate(self.phase.burning))
                 self.phase = self.phase._replace(burning=burning)
             case "border":
@@ -155,7 +155,7 @@ class _Run(Settling):
         inside = self.phase.inside[number]
         crossed = tuple(not within if i == side else within for i, within in enumerate(inside))
         if all(inside) != all(crossed):
-            self.diary.record(self.now, "enter" if all(crossed) else "exit", self.mechanism.forces[number].body)
+            self.event_log.record(self.now, "enter" if all(crossed) else "exit", self.mechanism.forces[number].body)
         everywhere = tuple(crossed if i == number else held for i, held in enumerate(self.phase.inside))
         self.phase = self.phase._replace(inside=everywhere)
 
@@ -165,7 +165,7 @@ class _Run(Settling):
         self.phase = self.phase._replace(strained=strained)
         line, law = self.mechanism.half_springs[number]
         kind = "prop" if law.acts == "pushes" else "string"
-        self.diary.record(self.now, (BEGINS if strained[number] else STOPS)[kind], line.name)
+        self.event_log.record(self.now, (BEGINS if strained[number] else STOPS)[kind], line.name)
 
     @cached_property
     def _rough(self) -> set[int]:
@@ -176,4 +176,4 @@ class _Run(Settling):
         """Speeds that pass through zero before the next event."""
         for number, (speed, a) in enumerate(zip(self.v, found.a, strict=True)):
             if speed * a < 0.0 and TIE < halt(speed, a) < span - TIE and number not in self._rough:
-                self.diary.record(self.now + halt(speed, a), "turn", self.mechanism.coordinates[number].name)
+                self.event_log.record(self.now + halt(speed, a), "turn", self.mechanism.coordinates[number].name)

@@ -15,7 +15,7 @@ from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.lengths import Phase
 from sim2reason.simulation.engines.exact.margins import StopReason
 from sim2reason.simulation.engines.exact.mode_code import Formulas
-from sim2reason.simulation.engines.exact.roots import first_root
+from sim2reason.simulation.engines.exact.roots import bracketed_root
 from sim2reason.simulation.engines.exact.system import Instant
 
 ABSOLUTE = 1e-2  # times the relative error that a step may have, in m or rad and their rates
@@ -183,7 +183,7 @@ class Flow:
         if not crossings:
             return None
         found = [
-            (first_root(lambda x, i=number, r=room: step.margins(x)[i] + r, low, high), number, room)
+            (bracketed_root(lambda x, i=number, r=room: step.margins(x)[i] + r, low, high), number, room)
             for number, (low, high, room) in crossings
         ]
         soonest, leader, room = min(found)
@@ -201,7 +201,7 @@ class Flow:
         count, ends = len(passing), (step.closing(0.0), step.closing(1.0))
         for place, (number, first, last) in enumerate(zip(passing, *(end[:count] for end in ends), strict=True)):
             if first < 0.0 < last and number not in known:
-                nearest = first_root(lambda x, i=place: -step.closing(x)[i], 0.0, 1.0)
+                nearest = bracketed_root(lambda x, i=place: -step.closing(x)[i], 0.0, 1.0)
                 if step.closing(nearest)[count + place] <= 0.0:
                     found.append((number, Crossing(0.0, nearest)))
         return found
@@ -233,7 +233,7 @@ class Flow:
             if old * new < 0.0 and abs(old) > REST and abs(new) > REST:
                 sign = 1.0 if old > 0.0 else -1.0
                 path = step.polynomial[number]
-                x = first_root(lambda x, o=old, p=path, s=sign: s * dop853.interpolated_one(o, p, x), 0.0, 1.0)
+                x = bracketed_root(lambda x, o=old, p=path, s=sign: s * dop853.interpolated_one(o, p, x), 0.0, 1.0)
                 self.turns.append((step.time + x * step.length, number - n))
 
 

@@ -1,4 +1,4 @@
-"""Roots of a function of one number, in an interval whose ends it has different signs at."""
+"""A root of a function of one number between two points at which it has opposite signs."""
 
 from collections.abc import Callable
 
@@ -7,7 +7,7 @@ PATIENCE = 4  # rounds in which the interval should at least be halved
 EPSILON = 2.3e-16
 
 
-def first_root(function: Callable[[float], float], low: float, high: float) -> float:
+def bracketed_root(function: Callable[[float], float], low: float, high: float) -> float:
     """A root between `low`, where the function is positive, and `high`, where it is not.
 
     Regula falsi, in the form that halves the value of an end that stays (Illinois): M. Dowell, P. Jarratt, A modified

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.approach import STILL
 from sim2reason.simulation.engines.exact.balance import Balance, Demand, balance
-from sim2reason.simulation.engines.exact.diary import Diary
+from sim2reason.simulation.engines.exact.event_log import EventLog
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.glide import SteadyEquations
@@ -39,7 +39,7 @@ class Settling:
         self.mode = Mode((True,) * len(self.kinds), (0,) * len(self.system.grips))
         self.due: tuple[Margin, ...] = ()
         self.segments: list[Segment] = []
-        self.diary = Diary(mechanism)
+        self.event_log = EventLog(mechanism)
 
     def instant(self) -> Instant:
         """The numbers of the present state."""
@@ -64,7 +64,7 @@ class Settling:
         if self._crowded(hits, snapped):
             return None
         self._strike(instant, full, touching, snapped)
-        return None if self.diary.cut else snapped
+        return None if self.event_log.cut else snapped
 
     def _strike(self, instant: Instant, full: list[int], touching: list[int], snapped: set[int]) -> None:
         place = {number: new for new, number in enumerate(full)}
@@ -81,15 +81,15 @@ class Settling:
         self._rest(found.rubbing)
         for number in hits:
             names = self.mechanism.meetings[number].names
-            self.diary.record(self.now, "collision", *names)
-            self.diary.struck(self.now, self.system.movable[number], names)
+            self.event_log.record(self.now, "collision", *names)
+            self.event_log.struck(self.now, self.system.movable[number], names)
             if self.mechanism.meetings[number].sticks:
                 self._stick(number)
         for number in snapped:
-            self.diary.struck(self.now, [f"row {self.kinds[number].name}"], (self.kinds[number].name,))
+            self.event_log.struck(self.now, [f"row {self.kinds[number].name}"], (self.kinds[number].name,))
         if found.lifted:
-            self.diary.snapped(self.now, self.kinds, snapped)
-            self.diary.lift(self.now, found.lifted)
+            self.event_log.snapped(self.now, self.kinds, snapped)
+            self.event_log.lift(self.now, found.lifted)
 
     def _rest(self, rubbing: tuple[int, ...]) -> None:
         """A contact that sticks after an impact, along one coordinate, has no speed at all."""
@@ -109,7 +109,7 @@ class Settling:
     def _crowded(self, hits: list[int], snapped: set[int]) -> bool:
         """End at the earlier hit if a body is hit again too soon, or a string jerks again: two can do so by turns."""
         names = [name for i in hits for name in self.system.movable[i]]
-        early = self.diary.crowded(self.now, [*names, *(f"row {self.kinds[number].name}" for number in snapped)])
+        early = self.event_log.crowded(self.now, [*names, *(f"row {self.kinds[number].name}" for number in snapped)])
         if early is None:
             return False
         self.now = early
@@ -129,22 +129,22 @@ class Settling:
         if self.segments or snapped:
             # which strings are slack about a part that nothing holds is as open as how it moves
             after = found.mode._replace(acting=before.acting) if found.loose else found.mode
-            self.diary.changed(self.now, self.kinds, (before, after), snapped, first=not self.segments)
+            self.event_log.changed(self.now, self.kinds, (before, after), snapped, first=not self.segments)
             if self.segments:
-                self.diary.rubbed(self.now, self.system.grips, (before, after))
+                self.event_log.rubbed(self.now, self.system.grips, (before, after))
         if ended and not self.segments:
             self.append(found, None)
         self.mode = found.mode
         if not ended:
             return found
         if found.lifted:
-            self.diary.lift(self.now, found.lifted)
+            self.event_log.lift(self.now, found.lifted)
         elif found.loose:
-            self.diary.end(self.now, "indeterminate", *self._unheld(instant))
+            self.event_log.end(self.now, "indeterminate", *self._unheld(instant))
         elif pressing is not None:
-            self.diary.end(self.now, "crowd", *self.mechanism.meetings[pressing].names)
+            self.event_log.end(self.now, "crowd", *self.mechanism.meetings[pressing].names)
         for number in torn:
-            self.diary.end(self.now, "lift", self.kinds[number].name)
+            self.event_log.end(self.now, "lift", self.kinds[number].name)
         return None
 
     def balance(self, instant: Instant, snapped: set[int], rates: Sequence[float] | None) -> Balance:

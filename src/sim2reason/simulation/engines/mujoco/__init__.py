@@ -10,7 +10,7 @@ from importlib import import_module
 from math import inf
 
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.mechanism import Drawn, Inextensible, Line, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism
 from sim2reason.dsl.start_speeds import check_speeds
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
@@ -43,7 +43,9 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
 
 def is_simple(mechanism: Mechanism) -> bool:
     """Whether the library's own constraints can stand for all that acts."""
-    plain = all(isinstance(line.law, Drawn) or line.law == Inextensible(_slack(line)) for line in mechanism.lines)
+    plain = all(
+        isinstance(line.law, ConstantTension) or line.law == Inextensible(_slack(line)) for line in mechanism.lines
+    )
     slides = all(len(face.slip) == 1 and face.friction < inf and not face.guided for face in mechanism.faces)
     bounces = all(meeting.normal is None and not meeting.sticks for meeting in mechanism.meetings)
     return plain and slides and bounces and not mechanism.forces

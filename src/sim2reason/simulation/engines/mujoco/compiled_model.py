@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Drawn, Mechanism
+from sim2reason.dsl.mechanism import ConstantTension, Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.budget import OPERATIONS, Budget
@@ -42,7 +42,7 @@ class CompiledModel:
         self.mechanism = mechanism
         self.budget = Budget(2 * OPERATIONS)
         spec = Specification(mechanism)
-        self.pulls = [line.law.force for line in spec.pulls if isinstance(line.law, Drawn)]  # N
+        self.pulls = [line.law.force for line in spec.pulls if isinstance(line.law, ConstantTension)]  # N
         compiled: tuple[Any, Any] = spec.compile()
         self._model, self._data = compiled
         model = self._model

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from importlib import import_module
 from typing import Any, Literal, TypeAlias
 
-from sim2reason.dsl.mechanism import Drawn, Line, Mechanism, RigidBody
+from sim2reason.dsl.mechanism import ConstantTension, Line, Mechanism, RigidBody
 from sim2reason.errors import SimulationError
 
 mujoco: Any = import_module("mujoco")  # it ships no types; nothing beyond this module and `compiled_model` sees it
@@ -48,7 +48,7 @@ class Specification:
         self.sites: dict[str, Element] = {}
         self.paths: list[Element] = []
         self.carriers: list[Element] = []
-        self.pulls = [line for line in mechanism.lines if isinstance(line.law, Drawn)]
+        self.pulls = [line for line in mechanism.lines if isinstance(line.law, ConstantTension)]
         self.lines: list[Line] = [*mechanism.strings, *self.pulls]
         self._contacts = mechanism.contacts
         self._options(mechanism)

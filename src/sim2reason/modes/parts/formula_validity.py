@@ -24,8 +24,8 @@ COUNTEREXAMPLES = 4  # after which there seems to be no end of them
 CLOSE = 1e-3  # relative: what misses by more does not miss by the engine's steps
 
 
-class VariedScenes:
-    """Scenes with other numbers, each simulated when it is first needed."""
+class FormulaValidity:
+    """In which scenes with other numbers a formula holds; each is simulated when it is first needed."""
 
     def __init__(self, variations: Variations, factor: float) -> None:
         """`factor` makes the engine's answers those of formulas: radians of degrees."""

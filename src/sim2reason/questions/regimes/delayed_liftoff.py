@@ -18,7 +18,7 @@ STILL = 1e-9  # m/s², m/s
 
 @REGIMES.register("waits")
 @dataclass(frozen=True, slots=True)
-class Waits(Regime):
+class DelayedLiftoff(Regime):
     """A rocket on the ground burns some of its fuel, and not all, before its thrust can lift it, or none."""
 
     of = Bodies()

@@ -1,4 +1,4 @@
-"""What a motion in the making has seen: its events, and why it ends."""
+"""The events of a motion while it is simulated, and why it ends."""
 
 from collections.abc import Iterable
 
@@ -15,7 +15,7 @@ STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}
 ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # of simultaneous events
 
 
-class Diary:
+class EventLog:
     """Events, impacts by whom they struck, and the kind of the event that ended it all."""
 
     def __init__(self, mechanism: Mechanism) -> None:
