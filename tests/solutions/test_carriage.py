@@ -43,10 +43,10 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.targets import Target
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.carriage import riding
-from sim2reason.solutions.check import SEEN, faults
 from sim2reason.solutions.closed_forms import closed_form
-from sim2reason.solutions.reading import read
 from sim2reason.solutions.solution import WELL
+from sim2reason.testing.solutions.faults import SEEN, faults
+from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 NAME = "momentum and energy on a carriage"

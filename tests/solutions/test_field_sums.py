@@ -23,9 +23,9 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions import Setting, Solution, solve
-from sim2reason.solutions.check import faults
-from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
 from worked import answer, asked
 
 BEAD = "fields.particle"

@@ -24,12 +24,12 @@ from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.questions.moments.went_taut import WentTaut
 from sim2reason.recipes import Difficulty
 from sim2reason.solutions import STRATEGIES, Setting, by
-from sim2reason.solutions.check import faults
 from sim2reason.solutions.equations_of_motion import EquationsOfMotion
 from sim2reason.solutions.expressions import Symbol
 from sim2reason.solutions.polynomials import Polynomial
-from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 PLANETS = (

@@ -19,8 +19,8 @@ from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.outcomes.goes_round import GoesRound
 from sim2reason.questions.outcomes.goes_slack import GoesSlack
 from sim2reason.solutions import Solution, solve
-from sim2reason.solutions.check import SEEN, faults
-from sim2reason.solutions.reading import read
+from sim2reason.testing.solutions.faults import SEEN, faults
+from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 G, LENGTH, ANGLE = 9.8, 0.8, 40.0

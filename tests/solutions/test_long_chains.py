@@ -7,13 +7,13 @@ import pytest
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Request
 from sim2reason.solutions import Setting, Solution, solve
-from sim2reason.solutions.check import WORDS, faults, words
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.long_chains import LONG, ROWS, TIME, VELOCITY, in_rows
 from sim2reason.solutions.merging import merged
-from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import Relation, Step
+from sim2reason.testing.solutions.faults import WORDS, faults, words
+from sim2reason.testing.solutions.reading import read
 
 
 def velocity(number: int, *needs: int) -> Step:

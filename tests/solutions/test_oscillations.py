@@ -29,10 +29,10 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
-from sim2reason.solutions.check import SEEN, faults
-from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import WELL
+from sim2reason.testing.solutions.faults import SEEN, faults
+from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 G, STIFFNESS, MASS = 9.8, 50.0, 2.0

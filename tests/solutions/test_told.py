@@ -26,14 +26,14 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.spoken_units import CGS, SI
 from sim2reason.solutions import Setting, Solution, solve, solve_prompt
 from sim2reason.solutions.book import Book
-from sim2reason.solutions.check import faults
 from sim2reason.solutions.cross_elimination import CrossElimination, SymbolicEquation
 from sim2reason.solutions.expressions import Number, Symbol
 from sim2reason.solutions.merging import merged
 from sim2reason.solutions.polynomials import Polynomial
-from sim2reason.solutions.reading import read
 from sim2reason.solutions.told import told_in
 from sim2reason.solutions.unit_latex import latex, unit_of
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 BEAD = "fields.particle"

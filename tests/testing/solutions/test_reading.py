@@ -4,7 +4,7 @@ from math import sin
 
 import pytest
 
-from sim2reason.solutions.reading import read
+from sim2reason.testing.solutions.reading import read
 
 SINE = -1.3 / 3.0 * sin(40.0 * 2.35574)
 KNOWN = {"m": 2.0, "u": 1.5, "v": 4.0}
