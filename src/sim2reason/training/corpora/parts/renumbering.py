@@ -12,8 +12,8 @@ from typing import Final
 
 import numpy as np
 
-from sim2reason.solutions.arithmetic import definitions, given
 from sim2reason.solutions.solution import Solution
+from sim2reason.training.corpora.parts.operations import definitions, given
 
 __all__ = ["renumbered"]
 

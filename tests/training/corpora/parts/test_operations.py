@@ -11,9 +11,9 @@ from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import made, requested
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.recipes import RECIPES
-from sim2reason.solutions.arithmetic import arithmetic, definitions, given, plain_number
-from sim2reason.solutions.renumbering import renumbered
-from sim2reason.solutions.slips import SLIPS, slipped
+from sim2reason.training.corpora.parts.operations import arithmetic, definitions, given, plain_number
+from sim2reason.training.corpora.parts.renumbering import renumbered
+from sim2reason.training.corpora.parts.slips import SLIPS, slipped
 
 ROLLING = requested("rolling", "easy", "numeric", 79, 8, {"state": 100.0}, "SI")
 

@@ -9,9 +9,9 @@ from typing import Final
 
 import numpy as np
 
-from sim2reason.solutions.arithmetic import Definitions
 from sim2reason.solutions.expressions import Expression, Number, Product, Sum
 from sim2reason.solutions.functions import Call
+from sim2reason.training.corpora.parts.operations import Definitions
 
 __all__ = ["SLIPS", "slipped"]
 
