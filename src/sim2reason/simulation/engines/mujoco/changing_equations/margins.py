@@ -6,10 +6,19 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.hard_forces import LARGE, NEVER, Faces, Found, Way, acting, quick, system
-from sim2reason.simulation.engines.mujoco.hard_model import HardModel
-from sim2reason.simulation.engines.mujoco.hard_parts import Situation
-from sim2reason.simulation.engines.mujoco.hard_record import HardRecord, Knot
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
+    LARGE,
+    NEVER,
+    Faces,
+    Found,
+    Way,
+    acting,
+    quick,
+    system,
+)
+from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
+from sim2reason.simulation.engines.mujoco.changing_equations.record import HardRecord, Knot
+from sim2reason.simulation.engines.mujoco.changing_equations.situation import Situation
 
 DISTANCES = frozenset({"gap", "reach", "border", "strain"})
 """Margins that can dip below zero and rise again within a step."""

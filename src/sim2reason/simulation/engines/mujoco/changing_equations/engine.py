@@ -5,12 +5,12 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.changing_equations.events import ARMED, TOLERANCE, EventSearch
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import Found
+from sim2reason.simulation.engines.mujoco.changing_equations.margins import ActingModel, Due
+from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot
+from sim2reason.simulation.engines.mujoco.changing_equations.settling import BEGINS, STILL, STOPS, HardSettling
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
-from sim2reason.simulation.engines.mujoco.hard_events import ARMED, TOLERANCE, EventSearch
-from sim2reason.simulation.engines.mujoco.hard_forces import Found
-from sim2reason.simulation.engines.mujoco.hard_margins import ActingModel, Due
-from sim2reason.simulation.engines.mujoco.hard_record import Knot
-from sim2reason.simulation.engines.mujoco.hard_settling import BEGINS, STILL, STOPS, HardSettling
 from sim2reason.simulation.trace import Event, Trace
 
 PIECES = 24  # of the duration: a step is no longer than one of them, so that its ends tell what lies between,

@@ -11,7 +11,7 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.simulation.budget import Budget
-from sim2reason.simulation.engines.mujoco.hard_bracing import braced
+from sim2reason.simulation.engines.mujoco.changing_equations.bracing import braced
 
 SINGULAR = 1e-10  # of the largest singular value
 TRY, FORCE = 4_000, 1_500  # operations that a way costs, and for each row and face more

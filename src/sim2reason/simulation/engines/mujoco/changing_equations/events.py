@@ -4,9 +4,9 @@ from math import sqrt
 
 import numpy as np
 
+from sim2reason.simulation.engines.mujoco.changing_equations.margins import DISTANCES, ActingModel, Due
+from sim2reason.simulation.engines.mujoco.changing_equations.record import TOGETHER, Knot, Quintic
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
-from sim2reason.simulation.engines.mujoco.hard_margins import DISTANCES, ActingModel, Due
-from sim2reason.simulation.engines.mujoco.hard_record import TOGETHER, Knot, Quintic
 
 TOLERANCE = 2e-8  # of a step, relative
 DRIFT = 1e-5  # how far below zero a margin may begin, as steps and impacts leave it

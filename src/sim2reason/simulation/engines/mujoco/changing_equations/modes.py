@@ -10,7 +10,7 @@ from itertools import combinations, islice
 import numpy as np
 
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.mujoco.hard_forces import NEVER, Found, HardInstant, Way, solved
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import NEVER, Found, HardInstant, Way, solved
 
 SMALL = 1e-9  # of the largest load or acceleration: what still counts as zero
 MOST = 4000  # ways that are tried

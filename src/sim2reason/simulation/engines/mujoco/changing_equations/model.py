@@ -14,11 +14,11 @@ from sim2reason.dsl.state import Array
 from sim2reason.dsl.triples import Triple
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.budget import OPERATIONS, Budget
-from sim2reason.simulation.engines.mujoco.hard_attractions import Attractions
-from sim2reason.simulation.engines.mujoco.hard_forces import LARGE, NEVER, quick
-from sim2reason.simulation.engines.mujoco.hard_lines import Lengths, Lines, Pulls
-from sim2reason.simulation.engines.mujoco.hard_parts import Moving, Row, Situation
-from sim2reason.simulation.engines.mujoco.hard_specification import HardSpecification
+from sim2reason.simulation.engines.mujoco.changing_equations.attractions import Attractions
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import LARGE, NEVER, quick
+from sim2reason.simulation.engines.mujoco.changing_equations.lines import Lengths, Lines, Pulls
+from sim2reason.simulation.engines.mujoco.changing_equations.situation import Moving, Row, Situation
+from sim2reason.simulation.engines.mujoco.changing_equations.specification import HardSpecification
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
 STAND, JOINT = 2_000, 800  # operations that it costs to go to a state, and for each joint more
