@@ -5,8 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["gspo_loss"]
-
 Logps = Sequence[NDArray[np.float64]]
 
 
