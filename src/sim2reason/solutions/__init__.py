@@ -5,10 +5,10 @@ to the answer. Symbols come from the scene alone, see `writing.lexicon`; what ho
 `testing.solutions.faults` says.
 """
 
-from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.solve import by, solve, solve_prompt
 from sim2reason.solutions.strategies import STRATEGIES
+from sim2reason.solutions.writing.steps import UnsolvedError
 
 __all__ = ["STRATEGIES", "Relation", "Setting", "Solution", "Step", "UnsolvedError", "by", "solve", "solve_prompt"]

@@ -14,7 +14,7 @@ from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.solutions import Relation, Solution, solve
-from sim2reason.solutions.expressions import Number, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import Number, Symbol, added, multiplied
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults, undetermined
 from sim2reason.testing.solutions.reading import read

@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.solutions.digits import DIGITS, shortened
-from sim2reason.solutions.expressions import Expression, Number, Sum, Symbol
-from sim2reason.solutions.long_chains import TIME
+from sim2reason.solutions.algebra.digits import DIGITS, shortened
+from sim2reason.solutions.algebra.evaluated import gradient
+from sim2reason.solutions.algebra.expressions import Expression, Number, Sum, Symbol
+from sim2reason.solutions.collisions.long_chains import TIME
 from sim2reason.solutions.solution import WELL, Relation, Solution
-from sim2reason.solutions.worked import gradient
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
 ROUNDING = 1e-13  # in SI units: what arithmetic leaves of numbers that cancel, as in a limiting case, where a = 0

@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Final
 
-from sim2reason.solutions.digits import rounded, simple_fraction
-from sim2reason.solutions.expressions import Expression, Number, Product, Quotient, Sum, Symbol
-from sim2reason.solutions.functions import Absolute, Call, Pi, Power, Root
+from sim2reason.solutions.algebra.digits import rounded, simple_fraction
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
+from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 from sim2reason.solutions.solution import Solution
 
 __all__ = ["ARITHMETIC_DIGITS", "Definitions", "arithmetic", "definitions", "given", "plain_number"]

@@ -9,8 +9,8 @@ from typing import Final
 
 import numpy as np
 
-from sim2reason.solutions.expressions import Expression, Number, Product, Sum
-from sim2reason.solutions.functions import Call
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Sum
+from sim2reason.solutions.algebra.functions import Call
 from sim2reason.training.corpora.parts.operations import Definitions
 
 __all__ = ["SLIPS", "slipped"]
