@@ -24,10 +24,10 @@ from sim2reason.datasets.plan import SI, Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
-from sim2reason.solutions.check import SEEN, WORDS, faults, words
-from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import WELL
+from sim2reason.testing.solutions.faults import SEEN, WORDS, faults, words
+from sim2reason.testing.solutions.reading import read
 
 AGREED = 1e-9  # relative
 PLANTED = 6  # of each kind in one text

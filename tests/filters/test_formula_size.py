@@ -3,8 +3,8 @@
 import pytest
 
 from sim2reason.filters.parts.formula_size import has_logarithm, size
-from sim2reason.solutions.expressions import Expression, Number, Symbol
-from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
 
 M, m, F, g, k, t, x, y = map(Symbol, "MmFgktxy")
 SINE = Call("sin", Symbol(r"\theta"))

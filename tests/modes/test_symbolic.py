@@ -52,7 +52,7 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
 from sim2reason.scene_files import loads
-from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.algebra.expressions import Symbol
 
 SYMBOLIC = MODES["symbolic"]
 BLOCK = "ramp.blocks.0"

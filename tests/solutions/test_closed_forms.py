@@ -18,7 +18,7 @@ from sim2reason.questions.moments.collided import Collided
 from sim2reason.questions.moments.highest_point import HighestPoint
 from sim2reason.questions.moments.lowest_point import LowestPoint
 from sim2reason.solutions import Solution, solve, solve_prompt
-from sim2reason.solutions.check import faults
+from sim2reason.testing.solutions.faults import faults
 from worked import answer, asked, problems
 
 

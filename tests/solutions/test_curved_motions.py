@@ -48,8 +48,8 @@ from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.whole_motion import WholeMotion
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions import solve
-from sim2reason.solutions.check import faults
-from sim2reason.solutions.reading import read
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
 from worked import answer, asked
 
 G = 9.8

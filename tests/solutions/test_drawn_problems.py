@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
-from sim2reason.solutions.check import WORDS, faults, words
-from sim2reason.solutions.reading import read
+from sim2reason.testing.solutions.faults import WORDS, faults, words
+from sim2reason.testing.solutions.reading import read
 from worked import ANSWERED, problems
 
 COVERED = ("pulley", "incline", "hybrid", "box", "projectile")

@@ -23,10 +23,10 @@ from sim2reason.questions.moments.away import Away
 from sim2reason.questions.outcomes.slides import Slides
 from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
-from sim2reason.solutions.check import SEEN, faults
-from sim2reason.solutions.reading import read
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import WELL
+from sim2reason.testing.solutions.faults import SEEN, faults
+from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 TIME = 0.5

@@ -12,8 +12,8 @@ from sim2reason.questions import MODES, Query
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.recipes import RECIPES, difficulty_named
 from sim2reason.solutions import Setting, solve
-from sim2reason.solutions.check import faults
-from sim2reason.solutions.reading import read
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
 
 TRIES = 40
 ANSWERED = ("start", "state", "event", "time_to_event")  # kinds that strategies have a way to

@@ -5,7 +5,7 @@ from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.solutions import Solution, solve
-from sim2reason.solutions.told import told_in
+from sim2reason.solutions.writing.asked_units import told_in
 
 
 def worked(request: Request, found: CertifiedQuestion) -> Solution:

@@ -7,10 +7,10 @@ from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.filters.parts.formula_size import has_logarithm, is_vector, size
 from sim2reason.filters.parts.turning import TURNS, turns_by_weight
 from sim2reason.solutions import Relation, Solution
+from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together
 from sim2reason.solutions.closed_forms.gathering import symbols_in
 from sim2reason.solutions.derivation import derivation, is_derived
-from sim2reason.solutions.expressions import Expression, Sum, Symbol
 
 FEW_LAWS = "few laws"
 MOST = {0: 11, 1: 11, 2: 8, 3: 7, 4: 7}

@@ -21,9 +21,9 @@ from sim2reason.questions.regimes import Regime, possible
 from sim2reason.questions.spoken import OwnSymbol, symbol_for
 from sim2reason.questions.targets import targets
 from sim2reason.solutions import STRATEGIES, Setting
+from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together
 from sim2reason.solutions.derivation import derivation
-from sim2reason.solutions.expressions import Expression
 from sim2reason.solutions.strategies import Strategy
 
 DRAWS = 3  # of questions of one kind

@@ -1,13 +1,14 @@
 """Worked solutions: in steps, as a teacher would write them, each equation checked.
 
 A `Setting` is a scene in the words of its text with a query about it; `solve` finds the cheapest strategy that leads
-to the answer. Symbols come from the scene alone, see `lexicon`; what holds of every solution, `check` says.
+to the answer. Symbols come from the scene alone, see `writing.lexicon`; what holds of every solution,
+`testing.solutions.faults` says.
 """
 
-from sim2reason.solutions.book import UnsolvedError
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.solve import by, solve, solve_prompt
 from sim2reason.solutions.strategies import STRATEGIES
+from sim2reason.solutions.writing.steps import UnsolvedError
 
 __all__ = ["STRATEGIES", "Relation", "Setting", "Solution", "Step", "UnsolvedError", "by", "solve", "solve_prompt"]

@@ -6,11 +6,11 @@ from sim2reason.questions import Query
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
-from sim2reason.solutions.inverse import numeric_root, put, solved_for
+from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, numbers
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.inverse import numeric_root, put, solved_for
 from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.worked import Chain, ImplicitRoot, NumericRoot, numbers
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 SOLVED = "solve for the unknown"  # the kind of its steps
 LONG = 300  # characters of a formula that is better not written

@@ -17,8 +17,8 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.trace import happened
-from sim2reason.solutions.lexicon import Lexicon, StatedNumber
-from sim2reason.solutions.unit_latex import latex
+from sim2reason.solutions.writing.lexicon import Lexicon, StatedNumber
+from sim2reason.solutions.writing.unit_latex import latex
 
 LEVEL = 1e-9  # the part of a direction that is none
 BEYOND = 1.001  # times the moment that is asked about, to which the motion is followed

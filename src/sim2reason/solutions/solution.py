@@ -5,10 +5,10 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Literal
 
-from sim2reason.solutions.digits import DIGITS, rounded
-from sim2reason.solutions.expressions import Expression
-from sim2reason.solutions.unit_latex import DEGREES
-from sim2reason.solutions.worked import NumericRoot
+from sim2reason.solutions.algebra.digits import DIGITS, rounded
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "integrated", "verified"]
 WELL = 1e-9  # relative: how well every relation holds

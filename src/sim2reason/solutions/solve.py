@@ -12,17 +12,17 @@ from sim2reason.prose.writer import Writer
 from sim2reason.questions import Study
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Number, Symbol
-from sim2reason.solutions.lexicon import UnreadError
-from sim2reason.solutions.long_chains import in_rows
-from sim2reason.solutions.merging import merged
+from sim2reason.solutions.algebra.evaluated import numbers
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy
-from sim2reason.solutions.unit_latex import DEGREES
-from sim2reason.solutions.worked import numbers
+from sim2reason.solutions.writing.lexicon import UnreadError
+from sim2reason.solutions.writing.merging import merged
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES
 
 SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it says
 

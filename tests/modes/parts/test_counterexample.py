@@ -11,8 +11,8 @@ from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variation, Variations
 from sim2reason.questions import Query
 from sim2reason.questions.moments.moved import Moved
-from sim2reason.solutions.expressions import Expression, Number, Symbol
-from sim2reason.solutions.functions import Root
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Root
 
 WIDTH = 1.1
 LEFT = Number(3.0) - Symbol("m")  # negative for masses of more than 3 kg

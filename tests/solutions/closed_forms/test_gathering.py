@@ -6,10 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.solutions.closed_forms.gathering import gathered
-from sim2reason.solutions.closed_forms.rewriting import length
-from sim2reason.solutions.closed_forms.tidying import tidied
-from sim2reason.solutions.expressions import (
+from sim2reason.solutions.algebra.expressions import (
     Expression,
     Number,
     Product,
@@ -20,7 +17,10 @@ from sim2reason.solutions.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.closed_forms.gathering import gathered
+from sim2reason.solutions.closed_forms.rewriting import length
+from sim2reason.solutions.closed_forms.tidying import tidied
 
 A, B, C, D, G, MU = (Symbol(name) for name in ("m_A", "m_B", "m_C", "m_D", "g", r"\mu"))
 SIN, COS = (Call(name, Symbol(r"\theta")) for name in ("sin", "cos"))

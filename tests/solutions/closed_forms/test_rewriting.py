@@ -5,14 +5,14 @@ from math import acos, asin, atan, cos, isclose, pi, sin, tan
 
 import pytest
 
+from sim2reason.solutions.algebra.evaluated import NumericRoot, Worked
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
+from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Function, Power, Root
 from sim2reason.solutions.closed_forms import ClosedFormError, closed_form, put_together
 from sim2reason.solutions.closed_forms.closed_form import hopeless
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
-from sim2reason.solutions.expressions import Expression, Number, Product, Quotient, Sum, Symbol
-from sim2reason.solutions.functions import PI, Absolute, Call, Function, Power, Root
 from sim2reason.solutions.solution import Relation, Solution, Step
-from sim2reason.solutions.worked import NumericRoot, Worked
 
 a, b, c, t = (Symbol(name) for name in ("p", "q", "s", r"\theta"))
 AT = {"p": 1.3, "q": 0.7, "s": 2.1, r"\theta": 0.4}

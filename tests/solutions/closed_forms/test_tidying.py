@@ -1,8 +1,8 @@
 import pytest
 
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.closed_forms.tidying import tidied
-from sim2reason.solutions.expressions import Number, Symbol
-from sim2reason.solutions.functions import Call, Power, Root
 
 
 def test_no_square_of_a_number_is_left_of_that_of_a_product_with_a_root() -> None:

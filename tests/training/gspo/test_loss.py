@@ -6,12 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sim2reason.training.gspo import gspo_loss
-
 pytest.importorskip("trl")
 
 import torch
 
+from gspo_loss import gspo_loss
 from gspo_run import Numbers, Thing, trainer
 
 pytestmark = pytest.mark.filterwarnings("ignore::FutureWarning")

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
+from sim2reason.solutions.algebra.expressions import Expression, Product, Sum, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.closed_forms.gathering import gathered, parted, symbols_in
-from sim2reason.solutions.expressions import Expression, Product, Sum, Symbol
-from sim2reason.solutions.functions import Call, Power, Root
 
 SQUARE = 2
 LENGTH = Symbol("length")

@@ -10,8 +10,8 @@ import numpy as np
 
 from sim2reason.dsl.state import Array
 from sim2reason.modes.parts.variations import Variation, Variations
-from sim2reason.solutions.expressions import Expression
-from sim2reason.solutions.functions import values
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.functions import values
 
 DRAWN, SEED = 2000, 0  # sets of numbers for which the formula is worked out
 CHANGED = 0.3  # of the numbers of every second set: the others are the scene's own

@@ -12,8 +12,8 @@ from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.variations import Variation, Variations
 from sim2reason.questions import Formula, Study, Words
 from sim2reason.questions.regimes import FEW, Regime, regimes
+from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, shortened
-from sim2reason.solutions.expressions import Expression
 
 POINTS = 8  # beside the scene's own
 NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes

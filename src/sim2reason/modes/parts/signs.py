@@ -6,8 +6,8 @@ from math import copysign
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.solutions.expressions import Expression, Sum
-from sim2reason.solutions.functions import values
+from sim2reason.solutions.algebra.expressions import Expression, Sum
+from sim2reason.solutions.algebra.functions import values
 
 
 def sums_in(held: Expression) -> Iterator[Sum]:

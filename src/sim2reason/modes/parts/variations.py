@@ -19,7 +19,7 @@ from sim2reason.questions.dependence import roomy
 from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
-from sim2reason.solutions.expressions import Expression
+from sim2reason.solutions.algebra.expressions import Expression
 
 LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
 LATEST = 4.0  # times that, before nothing is said to come at all

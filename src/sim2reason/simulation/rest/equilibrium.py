@@ -4,7 +4,7 @@ With the coordinates q and the force λ of each row that acts (strings, rods, co
 solves F(q) − Jᵀλ = 0, spare(q) = 0 on the exact formulas. Along the motions Z that the rows allow it divides by the
 sizes of the eigenvalues of the stiffness ZᵀKZ, K = −∂(F − Jᵀλ)/∂q at fixed λ, so that it runs down, never up (Dauphin
 et al. 2014), and ends where the equilibrium is stable. A motion without stiffness, such as that of two carts joined by
-a spring along their track, is left as it is. `simulation.statics` looks for all places of rest instead.
+a spring along their track, is left as it is.
 """
 
 import math

@@ -5,14 +5,23 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import inf
 
+from sim2reason.solutions.algebra.digits import simple_fraction
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Symbol,
+    multiplied,
+    ratio,
+)
+from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, plain
 from sim2reason.solutions.closed_forms.gathering import gathered
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
-from sim2reason.solutions.digits import simple_fraction
-from sim2reason.solutions.expressions import ONE, Expression, Number, Product, Quotient, Symbol, multiplied, ratio
-from sim2reason.solutions.functions import Absolute, Pi, Power, Root, plain
 from sim2reason.solutions.solution import Solution
-from sim2reason.solutions.worked import Worked
 
 MOST = 150  # symbols in a formula before it is made shorter
 LONGEST = 200  # characters of LaTeX: nobody would write more into a box

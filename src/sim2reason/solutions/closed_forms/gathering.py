@@ -5,9 +5,8 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from math import copysign, isclose, sqrt
 
-from sim2reason.solutions.closed_forms.rewriting import length
-from sim2reason.solutions.digits import simple_fraction
-from sim2reason.solutions.expressions import (
+from sim2reason.solutions.algebra.digits import simple_fraction
+from sim2reason.solutions.algebra.expressions import (
     ONE,
     ZERO,
     Expression,
@@ -19,7 +18,8 @@ from sim2reason.solutions.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.functions import Power
+from sim2reason.solutions.algebra.functions import Power
+from sim2reason.solutions.closed_forms.rewriting import length
 
 MANY = 30  # terms: of more, none is looked at
 

@@ -17,9 +17,19 @@ from math import inf
 from operator import add, mul, truediv
 from typing import Any
 
-from sim2reason.solutions.expressions import ONE, Expression, Number, Product, Quotient, Sum, Symbol, multiplied, ratio
-from sim2reason.solutions.functions import Call, Pi, Power, Root
-from sim2reason.solutions.polynomials import Monomial, Polynomial, written_order
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    multiplied,
+    ratio,
+)
+from sim2reason.solutions.algebra.functions import Call, Pi, Power, Root
+from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, written_order
 
 SHORT = 60  # characters: what is no longer needs no more looking at
 HOPELESS = 400  # characters: looked at part by part, a formula has never been found to be less than half as long

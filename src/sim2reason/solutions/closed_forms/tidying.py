@@ -2,8 +2,8 @@
 
 from functools import reduce
 
-from sim2reason.solutions.expressions import ONE, Expression, Number, Product, Quotient, Sum, multiplied, ratio
-from sim2reason.solutions.functions import Absolute, Call, Power, Root
+from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Product, Quotient, Sum, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Absolute, Call, Power, Root
 
 
 def tidied(held: Expression) -> Expression:

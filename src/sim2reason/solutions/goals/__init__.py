@@ -9,12 +9,12 @@ from typing import Protocol, Self
 from sim2reason.dsl.vectors import Vector
 from sim2reason.questions import Target
 from sim2reason.registry import Registry
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
-from sim2reason.solutions.functions import Power, Root
-from sim2reason.solutions.letters import LETTERS, unit_of_quantity
-from sim2reason.solutions.polynomials import Polynomial, total
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.setting import Setting, capital, joined
+from sim2reason.solutions.writing.letters import LETTERS, unit_of_quantity
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 Components = tuple[Polynomial, Polynomial, Polynomial]
 WAYS = ("to the right", "away from us", "upward")

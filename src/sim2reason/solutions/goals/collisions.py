@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Target
-from sim2reason.solutions.book import UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.goals import GOALS, Goal, Known, Struck, VectorName, finish
 from sim2reason.solutions.goals.sums import IMPULSES
+from sim2reason.solutions.writing.steps import UnsolvedError
 
 LOSS = VectorName.of("energy lost in a collision")
 

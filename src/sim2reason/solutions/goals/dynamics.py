@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from sim2reason.questions import Target
-from sim2reason.solutions.expressions import Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import Symbol, added, multiplied
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.goals.turning import squared

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim2reason.questions import Target
-from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Goal, Known
 from sim2reason.solutions.setting import Setting
 

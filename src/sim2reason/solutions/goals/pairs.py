@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Target
-from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import VELOCITIES
 

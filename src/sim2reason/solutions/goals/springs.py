@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim2reason.questions import Target
-from sim2reason.solutions.expressions import Expression, Number, Symbol, multiplied
-from sim2reason.solutions.functions import Power
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
+from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish
 
 EXTENSION = VectorName.of("extension")

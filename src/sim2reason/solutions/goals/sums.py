@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from sim2reason.questions import Target
-from sim2reason.solutions.book import UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, Stretch, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import VELOCITIES
-from sim2reason.solutions.polynomials import Polynomial, total
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.steps import UnsolvedError
 
 WORK = VectorName.of("work of a tension")
 HEAT = VectorName.of("energy dissipated by friction")

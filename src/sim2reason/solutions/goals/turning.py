@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from sim2reason.questions import Target
-from sim2reason.solutions.expressions import Expression, Symbol, multiplied, ratio
-from sim2reason.solutions.functions import Power
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, magnitude
 from sim2reason.solutions.goals.kinematics import VELOCITIES
 

@@ -7,9 +7,9 @@ from sim2reason.dsl.constancy import changing
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions import Moment
 from sim2reason.registry import Registry
-from sim2reason.solutions.book import Book
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.steps import Book
 
 
 class Strategy(ABC):

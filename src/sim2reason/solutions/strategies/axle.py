@@ -8,16 +8,16 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.book import Book
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Call, Power, Root, squares
-from sim2reason.solutions.measured_period import measured_period
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
+from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swept import swept
-from sim2reason.solutions.swing_angle import SMALL, SwingAngle, Way, unasked
-from sim2reason.solutions.unit_latex import (
+from sim2reason.solutions.swings.angle import SMALL, SwingAngle, Way, unasked
+from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
+from sim2reason.solutions.swings.total_angle import swept
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_ACCELERATION,
     ANGULAR_SPEED,
     DEGREES,

@@ -15,17 +15,17 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.turned_through import TurnedThrough
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.carriage import riding
-from sim2reason.solutions.carriage_angle import TWO
-from sim2reason.solutions.carriage_laws import HALF, CarriageLaws
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.functions import Power, Root, squares
-from sim2reason.solutions.measured_period import measured_period
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swing_angle import Way, quantity_of
-from sim2reason.solutions.unit_latex import (
+from sim2reason.solutions.swings.angle import Way, quantity_of
+from sim2reason.solutions.swings.carriage import riding
+from sim2reason.solutions.swings.carriage_angle import TWO
+from sim2reason.solutions.swings.carriage_laws import HALF, CarriageLaws
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_SPEED,
     INERTIA,
     KILOGRAMS,

@@ -15,16 +15,16 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.most_compressed import MostCompressed
 from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.natural_length import NaturalLength
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Power, Root, squares
-from sim2reason.solutions.greatest import time_of_greatest
-from sim2reason.solutions.lone_spring import LoneSpring, ends, lone_spring, quantity_of
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
+from sim2reason.solutions.oscillations.lone_spring import LoneSpring, ends, lone_spring, quantity_of
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swing_angle import Way
-from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.unit_latex import JOULES, METRES, SPEED, latex
+from sim2reason.solutions.swings.angle import Way
+from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import JOULES, METRES, SPEED, latex
 
 HALF = Number(0.5)
 MOMENTS = (MostCompressed, MostStretched, NaturalLength)

@@ -13,17 +13,17 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import Dynamics
-from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.stage import End, Stage
+from sim2reason.solutions.laws.stage_part import StagePart
+from sim2reason.solutions.laws.straight_way import STILL, Way
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.stage import End, Stage
-from sim2reason.solutions.stage_part import StagePart
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
-from sim2reason.solutions.unit_latex import METRES, NEWTONS, SECONDS
-from sim2reason.solutions.way import STILL, Way
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import METRES, NEWTONS, SECONDS
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping)
 

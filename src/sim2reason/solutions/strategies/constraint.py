@@ -8,19 +8,19 @@ import numpy as np
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.moved import Moved
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.dynamics import Dynamics
-from sim2reason.solutions.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.goals import GOALS, Stretch
-from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.polynomials import Polynomial
+from sim2reason.solutions.laws.common_rates import Measure
+from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.stage_part import StagePart
+from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.shared import Measure
-from sim2reason.solutions.stage_part import StagePart
 from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration
-from sim2reason.solutions.unit_latex import METRES
-from sim2reason.solutions.way import Way
-from sim2reason.solutions.written_dynamics import WrittenDynamics
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import METRES
 
 
 @strategy

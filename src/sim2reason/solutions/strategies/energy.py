@@ -17,18 +17,18 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.moments.stopped_slipping import StoppedSlipping
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.fractions import over
-from sim2reason.solutions.functions import Power, Root, squares
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.greatest import greatest_target, time_of_greatest
-from sim2reason.solutions.linear_motion import fewest_free, nonlinear
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
+from sim2reason.solutions.oscillations.linear_motion import fewest_free, nonlinear
+from sim2reason.solutions.oscillations.single_way import SingleWay
 from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.single_way import SingleWay
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping, MostStretched, MostCompressed, NaturalLength)
 HALF = Number(0.5)

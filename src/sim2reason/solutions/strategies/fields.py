@@ -10,22 +10,22 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.away import Away
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.field_energy import FieldEnergy
-from sim2reason.solutions.field_moment import FieldMoment
-from sim2reason.solutions.field_motion import FieldMotion
-from sim2reason.solutions.fields import AXES, Fields
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.fields.energy import FieldEnergy
+from sim2reason.solutions.fields.forces import AXES, Fields
+from sim2reason.solutions.fields.magnetic_motion import Turning
+from sim2reason.solutions.fields.moment import FieldMoment
+from sim2reason.solutions.fields.motion import FieldMotion
 from sim2reason.solutions.goals import GOALS, Components
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
-from sim2reason.solutions.magnetic_motion import Turning
-from sim2reason.solutions.measured_period import measured_period
-from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import JOULES
-from sim2reason.solutions.way import Way
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import JOULES
 
 NOUNS = {noun.base: noun for noun in (DISPLACEMENTS, VELOCITIES, ACCELERATIONS)}
 MOMENTS = (AtStart, AtTime, Away, Stopped)

@@ -6,19 +6,19 @@ from sim2reason.dsl.triples import minus, product
 from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
-from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.lexicon import Both
-from sim2reason.solutions.linear_motion import nonlinear
-from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.laws.common_rates import gravitational_constant
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.oscillations.linear_motion import nonlinear
 from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.shared import gravitational_constant
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import ACCELERATION, METRES, NEWTONS, SPEED
-from sim2reason.solutions.way import Way
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, NEWTONS, SPEED
 
 
 @strategy

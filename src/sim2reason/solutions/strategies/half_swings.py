@@ -8,17 +8,17 @@ from collections.abc import Sequence
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import Stretch
-from sim2reason.solutions.harmonic import Harmonic
-from sim2reason.solutions.linear_motion import LinearMotion, fewest_free
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.oscillations.harmonic import Harmonic
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
+from sim2reason.solutions.oscillations.to_and_fro import Travelled
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import Oscillating, not_driven_back
-from sim2reason.solutions.travelled import Travelled
-from sim2reason.solutions.unit_latex import METRES, SECONDS
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
 
 @strategy

@@ -17,20 +17,20 @@ from sim2reason.questions.moments.landed import Landed
 from sim2reason.questions.moments.last_collision import LastCollision
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.flights import Impact, Leg
-from sim2reason.solutions.functions import Power, Root
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.collisions.flights import Impact, Leg
+from sim2reason.solutions.collisions.oblique import Flights
+from sim2reason.solutions.collisions.sums import FlightPart, StruckBodies
 from sim2reason.solutions.goals import Stretch, Struck
-from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.oblique import Flights
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.straight_way import Way
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
-from sim2reason.solutions.struck import FlightPart, StruckBodies
-from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.unit_latex import METRES, SECONDS, SPEED
-from sim2reason.solutions.way import Way
+from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed, LastCollision)
 

@@ -12,16 +12,16 @@ from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.cramer import cramer
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Power, Root
-from sim2reason.solutions.linear_motion import nonlinear
-from sim2reason.solutions.linear_way import LinearWay
-from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.algebra.cramer import cramer
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.oscillations.linear_motion import nonlinear
+from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Moved)
 HALF = Number(0.5)

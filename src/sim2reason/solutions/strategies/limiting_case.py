@@ -10,14 +10,14 @@ from sim2reason.questions.outcomes.rises import Rises
 from sim2reason.questions.outcomes.slides import Slides
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO
-from sim2reason.solutions.polynomials import Polynomial, total
+from sim2reason.solutions.algebra.expressions import ZERO
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import ACCELERATION
-from sim2reason.solutions.written_dynamics import WrittenDynamics
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 ASIDE = 1e-5  # relative: how far from the limit it is seen what moves
 INSTANT = 1e-6  # s

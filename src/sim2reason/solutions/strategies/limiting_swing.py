@@ -7,15 +7,15 @@ from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes.goes_round import GoesRound
 from sim2reason.questions.outcomes.goes_slack import GoesSlack
-from sim2reason.solutions.arm import Arm, lone_axle
-from sim2reason.solutions.book import Book
-from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Call, Power, squares
-from sim2reason.solutions.pendulum import geometry, pivot
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, squares
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import JOULES, latex
+from sim2reason.solutions.swings.arm import Arm, lone_axle
+from sim2reason.solutions.swings.pendulum import geometry, pivot
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import JOULES, latex
 
 HALF, TWO, THREE = Number(0.5), Number(2.0), Number(3.0)
 TAUT = "The string stays taut if its body turns back below the fixed point."

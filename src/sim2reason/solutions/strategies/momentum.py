@@ -1,10 +1,10 @@
 """Momentum: where nothing outside pulls along a direction, momentum is kept; energy gives the relative motion."""
 
-from sim2reason.solutions.book import Book
-from sim2reason.solutions.pair_way import PairWay
+from sim2reason.solutions.oscillations.pair_way import PairWay
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import strategy
 from sim2reason.solutions.strategies.energy import EnergyWay, WorkAndEnergy
+from sim2reason.solutions.writing.steps import Book
 
 
 @strategy

@@ -14,23 +14,23 @@ from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Root
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import Stretch
-from sim2reason.solutions.greatest import time_of_greatest
-from sim2reason.solutions.linear_motion import fewest_free
-from sim2reason.solutions.linear_way import LinearWay
-from sim2reason.solutions.measured_period import measured_period
-from sim2reason.solutions.mode import Mode, acceleration, jerk, place, plain, speed
-from sim2reason.solutions.normal_modes import Form, NormalModes
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
+from sim2reason.solutions.oscillations.linear_motion import fewest_free
+from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.oscillations.measured_period import measured_period
+from sim2reason.solutions.oscillations.mode import Mode, acceleration, jerk, place, plain, speed
+from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes
+from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import PAIR, not_driven_back
-from sim2reason.solutions.told_root import told_root, told_roots
-from sim2reason.solutions.travelled import EARLY, Travelled
-from sim2reason.solutions.unit_latex import ACCELERATION, ANGULAR_SPEED, METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.numeric_roots import told_root, told_roots
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, METRES, SECONDS, SPEED
 
 SCAN = 2001
 Law = Callable[[list[Mode], int, Symbol], Expression]

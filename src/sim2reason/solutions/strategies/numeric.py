@@ -9,14 +9,14 @@ from sim2reason.dsl.vectors import inner
 from sim2reason.lazy import cached_property
 from sim2reason.questions import KINDS
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError, Writing
-from sim2reason.solutions.equations_of_motion import Names
-from sim2reason.solutions.expressions import Symbol
-from sim2reason.solutions.integrated_laws import IntegratedLaws
-from sim2reason.solutions.lexicon import Both
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.laws.equations_of_motion import Names
+from sim2reason.solutions.laws.integrated import IntegratedLaws
 from sim2reason.solutions.setting import LEVEL, Setting, capital, joined
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import (
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     ANGULAR_SPEED,

@@ -10,18 +10,18 @@ from sim2reason.questions.moments.closest import Closest
 from sim2reason.questions.moments.farthest import Farthest
 from sim2reason.questions.moments.orbited import Orbited
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import Expression, Symbol
-from sim2reason.solutions.functions import PI
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.functions import PI
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.fields.kepler import AREA, HALF, TWO, KeplerOrbit
+from sim2reason.solutions.fields.orbit_place import AtAnomaly, OrbitPlace, Turned
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.kepler import AREA, HALF, TWO, KeplerOrbit
-from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.orbit_place import AtAnomaly, OrbitPlace, Turned
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.straight_way import Way
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import METRES, SECONDS
-from sim2reason.solutions.way import Way
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
 MOMENTS = (AtTime, Away, Closest, Farthest, Orbited)
 QUANTITIES = ("displacement", "velocity", "acceleration", "distance", "relative speed")

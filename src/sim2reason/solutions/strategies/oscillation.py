@@ -16,21 +16,21 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.functions import Call, Power, Root
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS, Stretch
-from sim2reason.solutions.greatest import greatest_target
-from sim2reason.solutions.harmonic import Harmonic
-from sim2reason.solutions.linear_motion import fewest_free, nonlinear
-from sim2reason.solutions.measured_period import measured_period
-from sim2reason.solutions.pair_way import PairWay
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.oscillations.greatest_value import greatest_target
+from sim2reason.solutions.oscillations.harmonic import Harmonic
+from sim2reason.solutions.oscillations.linear_motion import fewest_free, nonlinear
+from sim2reason.solutions.oscillations.measured_period import measured_period
+from sim2reason.solutions.oscillations.pair_way import PairWay
+from sim2reason.solutions.oscillations.single_way import SingleWay
+from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.single_way import SingleWay
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.travelled import EARLY, Travelled
-from sim2reason.solutions.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 SUMS = (
     *("distance travelled", "impulse of the net force", "impulse of a tension", "work of a tension"),

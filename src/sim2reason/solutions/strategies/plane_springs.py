@@ -13,21 +13,21 @@ from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.simulation.rest.equilibrium import equilibrium
-from sim2reason.solutions.book import Book, UnsolvedError, Writing
-from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol, added
-from sim2reason.solutions.functions import PI, Call, Power, Root
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
+from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.inverse import put
-from sim2reason.solutions.lexicon import Both
-from sim2reason.solutions.measured_period import measured_period
-from sim2reason.solutions.newton import Newton
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import LEVEL, Setting, joined
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.told_root import told_root
-from sim2reason.solutions.unit_latex import ANGULAR_SPEED, DEGREES, METRES, STIFFNESS
-from sim2reason.solutions.way import Way
-from sim2reason.solutions.worked import NumericRoot
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, METRES, STIFFNESS
 
 HALF, TWO = Number(0.5), Number(2.0)
 STEEP = 0.01  # a run of so little of the rise: five digits of it are too few for the tangent

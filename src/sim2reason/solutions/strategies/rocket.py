@@ -11,15 +11,15 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.moved import Moved
 from sim2reason.questions.moments.stopped import Stopped
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.burning import Burning
-from sim2reason.solutions.expressions import Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.polynomials import NIL, Polynomial
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.laws.rocket import Burning
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.unit_latex import ACCELERATION, KILOGRAMS, METRES, NEWTONS, SECONDS, SPEED
-from sim2reason.solutions.worked import NumericRoot
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, KILOGRAMS, METRES, NEWTONS, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, BurnedOut, Moved, Stopped)
 HALF = Number(0.5)

@@ -9,15 +9,15 @@ from sim2reason.dsl.triples import applied, product
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import Call, Power, Root, squares
-from sim2reason.solutions.lexicon import UnreadError
-from sim2reason.solutions.mass_spread import candidates, mass_spread
-from sim2reason.solutions.measured_period import measured_period
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
+from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import (
+from sim2reason.solutions.swings.mass_spread import candidates, mass_spread
+from sim2reason.solutions.writing.lexicon import UnreadError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     ANGULAR_SPEED,

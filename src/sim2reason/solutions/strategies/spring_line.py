@@ -14,15 +14,15 @@ from sim2reason.questions.moments.most_stretched import MostStretched
 from sim2reason.questions.moments.natural_length import NaturalLength
 from sim2reason.questions.moments.stopped import Stopped
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.functions import PI, Call, Power, Root
-from sim2reason.solutions.lone_spring import LoneSpring, length, lone_spring
-from sim2reason.solutions.measured_period import measured_period
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
+from sim2reason.solutions.oscillations.lone_spring import LoneSpring, length, lone_spring
+from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swing_angle import Way
-from sim2reason.solutions.unit_latex import (
+from sim2reason.solutions.swings.angle import Way
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_SPEED,
     METRES,
     RADIANS,

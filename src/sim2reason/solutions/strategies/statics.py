@@ -8,16 +8,16 @@ from collections.abc import Mapping
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.moments.at_start import AtStart
-from sim2reason.solutions.book import Book, UnsolvedError
-from sim2reason.solutions.cramer import cramer, determinant
-from sim2reason.solutions.expressions import Symbol
+from sim2reason.solutions.algebra.cramer import cramer, determinant
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.linear_motion import nonlinear
-from sim2reason.solutions.linear_way import LinearWay
-from sim2reason.solutions.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.oscillations.linear_motion import nonlinear
+from sim2reason.solutions.oscillations.linear_way import LinearWay
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.unit_latex import METRES
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import METRES
 
 
 @strategy

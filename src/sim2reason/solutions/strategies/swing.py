@@ -4,15 +4,15 @@ from collections.abc import Mapping
 from typing import ClassVar
 
 from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.solutions.book import Book
-from sim2reason.solutions.expressions import ZERO, Expression, Number, added, multiplied, ratio
-from sim2reason.solutions.functions import Call, Power, Root
-from sim2reason.solutions.pendulum import pivot
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swept import swept
-from sim2reason.solutions.swing_angle import Way, unasked
-from sim2reason.solutions.swing_state import SwingState
+from sim2reason.solutions.swings.angle import Way, unasked
+from sim2reason.solutions.swings.pendulum import pivot
+from sim2reason.solutions.swings.state import SwingState
+from sim2reason.solutions.swings.total_angle import swept
+from sim2reason.solutions.writing.steps import Book
 
 
 @strategy

@@ -13,11 +13,11 @@ from sim2reason.datasets.make import item_of
 from sim2reason.datasets.plan import Request
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.worked_solutions import worked
-from sim2reason.solutions.arithmetic import Definitions, arithmetic
-from sim2reason.solutions.renumbering import renumbered
-from sim2reason.solutions.slips import SLIPS, slipped
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.corpora.parts.drawing import drawn_rows
+from sim2reason.training.corpora.parts.operations import Definitions, arithmetic
+from sim2reason.training.corpora.parts.renumbering import renumbered
+from sim2reason.training.corpora.parts.slips import SLIPS, slipped
 from sim2reason.training.sources.fresh import Fresh, fingerprint
 
 __all__ = ["Arithmetic"]

@@ -5,7 +5,6 @@ PromptStream ── rounds of completions and rewards ↦ groups of unequal rewa
 
 from sim2reason.training.gspo.assembly import make_trainer
 from sim2reason.training.gspo.checkpoints import last_checkpoint
-from sim2reason.training.gspo.loss import gspo_loss
 from sim2reason.training.gspo.settings import GSPOSettings, VllmSettings
 from sim2reason.training.gspo.step_log import StepLog, StepRecord, StepSeconds
 from sim2reason.training.gspo.stream import PromptStream
@@ -17,7 +16,6 @@ __all__ = [
     "StepRecord",
     "StepSeconds",
     "VllmSettings",
-    "gspo_loss",
     "last_checkpoint",
     "make_trainer",
 ]

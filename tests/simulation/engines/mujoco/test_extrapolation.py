@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from sim2reason.dsl.state import Array
+from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot, Quintic, through
 from sim2reason.simulation.engines.mujoco.extrapolation import LEAST, MOST, SEQUENCE, extrapolated
-from sim2reason.simulation.engines.mujoco.hard_record import Knot, Quintic, through
 
 
 def swing(time: float, y: Array) -> Array:

@@ -9,7 +9,7 @@ from sim2reason.dsl.builder import Builder
 from sim2reason.dsl.mechanism import X
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines import mujoco as engine
-from sim2reason.simulation.engines.mujoco import hard_engine
+from sim2reason.simulation.engines.mujoco.changing_equations import engine as loop
 from sim2reason.simulation.engines.mujoco.specification import mujoco, overheard
 
 
@@ -49,7 +49,7 @@ def test_a_warning_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     def warned(*_: object) -> None:
         warn()
 
-    monkeypatch.setattr(hard_engine, "run", warned)
+    monkeypatch.setattr(loop, "run", warned)
     builder = Builder()
     room = builder.room().site("wall", (-1.0, 0.0, 0.0))
     room.body("block", 1.0).slide(X).site("hook")

@@ -3,7 +3,8 @@
 `specification` writes the mechanism down for MjSpec and `compiled_model` compiles it: they alone talk to the library.
 `balance` lets its solver find forces and impulses free of the softness of its constraints; `forces` reads from them
 what is taut, sticks or slides; `event_detection` foresees events; `engine` goes from event to event in steps of RK4;
-`record` keeps what the steps leave. The library is loaded when the first mechanism is simulated.
+`record` keeps what the steps leave. `changing_equations` does the same for mechanisms that the library's own
+constraints cannot keep. The library is loaded when the first mechanism is simulated.
 """
 
 from importlib import import_module
@@ -35,7 +36,8 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
     check_speeds(mechanism)
     soft = is_simple(mechanism) and not changing(mechanism)
     with import_module(f"{__name__}.specification").overheard() as said:
-        trace: Trace = import_module(f"{__name__}.{'engine' if soft else 'hard_engine'}").run(mechanism, times)
+        loop = "engine" if soft else "changing_equations.engine"
+        trace: Trace = import_module(f"{__name__}.{loop}").run(mechanism, times)
     if said:
         raise SimulationError(f"MuJoCo warns: {said[0]}")
     return trace

@@ -15,7 +15,7 @@ from typing import Any, Literal, TypeAlias
 from sim2reason.dsl.mechanism import ConstantTension, Line, Mechanism, RigidBody
 from sim2reason.errors import SimulationError
 
-mujoco: Any = import_module("mujoco")  # it ships no types; nothing beyond this module and `compiled_model` sees it
+mujoco: Any = import_module("mujoco")  # it ships no types; seen by few modules of this package
 Element: TypeAlias = Any  # of a specification: a body, a joint, a site, a tendon
 
 STEP = 0.2  # s; motion between events is quadratic, which RK4 integrates exactly

@@ -1,1 +1,1 @@
-"""What corpora share: how files of rows are read, how corpora are mixed, and how rows become tokens."""
+"""What corpora share: how files of rows are read and mixed, how rows become tokens, how solutions become arithmetic."""

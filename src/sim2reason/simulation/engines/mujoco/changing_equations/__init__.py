@@ -1,0 +1,1 @@
+"""Mechanisms whose equations change as they move, or whose constraints the library itself cannot keep."""

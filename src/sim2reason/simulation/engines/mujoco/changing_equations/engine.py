@@ -1,0 +1,151 @@
+"""The loop for mechanisms whose equations change: impacts, forces, steps until the next event, and again."""
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.changing_equations.events import ARMED, TOLERANCE, EventSearch
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import Found
+from sim2reason.simulation.engines.mujoco.changing_equations.margins import ActingModel, Due
+from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot
+from sim2reason.simulation.engines.mujoco.changing_equations.settling import BEGINS, STILL, STOPS, HardSettling
+from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
+from sim2reason.simulation.trace import Event, Trace
+
+PIECES = 24  # of the duration: a step is no longer than one of them, so that its ends tell what lies between,
+STRIDE, FEWEST = 5 / 3, 10  # or than so many intervals between samples, if there are that many steps at least
+FIRST = 0.05  # of such a piece: the first step where something has just left, so that it has left when it returns
+STEPS = 4000
+SHORTEST = 1e-11  # of the duration
+SEGMENTS = 500
+
+
+def run(mechanism: Mechanism, times: Array) -> Trace:
+    """The motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
+    motion: HardMotion | None = None
+    try:
+        with np.errstate(over="raise"):
+            motion = HardMotion(mechanism, times)
+            while motion.advance():
+                if len(motion.record.stretches) > SEGMENTS:
+                    many = f"more than {SEGMENTS} events before {times[-1]:g} s"
+                    raise SimulationError(f"{many}; simulate a shorter time")
+    except (ZeroDivisionError, FloatingPointError, np.linalg.LinAlgError) as error:
+        now = motion.now if motion else 0.0
+        raise SimulationError(f"MuJoCo: the motion becomes singular at {now:.6g} s ({error})") from None
+    events = tuple(sorted(motion.events, key=lambda event: event.time))
+    return Trace("mujoco", motion.record.state(times), events, motion.now, motion.cut, motion.record.state)
+
+
+class HardMotion(HardSettling):
+    """A motion in the making, from event to event."""
+
+    def __init__(self, mechanism: Mechanism, times: Array) -> None:
+        """At the start; see `run`."""
+        super().__init__(mechanism, times)
+        stride = min(STRIDE * float(times[1] - times[0]), self.duration / FEWEST) if len(times) > 2 else 0.0
+        self.longest = max(self.duration / PIECES, stride)
+
+    def advance(self) -> bool:
+        """Settle the present instant and go on to the next event; False at the end."""
+        self.model.stand(self.now, self.q, self.v, self.situation)
+        if not self.impact():
+            return False
+        self.model.stand(self.now, self.q, self.v, self.situation)
+        found = self.settle()
+        if self.cut:
+            return False
+        self.way = found.way
+        return self._travel(found)
+
+    def _travel(self, found: Found) -> bool:
+        """Step to the next event; False at the end."""
+        acting = ActingModel(self.model, self.record, self.situation, found.way)
+        self.record.start(found.way, found, self.situation)
+        begun, before = acting.knot(self.now, np.concatenate([self.q, self.v]))
+        self.record.add(begun)
+        armed = [due.value > ARMED for due in before]
+        leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
+        length, tolerance = self.longest * (FIRST if leaves else 1.0), TOLERANCE * acting.closeness(begun)
+        while self.duration - self.now > SHORTEST * self.duration:
+            length = min(length, self.longest, self.duration - self.now)
+            last = self.record.last
+            tried = extrapolated(acting.rate, last.time, last.values, last.rates, length, tolerance)
+            self._count(length)
+            if not tried.error <= 1.0:
+                length *= min(0.7, tried.factor) if np.isfinite(tried.error) else 0.1
+                continue
+            here, after = acting.knot(self.now + length, tried.values)
+            event = EventSearch(acting, (last, here), (before, after), armed).due(self.duration)
+            if event is not None:
+                self._keep(event[0])
+                self.due = event[1]
+                return self._happen(self.due)
+            self._keep(here)
+            before = after
+            armed = [was or due.value > ARMED for was, due in zip(armed, after, strict=True)]
+            length, tolerance = length * tried.factor, TOLERANCE * acting.closeness(here)
+        self.now = self.duration
+        return False
+
+    def _count(self, length: float) -> None:
+        self.steps += 1
+        if self.steps > STEPS:
+            raise SimulationError("MuJoCo: the budget of steps is used up")
+        if length < SHORTEST * self.duration:
+            raise SimulationError(f"MuJoCo: the motion becomes singular at {self.now:.6g} s")
+
+    def _keep(self, knot: Knot) -> None:
+        if knot is not self.record.last:
+            self._note_turns(self.record.last, knot)
+            self.record.add(knot)
+        self.now = knot.time
+        n = self.model.size
+        self.q, self.v = knot.values[:n], knot.values[n:]
+
+    def _note_turns(self, before: Knot, after: Knot) -> None:
+        n = self.model.size
+        for coordinate, number in zip(self.mechanism.coordinates, self.model.coordinates, strict=True):
+            old, new = before.values[n + number], after.values[n + number]
+            if old * new < 0.0 and min(abs(old), abs(new)) > STILL:
+                when = before.time + float(old / (old - new)) * (after.time - before.time)
+                self.events.append(Event(when, "turn", (coordinate.name,)))
+
+    def _happen(self, due: list[Due]) -> bool:
+        """Note what is due; False if it ends the motion."""
+        together = any(each.kind == "reach" for each in due)  # what two points at one place seem to do is nothing
+        for each in due:
+            number = each.number
+            if together and each.kind in ("limit", "normal"):
+                continue
+            match each.kind:
+                case "reach":
+                    self.end("reach", *self.record.runs[number])
+                case "limit":
+                    self.end("limit", self.mechanism.coordinates[number].name)
+                case "normal":
+                    self.end("lift", self.mechanism.faces[number].subject)
+                case "burn":
+                    self.note("burn-out", self.mechanism.burns[number].body)
+                    self.situation.burning[number] = False
+                case "border":
+                    self._cross(number, each.side)
+                case "strain":
+                    self._strain(number)
+                case _:
+                    pass
+        return not self.cut
+
+    def _strain(self, number: int) -> None:
+        self.situation.strained[number] = not self.situation.strained[number]
+        line, law = self.mechanism.half_springs[number]
+        kind = "prop" if law.acts == "pushes" else "string"
+        self.note((BEGINS if self.situation.strained[number] else STOPS)[kind], line.name)
+
+    def _cross(self, number: int, side: int) -> None:
+        inside = self.situation.inside[number]
+        was = all(inside)
+        inside[side] = not inside[side]
+        if was != all(inside):
+            self.note("enter" if all(inside) else "exit", self.mechanism.forces[number].body)

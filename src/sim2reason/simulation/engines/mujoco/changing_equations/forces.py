@@ -1,0 +1,187 @@
+"""The forces of one way in which rows, faces and friction can act: one linear system, solved.
+
+Forces and impulses are the same problem, for accelerations and for velocities after an impact. Rows pull or push one
+way, faces press or come apart, friction holds or is µN.
+"""
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.simulation.budget import Budget
+from sim2reason.simulation.engines.mujoco.changing_equations.bracing import braced
+
+SINGULAR = 1e-10  # of the largest singular value
+TRY, FORCE = 4_000, 1_500  # operations that a way costs, and for each row and face more
+NEVER = 1e9  # a coefficient of friction that stands for one that never slips
+LARGE = 1e9  # an acceleration or a force beyond it is that of a part without mass, or of none that holds it
+FAINT = 1e-8  # of a pattern of forces without effect: an entry that is none
+HUGE = 1e12  # of what is divided by a pivot that should be zero
+
+
+class Way(NamedTuple):
+    """Which rows act, which faces are closed, how each rough face rubs: 0 sticks, ±1 slips to that side."""
+
+    rows: tuple[bool, ...]
+    faces: tuple[bool, ...]
+    rubbing: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class HardInstant:
+    """All that the forces of one instant depend on, in arrays over joints."""
+
+    inertia: Array
+    loads: Array
+    rows: Array  # (rows, joints)
+    targets: Array
+    both: tuple[bool, ...]
+    follows: tuple[int, ...]
+    rises: list[int]  # joints
+    slips: Array  # (faces, joints)
+    friction: Array  # (faces,)
+    sliding: tuple[int, ...]  # the side to which a face slips already; else 0
+    guided: tuple[bool, ...]
+    allowed: tuple[bool, ...]  # the rows that may act
+    budget: Budget = field(default_factory=Budget)  # of the motion that it is an instant of
+
+
+class Faces(NamedTuple):
+    """The joints along which bodies rise from their faces, how these slip (faces, joints), and their friction."""
+
+    rises: list[int]
+    slips: Array
+    friction: Array
+
+
+@dataclass(frozen=True)
+class Found:
+    """Accelerations and all forces of one way; `open_rows` and the like say which of them are not determined."""
+
+    way: Way
+    x: Array
+    rows: Array
+    normal: Array
+    friction: Array
+    unknown: Array  # (rows + faces + faces,), 1 where a force is not determined
+
+
+class Acting(NamedTuple):
+    """What acts in one way, by number: rows, closed faces, and those of them that stick."""
+
+    rows: list[int]
+    closed: list[int]
+    sticking: list[int]
+
+
+def acting(way: Way, friction: Array) -> Acting:
+    """What acts in one way."""
+    closed = [i for i, shut in enumerate(way.faces) if shut]
+    sticking = [i for i in closed if friction[i] > 0.0 and way.rubbing[i] == 0]
+    return Acting([i for i, acts in enumerate(way.rows) if acts], closed, sticking)
+
+
+def system(
+    inertia: Array, loads: Array, held: list[Array], targets: list[float], faces: "Faces", way: Way, acts: Acting
+) -> tuple[Array, Array]:
+    """The equations of one way: for accelerations, the forces of rows `held` at `targets`, of faces, and friction."""
+    n, first, second = len(loads), len(held), len(held) + len(acts.closed)
+    size = n + second + len(acts.sticking)
+    matrix, wanted = np.zeros((size, size)), np.zeros(size)
+    matrix[:n, :n], wanted[:n] = inertia, loads
+    if held:
+        matrix[:n, n : n + first], matrix[n : n + first, :n] = np.array(held).T, np.array(held)
+        wanted[n : n + first] = targets
+    for place, i in enumerate(acts.closed, start=n + first):
+        joint = faces.rises[i]
+        matrix[joint, place], matrix[place, joint] = -1.0, 1.0
+        if way.rubbing[i]:
+            matrix[:n, place] += faces.friction[i] * way.rubbing[i] * faces.slips[i]
+    for place, i in enumerate(acts.sticking, start=n + second):
+        matrix[:n, place], matrix[place, :n] = -faces.slips[i], faces.slips[i]
+    return matrix, wanted
+
+
+def solved(instant: HardInstant, way: Way) -> Found | None:
+    """The linear system of one way, solved; None if it has no solution."""
+    instant.budget.spend(TRY + FORCE * (len(way.rows) + len(way.faces)))
+    n, faces = len(instant.loads), Faces(instant.rises, instant.slips, instant.friction)
+    acts = acting(way, instant.friction)
+    held, targets = [instant.rows[i] for i in acts.rows], [float(instant.targets[i]) for i in acts.rows]
+    matrix, wanted = system(instant.inertia, instant.loads, held, targets, faces, way, acts)
+    solution = quick(matrix, wanted) if _is_regular(matrix) else None
+    null = np.zeros(len(wanted))
+    if solution is None:
+        solution, free = _least(matrix, wanted)
+        null[free.any(axis=0)] = 1.0
+        if solution is None or null[:n].any():
+            return None
+        if len(free):
+            solution = braced(solution, free, _conditions(instant, acts, len(wanted)))
+    rows, normal, friction = np.zeros(len(way.rows)), np.zeros(len(way.faces)), np.zeros(len(way.faces))
+    second = n + len(held) + len(acts.closed)
+    rows[acts.rows], normal[acts.closed] = solution[n : n + len(held)], solution[n + len(held) : second]
+    friction[acts.sticking] = solution[second:]
+    for i in acts.closed:
+        if way.rubbing[i]:
+            friction[i] = -instant.friction[i] * way.rubbing[i] * normal[i]
+    unknown = np.zeros(len(rows) + 2 * len(normal))
+    places = [*acts.rows, *(len(rows) + i for i in acts.closed), *(len(rows) + len(normal) + i for i in acts.sticking)]
+    unknown[places] = null[n:]
+    return Found(way, solution[:n], rows, normal, friction, unknown)
+
+
+def _conditions(instant: HardInstant, acts: Acting, size: int) -> Array:
+    """What may not be negative, as rows over all unknowns: pulls, normal forces, and what is left of sticking."""
+    n, first = len(instant.loads), len(acts.rows)
+    normal = {i: n + first + place for place, i in enumerate(acts.closed)}
+    found = [[(n + place, 1.0)] for place, i in enumerate(acts.rows) if not instant.both[i]]
+    found += [[(place, 1.0)] for i, place in normal.items() if not instant.guided[i]]
+    for place, i in enumerate(acts.sticking, start=n + first + len(acts.closed)):
+        found += [[(normal[i], float(instant.friction[i])), (place, side)] for side in (1.0, -1.0)]
+    matrix = np.zeros((len(found), size))
+    for number, entries in enumerate(found):
+        for place, part in entries:
+            matrix[number, place] = part
+    return matrix
+
+
+def _is_regular(matrix: Array) -> bool:
+    """Whether a system has one solution for any right side: a side taken at random then does not make it huge."""
+    scale = np.maximum(np.abs(matrix).max(axis=1, initial=0.0), 1e-300)
+    steps: Array = np.arange(1.0, len(matrix) + 1.0)
+    side = np.sqrt(2.0) * steps % 1.0 - 0.5
+    try:
+        found: Array = np.asarray(np.linalg.solve(matrix / scale[:, None], side), dtype=np.float64)
+        return bool(np.abs(found).max(initial=0.0) < HUGE)
+    except np.linalg.LinAlgError:
+        return False
+
+
+def quick(matrix: Array, wanted: Array) -> Array | None:
+    """The solution of a system that plainly has one."""
+    try:
+        found: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
+    except np.linalg.LinAlgError:
+        return None
+    scale = np.abs(matrix).max(axis=1, initial=1e-300)
+    large = float(np.abs(found).max(initial=0.0))
+    sound = np.isfinite(large) and np.abs((matrix @ found - wanted) / scale).max(initial=0.0) <= 1e-9 * (1.0 + large)
+    return found if sound and large <= LARGE else None
+
+
+def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
+    """A solution, or none, and a basis of what can be added to it (free unknowns, all). Rows are scaled to size one."""
+    if not len(wanted):
+        return wanted, np.zeros((0, 0))
+    scale = np.maximum(np.abs(matrix).max(axis=1), 1e-300)
+    a, b = matrix / scale[:, None], wanted / scale
+    left, sizes, right = np.linalg.svd(a)
+    rank = int((sizes > SINGULAR * sizes[0]).sum())
+    found = np.asarray(right[:rank].T @ ((left[:, :rank].T @ b) / sizes[:rank]), dtype=np.float64)
+    free = np.where(np.abs(right[rank:]) > FAINT, right[rank:], 0.0)  # or a huge force could brace by what is rounding
+    if rank < len(wanted) and np.abs(a @ found - b).max() > 1e-7 * (1.0 + np.abs(b).max()):
+        return None, free
+    return found, free

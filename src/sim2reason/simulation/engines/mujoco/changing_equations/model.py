@@ -1,0 +1,300 @@
+"""A mechanism whose equations change, in the library's terms: its mass matrix, bias and Jacobians at any state.
+
+What acts beyond gravity (lines, forces, attraction, engines) is added here from the library's
+Jacobians; nothing of the library's own soft constraints is used.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from sim2reason.dsl.constancy import steady
+from sim2reason.dsl.mechanism import Inextensible, Mechanism, Meeting, Prop, Rigid
+from sim2reason.dsl.state import Array
+from sim2reason.dsl.triples import Triple
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.budget import OPERATIONS, Budget
+from sim2reason.simulation.engines.mujoco.changing_equations.attractions import Attractions
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import LARGE, NEVER, quick
+from sim2reason.simulation.engines.mujoco.changing_equations.lines import Lengths, Lines, Pulls
+from sim2reason.simulation.engines.mujoco.changing_equations.situation import Moving, Row, Situation
+from sim2reason.simulation.engines.mujoco.changing_equations.specification import HardSpecification
+from sim2reason.simulation.engines.mujoco.specification import mujoco
+
+STAND, JOINT = 2_000, 800  # operations that it costs to go to a state, and for each joint more
+
+
+class HardModel:
+    """The compiled mechanism, at one state at a time."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        """Compile; SimulationError for what the library refuses."""
+        self.mechanism = mechanism
+        self.budget = Budget(2 * OPERATIONS)
+        spec = HardSpecification(mechanism)
+        compiled: tuple[Any, Any] = spec.compile()
+        self._model, self._data = compiled
+        self.size = int(self._model.nv)
+        self.index = {c.name: int(spec.joints[c.name].id) for c in mechanism.coordinates}
+        self.coordinates = np.array([self.index[c.name] for c in mechanism.coordinates], dtype=np.intp)
+        self.rises = [int(spec.faces[face.subject].id) for face in mechanism.faces]
+        self._site_id = {name: int(site.id) for name, site in spec.sites.items()}
+        self._body_id = {name: int(body.id) for name, body in spec.bodies.items()}
+        self._carriers = [int(body) for body in self._model.site_bodyid]
+        self._still, self._mass = np.zeros(3), np.zeros((self.size, self.size))
+        self._straight = bool((self._model.jnt_type == mujoco.mjtJoint.mjJNT_SLIDE).all())
+        self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
+        compiled_in = self._site_id, self.index, self._model
+        pulls = tuple(line for line in mechanism.lines if not line.law.row)
+        self.ways = steady(mechanism)
+        self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight, ways=self.ways)
+        self._drawn = Lines(pulls, *compiled_in, straight=self._straight, ways=self.ways)
+        self._pulls = Pulls(self._drawn)
+        self._attracted = Attractions(mechanism.attractions, self._body_id, self._model, straight=self._straight)
+        self.slips = self._slips()
+        self._light = [burn.body for burn in mechanism.burns]
+        self.begin()
+
+    def _slips(self) -> Array:
+        """How the surfaces of each face slip, (faces, joints)."""
+        found = np.zeros((len(self.mechanism.faces), self.size))
+        for number, face in enumerate(self.mechanism.faces):
+            for name, factor in face.slip:
+                found[number, self.index[name]] = factor
+        return found
+
+    # ---- one state
+
+    def begin(self) -> None:
+        """Stand at the start, and note the lengths there."""
+        rest = np.zeros(self.size)
+        burns, meetings, halves = self.mechanism.burns, self.mechanism.meetings, self.mechanism.half_springs
+        start = Situation([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
+        self.stand(0.0, rest, rest, start)
+        self._starts = self._lines()[0].values
+
+    def stand(self, time: float, q: Array, v: Array, situation: Situation) -> None:
+        """Go to a state of the joints."""
+        self.budget.spend(STAND + JOINT * self.size)
+        self.time, self.q, self.v, self._situation = time, q, v, situation
+        self._points: dict[tuple[str, str], Moving] = {}
+        self._measured: tuple[Lengths, Array] | None = None
+        self._data.qpos[:] = q
+        self._data.qvel[:] = v
+        if self._light:
+            self._burn()
+            self._data.qpos[:] = q
+            self._data.qvel[:] = v
+        mujoco.mj_fwdPosition(self._model, self._data)
+        mujoco.mj_fwdVelocity(self._model, self._data)
+
+    def _burn(self) -> None:
+        for burn, burning in zip(self.mechanism.burns, self._situation.burning, strict=True):
+            spent = burn.rate * (self.time if burning or self.time < burn.until else burn.until)
+            left = self.mechanism.body[burn.body].mass - spent
+            if left <= 0.0:
+                raise SimulationError(f"{burn.body} has burnt all of its mass at {self.time:.6g} s")
+            self._model.body_mass[self._body_id[burn.body]] = left
+        mujoco.mj_setConst(self._model, self._data)
+
+    def inertia(self) -> Array:
+        """The library's mass matrix, (joints, joints)."""
+        if self.size:
+            mujoco.mj_fullM(self._model, self._data, self._mass)
+        return self._mass
+
+    def unheld(self, loads: Array) -> Array:
+        """The accelerations under `loads`, (joints,), where no row and no face acts."""
+        found = np.zeros((1, self.size))
+        mujoco.mj_solveM(self._model, self._data, found, loads[None])
+        return np.asarray(found[0], dtype=np.float64)
+
+    def held(self, loads: Array, gradients: Array, targets: Array) -> Array | None:
+        """The accelerations under `loads` where some rows (rows, joints) act and no face does; None if that is not so.
+
+        They are those without rows, less what the pulls of the rows give, of which there are few: M⁻¹Jᵀλ.
+        """
+        sides = np.concatenate([loads[None], gradients])
+        found = np.zeros_like(sides)
+        mujoco.mj_solveM(self._model, self._data, found, sides)
+        free, given = found[0], found[1:]
+        if not np.isfinite(found).all():  # a part without mass
+            return None
+        if len(targets) > 1:
+            pulls = quick(gradients @ given.T, gradients @ free - targets)
+            return None if pulls is None else np.asarray(free - pulls @ given, dtype=np.float64)
+        gradient, answer = gradients[0], given[0]
+        yielding = float(gradient @ answer)
+        if not yielding > 0.0:
+            return None
+        x = free - (float(gradient @ free) - float(targets[0])) / yielding * answer
+        return x if abs(x).max(initial=0.0) < LARGE else None
+
+    def _moving(self, kind: str, name: str) -> Moving:
+        """A site or a centre of mass."""
+        known = self._points.get((kind, name))
+        if known is not None:
+            return known
+        if kind == "site":
+            number = self._site_id[name]
+            place, carrier = np.array(self._data.site_xpos[number]), self._carriers[number]
+        else:
+            carrier = self._body_id[name]
+            place = np.array(self._data.xipos[carrier])
+        slide = self._slides.get((kind, name))
+        if slide is not None:
+            found = self._points[kind, name] = Moving(place, slide @ self.v, self._still, slide)
+            return found
+        jacobian, dot = np.zeros((3, self.size)), np.zeros((3, self.size))
+        if carrier == 0:  # the room
+            self._slides[kind, name] = jacobian
+            found = self._points[kind, name] = Moving(place, self._still, self._still, jacobian)
+            return found
+        mujoco.mj_jac(self._model, self._data, jacobian, None, place, carrier)
+        mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
+        if self._straight:
+            self._slides[kind, name] = jacobian
+        found = self._points[kind, name] = Moving(place, jacobian @ self.v, dot @ self.v, jacobian)
+        return found
+
+    def place(self, site: str) -> Array:
+        """Where a site is, (3,)."""
+        return np.array(self._data.site_xpos[self._site_id[site]])
+
+    def site(self, name: str) -> Moving:
+        """A site."""
+        return self._moving("site", name)
+
+    def center(self, name: str) -> Moving:
+        """The centre of mass of a body."""
+        return self._moving("body", name)
+
+    # ---- loads
+
+    def loads(self) -> Array:
+        """All that acts but constraints, (joints,): gravity and inertia by the library, the rest by its Jacobians."""
+        total = -np.array(self._data.qfrc_bias)
+        mechanism = self.mechanism
+        if self._drawn.lines:
+            halves = zip(mechanism.half_springs, self._situation.strained, strict=True)
+            total += self._pulls.load(self._data, self.q, self.v, [line for (line, _), on in halves if not on])
+        for number, force in enumerate(mechanism.forces):
+            if all(self._situation.inside[number]):
+                point = self.center(force.body)
+                pushed = force.law.force(_triple(point.place), _triple(point.velocity), self.time, np)
+                total += np.array([float(part) for part in pushed]) @ point.jacobian
+        if mechanism.attractions:
+            total += self._attracted.load(self._data)
+        for burn, burning in zip(mechanism.burns, self._situation.burning, strict=True):
+            if burning:
+                frame = np.array(self._data.xmat[self._body_id[burn.body]]).reshape(3, 3)
+                thrust = burn.rate * burn.exhaust * (frame @ np.array(burn.direction))
+                total += thrust @ self.center(burn.body).jacobian
+        return total
+
+    def closeness(self) -> float:
+        """How near two are that attract each other, at most 1, relative to the start."""
+        return self._attracted.closeness(self._data)
+
+    # ---- lengths and rows
+
+    def _lines(self) -> tuple[Lengths, Array]:
+        """How long the lines are that are rows, and the second derivatives of that at q̈ = 0."""
+        if self._measured is None:
+            found = self._rowed.lengths(self._data, self.q)
+            self._measured = found, self._rowed.bends(self._data, self.v, found.pieces)
+        return self._measured
+
+    def rows(self) -> list[Row]:
+        """All rows: lines, two for each foot, pairs that stick together."""
+        return [self.row(number) for number in range(self.count)]
+
+    @property
+    def count(self) -> int:
+        """How many rows there are."""
+        return len(self._rowed.lines) + 2 * len(self.mechanism.feet) + sum(self._situation.stuck)
+
+    def row(self, number: int) -> Row:
+        """One row."""
+        lines, feet = len(self._rowed.lines), 2 * len(self.mechanism.feet)
+        if number < lines:
+            return self._line_row(number)
+        if number < lines + feet:
+            return self._foot_row((number - lines) // 2, number)
+        stuck = [m for m, held in zip(self.mechanism.meetings, self._situation.stuck, strict=True) if held]
+        meeting = stuck[number - lines - feet]
+        gap, rate, gradient, bias = self.separation(meeting)
+        return Row("stuck", " and ".join(meeting.names), -gradient, gap, -rate, bias)
+
+    def _foot_row(self, index: int, number: int) -> Row:
+        """What keeps a foot above its plane, or, after it, from slipping there."""
+        foot = self.mechanism.feet[index]
+        point, normal = self.site(foot.site), np.array(foot.normal)
+        gap = float(normal @ point.place) - foot.height
+        if number % 2 == len(self._rowed.lines) % 2:
+            down = -normal @ point.jacobian
+            return Row("foot", foot.name, down, gap, float(down @ self.v), float(normal @ point.bias))
+        along = np.array(foot.along)
+        aside = along @ point.jacobian
+        return Row("hold", foot.name, aside, gap, float(aside @ self.v), -float(along @ point.bias), number - 1)
+
+    def _line_row(self, number: int) -> Row:
+        line, (found, bends) = self._rowed.lines[number], self._lines()
+        gradient, bias = found.gradients[number], float(bends[number])
+        rate, over = float(gradient @ self.v), float(found.values[number] - self._starts[number])
+        if isinstance(line.law, Prop):
+            return Row(line.law.row, line.name, -gradient, over, -rate, bias)
+        if isinstance(line.law, Rigid):
+            return Row(line.law.row, line.name, gradient, -over, rate, -bias)
+        assert isinstance(line.law, Inextensible)
+        spare = line.law.slack - over - line.law.reel * self.time
+        return Row(line.law.row, line.name, gradient, spare, rate + line.law.reel, -bias)
+
+    def separation(self, meeting: Meeting) -> tuple[float, float, Array, float]:
+        """The gap of a meeting, its rate, gradient and second derivative at q̈ = 0."""
+        other = self.center(meeting.b)
+        still = np.zeros(3)
+        one = Moving(still, still, still, np.zeros((3, self.size))) if meeting.a is None else self.center(meeting.a)
+        if meeting.normal is None:
+            distance, rate, gradient, bias = _run(one, other)
+            return distance - meeting.distance, rate, gradient, bias
+        normal = np.array(meeting.normal)
+        gradient = normal @ (other.jacobian - one.jacobian)
+        gap = float(normal @ (other.place - one.place)) - meeting.distance
+        return gap, float(gradient @ self.v), gradient, float(normal @ (other.bias - one.bias))
+
+    def borders(self, number: int) -> list[float]:
+        """The margins of the region of a force; none if it acts everywhere."""
+        force = self.mechanism.forces[number]
+        if force.region is None:
+            return []
+        place = _triple(self.center(force.body).place)
+        return [float(margin) for margin in force.region.margins(place, np)]
+
+    def strain(self, number: int) -> tuple[float, float]:
+        """How far a spring that acts one way is on the side where it does, m, and the rate of that."""
+        line, law = self.mechanism.half_springs[number]
+        place = self._drawn.lines.index(line)
+        found = self._drawn.lengths(self._data, self.q)
+        length, rate = float(found.values[place]), float(found.gradients[place] @ self.v)
+        return law.side * (length - law.length), law.side * rate
+
+    @property
+    def friction(self) -> Array:
+        """Of each face; a large number stands for one that never slips."""
+        return np.array([min(face.friction, NEVER) for face in self.mechanism.faces])
+
+
+def _run(one: Moving, other: Moving) -> tuple[float, float, Array, float]:
+    apart, parting = other.place - one.place, other.velocity - one.velocity
+    distance = float(np.linalg.norm(apart))
+    if distance == 0.0:
+        raise SimulationError("two points of a line have come together")
+    way = apart / distance
+    rate = float(way @ parting)
+    bend = float(way @ (other.bias - one.bias)) + (float(parting @ parting) - rate * rate) / distance
+    return distance, rate, way @ (other.jacobian - one.jacobian), bend
+
+
+def _triple(vector: Array) -> Triple:
+    return (float(vector[0]), float(vector[1]), float(vector[2]))

@@ -1,0 +1,234 @@
+"""What the steps of a changing mechanism leave behind, and the motion at any time between them."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from math import nan
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Rigid
+from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.errors import SimulationError
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import Found, HardInstant, Way, solved
+from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
+from sim2reason.simulation.engines.mujoco.changing_equations.situation import Row, Situation
+
+TOGETHER = 1e-6  # m; the same where they may pass each other aside, since no sign tells
+MEET = 1e-9  # m; ends of a line that are no farther apart have met
+
+
+ALIKE = 0.1  # of a step: one beside it that is shorter, or longer by as much, is left out of the curve through it
+
+
+@dataclass(frozen=True)
+class Knot:
+    """The end of a step: joint positions and rates, and their rates."""
+
+    time: float
+    values: Array  # (2·joints,)
+    rates: Array
+
+
+@dataclass
+class Stretch:
+    """The knots of one way of acting."""
+
+    way: Way
+    found: Found
+    situation: Situation
+    knots: list[Knot] = field(default_factory=list[Knot])
+
+
+class Quintic:
+    """Hermite's curve through both ends of a step, with their first and second derivatives."""
+
+    def __init__(self, first: Knot, last: Knot) -> None:
+        """Its coefficients, found once."""
+        n = len(first.values) // 2
+        self._time, self._span = first.time, last.time - first.time
+        h = self._span
+        q0, v0, a0 = first.values[:n], first.values[n:] * h, first.rates[n:] * h * h
+        q1, v1, a1 = last.values[:n], last.values[n:] * h, last.rates[n:] * h * h
+        rise = q1 - q0
+        self._c = (
+            q0,
+            v0,
+            0.5 * a0,
+            10.0 * rise - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1,
+            -15.0 * rise + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1,
+            6.0 * rise - 3.0 * (v0 + v1) - 0.5 * (a0 - a1),
+        )
+        self._start = first.values
+
+    def at(self, time: float) -> tuple[Array, Array]:
+        """Positions and rates at a time of the step, (joints,) each."""
+        if self._span <= 0.0:
+            n = len(self._start) // 2
+            return self._start[:n], self._start[n:]
+        x = (time - self._time) / self._span
+        q0, v0, c, d, e, f = self._c
+        q = q0 + x * (v0 + x * (c + x * (d + x * (e + x * f))))
+        v = (v0 + x * (2.0 * c + x * (3.0 * d + x * (4.0 * e + 5.0 * x * f)))) / self._span
+        return q, v
+
+
+def through(knots: Sequence[Knot], times: Array) -> Array:
+    """Positions and rates at times on the curve through knots: Hermite's, with second derivatives, (m, 2·joints)."""
+    n, origin = len(knots[0].values) // 2, knots[0].time
+    h = knots[-1].time - origin
+    if h <= 0.0:
+        return np.repeat(knots[0].values[None, :], len(times), axis=0)
+    powers: Array = np.arange(3.0 * len(knots))
+    x = np.array([(knot.time - origin) / h for knot in knots])
+    matrix = np.concatenate(_powers(x, powers))
+    values, rates = np.array([knot.values for knot in knots]), np.array([knot.rates for knot in knots])
+    shape = np.linalg.solve(matrix, np.concatenate([values[:, :n], values[:, n:] * h, rates[:, n:] * h * h]))
+    places, slopes, _ = _powers((times - origin) / h, powers)
+    return np.concatenate([places @ shape, (slopes @ shape) / h], axis=1)
+
+
+def _beside(knots: Sequence[Knot], place: int) -> Sequence[Knot]:
+    """Both ends of a step, and two knots more where steps of about its size lie beside it."""
+    first, last = place, min(place + 1, len(knots) - 1)
+    span = knots[last].time - knots[first].time
+    for _ in range(2):
+        before = first > 0 and _is_alike(knots[first].time - knots[first - 1].time, span)
+        after = last + 1 < len(knots) and _is_alike(knots[last + 1].time - knots[last].time, span)
+        if before and (first == place or not after):
+            first -= 1
+        elif after:
+            last += 1
+    return knots[first : last + 1]
+
+
+def _is_alike(step: float, span: float) -> bool:
+    return ALIKE * span < step < span / ALIKE
+
+
+def _powers(x: Array, powers: Array) -> tuple[Array, Array, Array]:
+    """All powers of numbers, and their first and second derivatives, (numbers, powers) each."""
+    column = x[:, None]
+    place = column**powers
+    rate = powers * column ** np.maximum(powers - 1.0, 0.0)
+    bend = powers * (powers - 1.0) * column ** np.maximum(powers - 2.0, 0.0)
+    return place, rate, bend
+
+
+class HardRecord:
+    """All stretches of a motion, in order of time."""
+
+    def __init__(self, model: HardModel) -> None:
+        """Nothing has moved yet."""
+        self._model = model
+        self.stretches: list[Stretch] = []
+        self.runs = self._runs()
+        self._ways = [model.ways.get(run) for run in self.runs]
+
+    def _runs(self) -> list[tuple[str, str]]:
+        """The straight pieces of lines whose ends may come together."""
+        found: dict[tuple[str, str], None] = {}
+        for line in self._model.mechanism.lines:
+            if not isinstance(line.law, Rigid):
+                found.update(dict.fromkeys(pairwise(line.through)))
+        moving: list[tuple[str, str]] = []
+        for first, last in found:
+            apart = self._model.site(last).jacobian - self._model.site(first).jacobian
+            if np.abs(apart).max(initial=0.0) > 1e-9:
+                moving.append((first, last))
+        return moving
+
+    def run_length(self, number: int) -> float:
+        """How far apart the ends of a piece are, m; negative as soon as they meet on a line, where its pull turns."""
+        first, last = self.runs[number]
+        apart, way = self._model.place(last) - self._model.place(first), self._ways[number]
+        return float(np.linalg.norm(apart) - TOGETHER if way is None else apart @ np.array(way) - MEET)
+
+    def run_rate(self, number: int) -> float:
+        """How fast the ends of a piece part, m/s, in the state at which the model stands."""
+        first, last = (self._model.site(name) for name in self.runs[number])
+        apart, parting = last.place - first.place, last.velocity - first.velocity
+        way, far = self._ways[number], float(np.linalg.norm(apart))
+        if way is None and far == 0.0:
+            return -float(np.linalg.norm(parting))
+        return float((apart / far if way is None else np.array(way)) @ parting)
+
+    @property
+    def last(self) -> Knot:
+        """The latest knot."""
+        return self.stretches[-1].knots[-1]
+
+    def start(self, way: Way, found: Found, situation: Situation) -> None:
+        """Begin a stretch."""
+        self.stretches.append(Stretch(way, found, situation.copy()))
+
+    def add(self, knot: Knot) -> None:
+        """Note the end of a step."""
+        self.stretches[-1].knots.append(knot)
+
+    def state(self, times: Array) -> State:
+        """The motion at `times`, s; forces are found anew there. After the end the last knot stays."""
+        model, mechanism = self._model, self._model.mechanism
+        lines = [line.name for line in mechanism.constraints]
+        n, m = model.size, len(times)
+        q, v, a = (np.zeros((m, len(model.coordinates))) for _ in range(3))
+        tension, normal = np.zeros((len(lines), m)), np.zeros((len(mechanism.faces), m))
+        friction = np.zeros_like(normal)
+        for number, (stretch, values) in enumerate(self._joints(times)):
+            model.stand(float(times[number]), values[:n], values[n:], stretch.situation)
+            found = self.forces(stretch.way)
+            q[number], v[number] = values[:n][model.coordinates], values[n:][model.coordinates]
+            a[number] = found.x[model.coordinates]
+            unknown, rows, faces = stretch.found.unknown, len(found.rows), len(mechanism.faces)
+            tension[:, number] = np.where(unknown[: len(lines)] > 0.0, nan, found.rows[: len(lines)])
+            normal[:, number] = np.where(unknown[rows : rows + faces] > 0.0, nan, found.normal)
+            friction[:, number] = np.where(unknown[rows + faces :] > 0.0, nan, found.friction)
+        names = list(mechanism.contacts)
+        dynamics = Dynamics(
+            a,
+            dict(zip(lines, tension, strict=True)),
+            dict(zip(names, normal, strict=True)),
+            dict(zip(names, friction, strict=True)),
+        )
+        return State.of(mechanism, times, (q, v), dynamics)
+
+    def _joints(self, times: Array) -> Iterator[tuple[Stretch, Array]]:
+        """For each time the stretch that it belongs to, and the joints then: on the curve through three knots."""
+        starts = [stretch.knots[0].time for stretch in self.stretches]
+        owners = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
+        for number, stretch in enumerate(self.stretches):
+            mine = times[owners == number]
+            knots, ends = stretch.knots, [knot.time for knot in stretch.knots]
+            places = np.clip(np.searchsorted(ends, mine, side="right") - 1, 0, max(len(knots) - 2, 0))
+            for place in range(len(knots)):
+                here = np.minimum(mine[places == place], ends[-1])
+                if len(here):
+                    for values in through(_beside(knots, place), here):
+                        yield stretch, values
+
+    def forces(self, way: Way) -> Found:
+        """The forces of one way at the state at which the model stands; SimulationError if they don't exist."""
+        rows = self._model.rows()
+        found = solved(at_present(self._model, rows, way.rubbing, (True,) * len(rows)), way)
+        if found is None:
+            raise SimulationError("MuJoCo: the constraints contradict each other")
+        return found
+
+
+def at_present(model: HardModel, rows: list[Row], sliding: tuple[int, ...], allowed: tuple[bool, ...]) -> HardInstant:
+    """The numbers of the state at which a model stands."""
+    return HardInstant(
+        model.inertia().copy(),
+        model.loads(),
+        np.array([row.gradient for row in rows]).reshape(len(rows), model.size),
+        np.array([row.target for row in rows]),
+        tuple(row.both for row in rows),
+        tuple(row.follows for row in rows),
+        model.rises,
+        model.slips,
+        model.friction,
+        sliding,
+        tuple(face.guided for face in model.mechanism.faces),
+        allowed,
+        model.budget,
+    )

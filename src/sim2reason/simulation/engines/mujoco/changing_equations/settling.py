@@ -1,0 +1,229 @@
+"""One instant of a changing mechanism: impacts, then what acts, noted as events."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array
+from sim2reason.simulation.engines.mujoco.changing_equations.events import TIE
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import NEVER, Found, HardInstant, Way
+from sim2reason.simulation.engines.mujoco.changing_equations.margins import Due
+from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
+from sim2reason.simulation.engines.mujoco.changing_equations.modes import everything, search
+from sim2reason.simulation.engines.mujoco.changing_equations.record import HardRecord, Knot, at_present
+from sim2reason.simulation.engines.mujoco.changing_equations.situation import Row, Situation
+from sim2reason.simulation.trace import Event
+
+TOUCHING = 1e-7  # m; less is no distance
+STILL = 1e-6  # m/s or m/s²; less is no speed
+SAME = 8  # events back among which one is looked for that says the same
+CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
+BEGINS = {"string": "taut", "prop": "land", "foot": "land"}
+STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}
+
+
+class HardSettling:
+    """A motion in the making: the present state, what is behind it, and what acts now."""
+
+    def __init__(self, mechanism: Mechanism, times: Array) -> None:
+        """Compile the mechanism, and stand at its start; the motion is followed to the last of `times`, s."""
+        self.mechanism, self.duration = mechanism, float(times[-1])
+        self.model = HardModel(mechanism)
+        self.now = 0.0
+        self.q, self.v = np.zeros(self.model.size), np.zeros(self.model.size)
+        self.v[self.model.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
+        self.situation = Situation(
+            [],
+            [burn.until > 0.0 for burn in mechanism.burns],
+            [False] * len(mechanism.meetings),
+            [False] * len(mechanism.half_springs),
+        )
+        self.situation.inside = [[True]] * len(mechanism.forces)
+        self.model.stand(0.0, self.q, self.v, self.situation)
+        self.situation.inside = [[m > 0.0 for m in self.model.borders(i)] for i in range(len(mechanism.forces))]
+        strains = [self.model.strain(number) for number in range(len(mechanism.half_springs))]
+        self.situation.strained = [s > TOUCHING or (abs(s) <= TOUCHING and rate > 0.0) for s, rate in strains]
+        self.way: Way | None = None
+        self.due: list[Due] = []
+        self.record = HardRecord(self.model)
+        self.events: list[Event] = []
+        self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}
+        self.jerks: dict[str, tuple[float, tuple[str, ...]]] = {}
+        self.steps = 0
+        self.cut = ""
+
+    def settle(self) -> Found:
+        """What acts now; notes what changed, and what ends the motion."""
+        rows = self.model.rows()
+        sliding = self._sliding()
+        allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
+        instant = at_present(self.model, rows, sliding, allowed)
+        guess = self._guess(rows, sliding)
+        found = search(instant, guess)
+        if self.way is not None and self.record.stretches:  # how it begins, be it with a jerk, is no change
+            self._note_changes(found.way, rows)
+        for number, shut in enumerate(found.way.faces):
+            if not shut and (self.way is None or self.way.faces[number]):
+                self.end("lift", self.mechanism.faces[number].subject)
+        self._tear(rows, found.x)
+        self._pressed(found.x)
+        if self.cut and not self.record.stretches:  # it ended as it began
+            self.record.start(found.way, found, self.situation)
+            self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, found.x])))
+        return found
+
+    def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> Way:
+        """What acted acts on; what does not slip now sticks."""
+        faces = len(self.mechanism.faces)
+        if self.way is None:
+            return everything(len(rows), faces)
+        acting = [*self.way.rows, *([True] * (len(rows) - len(self.way.rows)))]
+        for due in self.due:
+            if due.kind == "force":
+                acting[due.number] = False
+        return Way(tuple(acting), self.way.faces, sliding)
+
+    def _sliding(self) -> tuple[int, ...]:
+        """The sides to which faces slip; one at the border of friction begins to slip to its side."""
+        speeds = self.model.slips @ self.v
+        sides = [int(np.sign(speed)) if abs(speed) > STILL else 0 for speed in speeds]
+        for due in self.due:
+            if due.kind == "grip":
+                sides[due.number] = due.side
+            elif due.kind == "slip":
+                sides[due.number] = 0
+        return tuple(side if 0.0 < mu < NEVER else 0 for side, mu in zip(sides, self.model.friction, strict=True))
+
+    def _may_act(self, number: int, row: Row) -> bool:
+        if row.both and row.follows < 0:
+            return True
+        if any(due.kind == "force" and due.number in (number, row.follows) for due in self.due):
+            return False
+        if row.follows >= 0:
+            return row.spare <= TOUCHING
+        if self.way is not None and number < len(self.way.rows) and self.way.rows[number]:
+            return row.rate > -1e3 * STILL
+        return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * STILL
+
+    def _tear(self, rows: list[Row], a: Array) -> None:
+        """A foot that no longer presses and comes down at once, as nothing holds it along its plane: it had to slip."""
+        for due in self.due:
+            if due.kind == "force" and rows[due.number].kind == "foot":
+                row = rows[due.number]
+                if row.gradient @ a - row.target > STILL:
+                    self.end("lift", row.name)
+
+    def _pressed(self, a: Array) -> None:
+        """Two bodies that rest against each other and are pressed together: hits without number."""
+        for number, meeting in enumerate(self.mechanism.meetings):
+            if not self.situation.stuck[number]:
+                gap, rate, gradient, bias = self.model.separation(meeting)
+                if gap <= TOUCHING and abs(rate) <= STILL and gradient @ a + bias < -STILL and not self.cut:
+                    self.end("crowd", *meeting.names)
+
+    def _note_changes(self, after: Way, rows: list[Row]) -> None:
+        assert self.way is not None
+        for number, row in enumerate(rows):
+            was = self.way.rows[number] if number < len(self.way.rows) else True
+            if row.both or was == after.rows[number]:
+                continue
+            if was and self.jerks.get(row.name, (-1.0,))[0] == self.now:  # it is slack again at once
+                continue
+            self.note((BEGINS if after.rows[number] else STOPS)[row.kind], row.name)
+        for number, face in enumerate(self.mechanism.faces):
+            if self.record.stretches and self.way.rubbing[number] != after.rubbing[number]:
+                self.note("slip" if after.rubbing[number] else "stick", face.subject)
+
+    # ---- impacts
+
+    def impact(self) -> bool:
+        """Let what meets bounce and what is used up jerk; False at the end."""
+        rows = self.model.rows()
+        acts = [self.way is not None and i < len(self.way.rows) and self.way.rows[i] for i in range(len(rows))]
+        snapped = [
+            i
+            for i, row in enumerate(rows)
+            if not row.both and row.spare <= TOUCHING and row.rate > (1.0 if acts[i] else 10.0 * STILL)
+        ]
+        near = [self.model.separation(meeting) for meeting in self.mechanism.meetings]
+        touching = [i for i, (gap, *_) in enumerate(near) if gap <= TOUCHING and not self.situation.stuck[i]]
+        hits = [i for i in touching if near[i][1] < -STILL]
+        if not snapped and not hits:
+            return True
+        if self._crowded(hits, [rows[i].name for i in snapped]):
+            return False
+        self._strike(rows, acts, touching)
+        for i in hits:
+            names = self.mechanism.meetings[i].names
+            self.note("collision", *names)
+            movable = [name for name in names if self.model.center(name).jacobian.any()]
+            self.hits |= dict.fromkeys(movable, (self.now, names))
+            if self.mechanism.meetings[i].sticks:
+                self.situation.stuck[i] = True
+        for i in snapped:
+            self.jerks[rows[i].name] = (self.now, (rows[i].name,))
+        return not self.cut
+
+    def _strike(self, rows: list[Row], acts: list[bool], touching: list[int]) -> None:
+        """Velocities just after: the problem of forces, with momenta as loads."""
+        instant, every = self._struck(rows, acts, touching)
+        speeds = self.model.slips @ self.v
+        sides = tuple(
+            int(np.sign(s)) if abs(s) > STILL and mu < NEVER else 0
+            for s, mu in zip(speeds, self.model.friction, strict=True)
+        )
+        began = tuple(row.rate > STILL or (i < len(rows) and acts[i]) for i, row in enumerate(every))
+        found = search(instant, Way(began, (True,) * len(self.mechanism.faces), sides))
+        self.v = np.where(np.abs(found.x) < STILL * 1e-3, 0.0, found.x)
+        for number, shut in enumerate(found.way.faces):
+            if not shut:
+                self.end("lift", self.mechanism.faces[number].subject)
+        for number, (row, acts_now) in enumerate(zip(rows, found.way.rows, strict=False)):
+            if acts_now and not row.both and row.rate > 10.0 * STILL:
+                self.note(BEGINS[row.kind], row.name)
+            elif acts[number] and not acts_now and not row.both:
+                self.note(STOPS[row.kind], row.name)
+        before = self.way or everything(len(rows), len(self.mechanism.faces))
+        self.way = before._replace(rows=tuple(found.way.rows[: len(rows)]))
+        self.due = []
+        if self.cut and not self.record.stretches:
+            self.record.start(found.way, found, self.situation)
+            self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, 0.0 * self.v])))
+
+    def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[HardInstant, list[Row]]:
+        """The problem of an impact, and its rows, those of the pairs that touch last."""
+        hits: list[Row] = []
+        for number in touching:
+            meeting = self.mechanism.meetings[number]
+            _, rate, gradient, _ = self.model.separation(meeting)
+            hits.append(Row("hit", "", -gradient, 0.0, -rate, min(0.0, meeting.restitution * rate)))
+        full = [row.spare <= TOUCHING or acts[i] or row.both for i, row in enumerate(rows)]
+        every, faces = [*rows, *hits], len(self.mechanism.faces)
+        instant = at_present(self.model, every, (0,) * faces, (*full, *(True for _ in hits)))
+        targets = [float(row.gradient @ self.v) - row.rate for row in rows] + [row.target for row in hits]
+        return replace(instant, loads=instant.inertia @ self.v, targets=np.array(targets)), every
+
+    def _crowded(self, hits: list[int], snapped: list[str]) -> bool:
+        """End at the earlier hit if a body is hit again too soon, or a string jerks again."""
+        names = [name for i in hits for name in self.mechanism.meetings[i].names]
+        recent = [self.hits[name] for name in names if name in self.hits]
+        recent += [self.jerks[name] for name in snapped if name in self.jerks]
+        early = min((hit for hit in recent if TIE < self.now - hit[0] < CROWD), default=None)
+        if early is None:
+            return False
+        self.now = early[0]
+        self.events = [event for event in self.events if event.time <= self.now]
+        self.end("crowd", *early[1])
+        return True
+
+    def note(self, kind: str, *subjects: str) -> None:
+        """An event, now; once, though a body may enter the regions of several forces at one instant."""
+        event = Event(self.now, kind, subjects)
+        if event not in self.events[-SAME:]:
+            self.events.append(event)
+
+    def end(self, kind: str, *subjects: str) -> None:
+        """An event that ends the description, now."""
+        self.note(kind, *subjects)
+        self.cut = self.cut or kind

@@ -1,0 +1,288 @@
+"""Equations solved as a teacher would: tensions cancel in weighted sums, numbers come as late as they can."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim2reason.solutions.algebra.cross_elimination import CrossElimination, SymbolicEquation
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+
+TINY = 1e-7  # relative: a weight that rounding has left
+LONG = 130  # characters of a formula that is better written in numbers
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """`forces` = `inertia`, by what it is called in the text; `moves` is its own acceleration, its weight in sums."""
+
+    label: str
+    forces: Polynomial
+    inertia: Polynomial
+    moves: Polynomial
+
+    @property
+    def zero(self) -> Polynomial:
+        """What vanishes."""
+        return self.forces - self.inertia
+
+    def put(self, values: Mapping[str, Polynomial]) -> "Equation":
+        """With polynomials in place of unknowns."""
+        return Equation(self.label, self.forces.put(values), self.inertia.put(values), self.moves.put(values))
+
+
+@dataclass(frozen=True, slots=True)
+class NumericEquation:
+    """A linear equation in numbers: Σ coefficient · unknown = `right`."""
+
+    label: str
+    left: Mapping[str, Expression]
+    right: Expression
+
+
+class Elimination:
+    """Solves equations for unknowns, and writes down how; what is known is in the book."""
+
+    def __init__(self, book: Book, units: Mapping[str, str], rests: Sequence[str] = ()) -> None:
+        """`units`, in LaTeX, of every unknown; `rests` label the steps in which the equations are told."""
+        self.book, self.units, self._rests = book, units, rests
+
+    def _open(self, kind: str) -> Writing:
+        step = self.book.open(kind)
+        for label in self._rests:
+            step.rest_on(label)
+        return step
+
+    def solve(self, equations: Sequence[Equation], unknowns: Sequence[str], goals: Sequence[str]) -> None:
+        """Write the way to all goals; UnsolvedError where it finds none."""
+        left = set(unknowns)
+        for _ in range(len(unknowns) + 1):
+            left = {name for name in left if name not in self.book.values}
+            wanted = [name for name in goals if name in left]
+            if not wanted:
+                return
+            single = self._single(equations, left, wanted)
+            if single is not None:
+                self._one(*single)
+            else:
+                self._several(equations, left, wanted)
+        raise UnsolvedError("the equations could not be solved one after the other")
+
+    # ---- one unknown
+
+    def _single(
+        self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]
+    ) -> tuple[Equation, str] | None:
+        """An equation with one unknown, a goal if there is one; the shortest of these."""
+        found = [(e, names[0]) for e in equations if len(names := sorted(e.zero.names() & left)) == 1]
+        found.sort(key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)))
+        return found[0] if found else None
+
+    def _one(self, equation: Equation, name: str) -> None:
+        step = self._open("solve")
+        step.rest_on(_key(equation) if not equation.label else "")
+        formula = solved(equation.zero, name)
+        where = f"From {equation.label}, " if equation.label else "So "
+        if len(formula.latex()) <= LONG or self.book.is_hidden(formula):
+            step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
+        else:
+            before, rest = parts(equation.zero, name)
+            right, left = self.book.worked(rest.expression()), self.book.worked(before.expression())
+            numbers = step.derived(right, multiplied(left, Symbol(name)))
+            step.say(f"In numbers, {numbers}, so {step.result(Symbol(name), right / left, self.units[name])}.")
+        step.close()
+
+    # ---- several unknowns
+
+    def _several(self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]) -> None:
+        """Sums in which forces cancel, one for each independent acceleration."""
+        free = sorted({name for e in equations for name in e.moves.names() if name in left})
+        sums = [self._sum(equations, name, left, free) for name in free]
+        if not sums or not all(sums):
+            self._one(self._alone(equations, left, wanted[0]), wanted[0])
+            return
+        combined = [held for held in sums if held is not None]
+        if len(combined) == 1:
+            self._one(combined[0], free[0])
+            return
+        goal = next((name for name in wanted if name in free), free[0])
+        self._in_numbers(combined, [goal, *(name for name in free if name != goal)])
+
+    def _alone(self, equations: Sequence[Equation], left: set[str], goal: str) -> Equation:
+        """The plain sum of equations in which one unknown alone is left; UnsolvedError if there is none."""
+        names = sorted(left)
+        known = self.book.values | self.book.observed
+        rows = [[e.zero.coefficient(name).value(known) for name in names] for e in equations]
+        target = np.array([1.0 if name == goal else 0.0 for name in names])
+        weights = np.linalg.lstsq(np.array(rows).T, target, rcond=1e-12)[0]
+        least = min((abs(w) for w in weights if abs(w) > TINY * np.abs(weights).max()), default=1.0)
+        whole = [round(float(w) / least) for w in weights]
+        if any(abs(w / least - n) > TINY for w, n in zip(weights, whole, strict=True)):
+            raise UnsolvedError("no sum of the equations is free of forces")
+        weighted = [(e, Polynomial.of(float(n))) for e, n in zip(equations, whole, strict=True) if n]
+        found = self._combined(weighted, [goal])
+        if found.zero.names() & (left - {goal}):
+            raise UnsolvedError("no sum of the equations is free of forces")
+        return found
+
+    def _combined(self, weighted: Sequence[tuple[Equation, Polynomial]], names: Sequence[str]) -> Equation:
+        """Equations added up with weights, and told."""
+        forces = total(e.forces * weight for e, weight in weighted)
+        inertia = total(e.inertia * weight for e, weight in weighted)
+        step = self._open("combine")
+        label = " + ".join(_times(weight, e.label) for e, weight in weighted).replace("+ -", "− ")
+        whole = Equation("", forces, inertia, NIL)
+        step.say(f"{label}: {step.derived(forces.expression(), inertia.collected(names))}.")
+        step.label(_key(whole))
+        step.close()
+        return whole
+
+    def _sum(self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]) -> Equation | None:
+        """The sum of all equations, each times how fast it moves as one acceleration changes."""
+        weighted = [(e, weight) for e in equations if (weight := e.moves.coefficient(name))]
+        weighted = _whole(weighted)
+        forces = total(e.forces * weight for e, weight in weighted)
+        inertia = total(e.inertia * weight for e, weight in weighted)
+        if not weighted or (forces - inertia).names() & (left - set(free)):
+            return None
+        if len(weighted) == 1:
+            return weighted[0][0]
+        return self._combined(weighted, free)
+
+    # ---- in numbers
+
+    def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
+        """Numbers put in, then one unknown after the other eliminated, the first last."""
+        if any(self.book.is_hidden(e.zero.coefficient(n).expression()) for e in equations for n in names):
+            self._in_symbols(equations, names)
+            return
+        step = self._open("solve")
+        marks = iter("abcdefghijklmnop")
+        numeric: list[NumericEquation] = []
+        said: list[str] = []
+        for equation in equations:
+            before = {n: self.book.worked(-equation.zero.coefficient(n).expression()) for n in names}
+            rest = self.book.worked(equation.zero.without(names).expression())
+            kept = {n: part for n, part in before.items() if self.book.value(part)}
+            numeric.append(NumericEquation(f"({next(marks)})", kept, rest))
+            step.rest_on(_key(equation))
+            step.label(numeric[-1].label)
+            said.append(f"{numeric[-1].label} {step.derived(_left(numeric[-1]), rest)}")
+        how = "Ordered" if self.book.hidden else "In numbers"
+        step.say(f"{how}: {'; '.join(said)}.")
+        step.close()
+        self._reduce(numeric, list(names), marks)
+
+    def _in_symbols(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
+        """The same where what stands before the unknowns may not be written as numbers."""
+        step, marks = self._open("solve"), iter("abcdefghijklmnop")
+        ordered: list[SymbolicEquation] = []
+        for equation in equations:
+            before = {n: equation.zero.coefficient(n).scaled(-1.0) for n in names}
+            left = {n: part for n, part in before.items() if part}
+            ordered.append(SymbolicEquation(f"({next(marks)})", left, equation.zero.without(names)))
+            step.rest_on(_key(equation))
+            step.label(ordered[-1].label)
+        step.say(f"Ordered: {'; '.join(f'{held.label} {step.derived(*held.sides)}' for held in ordered)}.")
+        step.close()
+        CrossElimination(self.book, self.units, self._open, marks).reduce(ordered, names)
+
+    def _reduce(self, equations: list[NumericEquation], names: list[str], marks: Iterator[str]) -> None:
+        first = names[0]
+        if len(names) == 1:
+            equation = equations[0]
+            step = self._open("solve")
+            step.rest_on(equation.label)
+            formula = equation.right / equation.left[first]
+            step.say(f"So {step.result(Symbol(first), formula, self.units[first])}.")
+            step.close()
+            return
+        last = names[-1]
+        having = [e for e in equations if last in e.left]
+        pivot = max(having, key=lambda e: abs(self.book.value(e.left[last])))
+        reduced = [self._without(e, pivot, last, marks) if last in e.left else e for e in equations if e is not pivot]
+        self._reduce(reduced, names[:-1], marks)
+        step = self._open("solve")
+        step.rest_on(pivot.label)
+        rest = pivot.right
+        for name, part in pivot.left.items():
+            rest = added(rest, _term(part, name, -1.0)) if name != last else rest
+        formula = rest / pivot.left[last]
+        step.say(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
+        step.close()
+
+    def _without(
+        self, equation: NumericEquation, pivot: NumericEquation, last: str, marks: Iterator[str]
+    ) -> NumericEquation:
+        """An equation less so much of another that an unknown is gone."""
+        ratio = self.book.worked(equation.left[last] / pivot.left[last])
+        names = dict.fromkeys((*equation.left, *pivot.left))
+        left = {
+            name: self.book.worked(equation.left.get(name, ZERO) - multiplied(ratio, pivot.left.get(name, ZERO)))
+            for name in names
+            if name != last
+        }
+        right = self.book.worked(equation.right - multiplied(ratio, pivot.right))
+        found = NumericEquation(f"({next(marks)})", left, right)
+        step = self._open("combine")
+        step.rest_on(equation.label)
+        step.rest_on(pivot.label)
+        step.label(found.label)
+        turned = isinstance(ratio, Worked) and ratio.comes_to < 0.0
+        sign = "+" if turned else "−"
+        size = Worked(ratio, -ratio.comes_to).latex() if isinstance(ratio, Worked) and turned else ratio.latex()
+        size = size if isinstance(ratio, Worked) else f"${size}$"
+        step.say(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(_left(found), right)}.")
+        step.close()
+        return found
+
+
+def _key(equation: Equation) -> str:
+    """What stands for an equation that was added up."""
+    return f"sum {id(equation)}" if not equation.label else equation.label
+
+
+def _left(equation: NumericEquation) -> Expression:
+    found: Expression = ZERO
+    for name, part in equation.left.items():
+        found = added(found, _term(part, name, 1.0))
+    return found
+
+
+def _term(part: Expression, name: str, sign: float) -> Expression:
+    """A number times a symbol, with the minus sign before both."""
+    negative = isinstance(part, Worked) and part.comes_to < 0.0
+    size = Worked(-part.inner, -part.comes_to) if isinstance(part, Worked) and negative else part
+    return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))
+
+
+def _times(weight: Polynomial, label: str) -> str:
+    number = weight.number
+    if number is None:
+        return f"${weight.factored().latex()}$·{label}"
+    return label if number == 1.0 else f"-{label}" if number == -1.0 else f"{Number(number).latex()}·{label}"
+
+
+def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, Polynomial]]:
+    """The same weights, multiplied so that the smallest is 1, where all are numbers."""
+    numbers = [weight.number for _, weight in weighted]
+    if not numbers or any(number is None for number in numbers):
+        return weighted
+    least = min((number for number in numbers if number), key=abs)
+    return [(e, weight.scaled(1.0 / least)) for e, weight in weighted]
+
+
+def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
+    """Of 0 = rest − before · name: what stands before it, and the rest; both with a sign that suits."""
+    before, rest = zero.coefficient(name), zero.without((name,))
+    return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
+
+
+def solved(zero: Polynomial, name: str) -> Expression:
+    """The unknown, from an equation in which it is the only one."""
+    before, rest = parts(zero, name)
+    return over(rest, before)

@@ -1,0 +1,119 @@
+"""Formulas that stand in a text as the numbers that they come to, and exact derivatives."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from sim2reason.solutions.algebra.digits import rounded, shortened
+from sim2reason.solutions.algebra.expressions import Expression, Scalar, Values
+
+NEWTON = 6  # steps from a root that is known nearly
+STEP = 1e-30  # imaginary: a derivative by it is exact
+
+
+@dataclass(frozen=True, slots=True)
+class Worked(Expression):
+    """A formula that is written as the number that it comes to, as in *34.800 a*."""
+
+    inner: Expression
+    comes_to: float
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The formula's, rounded if that is asked for."""
+        found = self.inner.value(at, digits)
+        return found if digits is None or isinstance(found, complex) else shortened(found, digits)
+
+    def latex(self) -> str:
+        """The number."""
+        return rounded(self.comes_to)
+
+    def symbols(self) -> Iterator[str]:
+        """Those of the formula."""
+        return self.inner.symbols()
+
+    @property
+    def rank(self) -> int:
+        """A negative one needs parentheses."""
+        return 2 if self.comes_to >= 0.0 else 0
+
+
+@dataclass(frozen=True, slots=True)
+class NumericRoot(Expression):
+    """Where a formula of one further symbol vanishes, found by Newton's method from near by; written as its value."""
+
+    residual: Expression
+    name: str
+    near: float
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The root, refined; with complex values its derivative is exact."""
+        plain = {name: value.real for name, value in at.items()}
+        root = self.near
+        for _ in range(NEWTON):
+            there = self.residual.value({**plain, self.name: root}, digits).real
+            root -= there / self.slope(plain, root)
+        if not any(isinstance(value, complex) for value in at.values()):
+            return root
+        return root - self.residual.value({**at, self.name: complex(root)}) / self.slope(plain, root)
+
+    def slope(self, at: Mapping[str, float], root: float) -> float:
+        """How fast the formula changes with the symbol."""
+        return complex(self.residual.value({**at, self.name: root + STEP * 1j})).imag / STEP
+
+    def latex(self) -> str:
+        """The number."""
+        return rounded(self.near)
+
+    def symbols(self) -> Iterator[str]:
+        """Those of the formula, without the unknown."""
+        return (name for name in self.residual.symbols() if name != self.name)
+
+
+@dataclass(frozen=True, slots=True)
+class ImplicitRoot(NumericRoot):
+    """A root that hangs on what is unknown, so that no number is written: its equation alone is told."""
+
+    def latex(self) -> str:
+        """Its name."""
+        return self.name
+
+
+@dataclass(frozen=True, slots=True)
+class Chain(Expression):
+    """What the last of several names comes to, each a formula of those before it; it is never written."""
+
+    formulas: tuple[tuple[str, Expression], ...]
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """Worked out from the first to the last."""
+        known = dict(at)
+        for name, formula in self.formulas:
+            known[name] = formula.value(known, digits)
+        return known[self.formulas[-1][0]]
+
+    def latex(self) -> str:
+        """Its name."""
+        return self.formulas[-1][0]
+
+    def symbols(self) -> Iterator[str]:
+        """All that it rests on."""
+        own = {name for name, _ in self.formulas}
+        return (name for _, formula in self.formulas for name in formula.symbols() if name not in own)
+
+
+def numbers(held: Expression) -> Iterator[Expression]:
+    """All parts of a formula that are written as the numbers that they come to."""
+    if isinstance(held, Worked | NumericRoot):
+        if not isinstance(held, ImplicitRoot):
+            yield held
+        return
+    for part in held.parts:
+        yield from numbers(part)
+
+
+def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:
+    """The derivatives by some symbols, each at its place; of analytic formulas exact."""
+    found = [0.0] * len(names)
+    for name in dict.fromkeys(held.symbols()):
+        if name in names:
+            found[names[name]] = complex(held.value({**at, name: at[name] + STEP * 1j})).imag / STEP
+    return found

@@ -1,0 +1,36 @@
+"""Fractions of polynomials, without what both of their sides share."""
+
+from sim2reason.solutions.algebra.expressions import Expression, Quotient
+from sim2reason.solutions.algebra.polynomials import Polynomial
+
+
+def over(above: Polynomial, below: Polynomial) -> Expression:
+    """A fraction without what both of its sides share."""
+    if below.number is None:
+        above, below = _cancelled(above, below)
+    if below.number is not None:
+        return above.scaled(1.0 / below.number).factored()
+    return Quotient(above.factored(), below.factored())
+
+
+def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """A fraction without the atoms that all terms of both share."""
+    monomials = [*above.terms, *below.terms]
+    if not above.terms:
+        return above, below
+    shared = dict(monomials[0])
+    for monomial in monomials[1:]:
+        powers = dict(monomial)
+        shared = {atom: min(p, powers[atom]) for atom, p in shared.items() if atom in powers}
+    for atom, power in shared.items():
+        above, below = _lowered(above, atom, power), _lowered(below, atom, power)
+    return above, below
+
+
+def _lowered(held: Polynomial, atom: Expression, power: int) -> Polynomial:
+    found = dict[tuple[tuple[Expression, int], ...], float]()
+    for monomial, part in held.terms.items():
+        powers = dict(monomial)
+        powers[atom] -= power
+        found[tuple((a, p) for a, p in powers.items() if p)] = part
+    return Polynomial(found)

@@ -1,0 +1,211 @@
+"""Powers, roots and functions in formulas."""
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from typing import Literal, cast
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Number,
+    Scalar,
+    Symbol,
+    Values,
+    added,
+    parenthesized,
+)
+
+Function = Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
+MATH_NAMES = {"arctan": "atan", "arccos": "acos", "arcsin": "asin"}  # where those of `math` are not NumPy's
+
+
+def _applied(name: str, inside: Scalar) -> Scalar:
+    """A function of a number, or of each of many."""
+    if isinstance(inside, np.ndarray):
+        return getattr(np, name)(inside)
+    return getattr(cmath if isinstance(inside, complex) else math, MATH_NAMES.get(name, name))(inside)
+
+
+@dataclass(frozen=True, slots=True)
+class Power(Expression):
+    """A whole power."""
+
+    base: Expression
+    exponent: int
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The base."""
+        return (self.base,)
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The power of another base."""
+        (base,) = parts
+        return Power(base, self.exponent)
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The power."""
+        return self.base.value(at, digits) ** self.exponent
+
+    def latex(self) -> str:
+        """With the exponent raised; that of a sine stands before its angle."""
+        if isinstance(self.base, Call) and self.base.function != "exp":
+            return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
+        base = (
+            rf"\left({self.base.latex()}\right)"
+            if isinstance(self.base, Power | Number | Call)
+            else parenthesized(self.base, 2)
+        )
+        return f"{base}^{{{self.exponent}}}"
+
+    def symbols(self) -> Iterator[str]:
+        """Those of the base."""
+        return self.base.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class _OfOne(Expression):
+    """A function of one formula."""
+
+    inside: Expression
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """What it is a function of."""
+        return (self.inside,)
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The same function of something else."""
+        (inside,) = parts
+        return type(self)(inside)
+
+    def symbols(self) -> Iterator[str]:
+        """Those of what it is a function of."""
+        return self.inside.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class Root(_OfOne):
+    """A square root, the positive one."""
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The root; ValueError below zero."""
+        return _applied("sqrt", self.inside.value(at, digits))
+
+    def latex(self) -> str:
+        """Under its sign."""
+        return rf"\sqrt{{{self.inside.latex()}}}"
+
+
+@dataclass(frozen=True, slots=True)
+class Call(Expression):
+    """A function of an angle in radians, or of a ratio."""
+
+    function: Function
+    argument: Expression
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The argument."""
+        return (self.argument,)
+
+    def built_of(self, parts: Sequence[Expression]) -> Expression:
+        """The function of something else."""
+        (argument,) = parts
+        return Call(self.function, argument)
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """The value of the function."""
+        return _applied("log" if self.function == "ln" else self.function, self.argument.value(at, digits))
+
+    def latex(self) -> str:
+        """The sine of an angle without parentheses, where that is a symbol."""
+        inside = self.argument.latex()
+        if isinstance(self.argument, Symbol):
+            return rf"\{self.function}{inside if inside.startswith(chr(92)) else ' ' + inside}"
+        return rf"\{self.function}\left({inside}\right)"
+
+    def symbols(self) -> Iterator[str]:
+        """Those of the argument."""
+        return self.argument.symbols()
+
+
+@dataclass(frozen=True, slots=True)
+class Absolute(_OfOne):
+    """An absolute value."""
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """Never negative; of a complex value, the value of which the real part is not, so that it has a derivative."""
+        inside = self.inside.value(at, digits)
+        if isinstance(inside, np.ndarray):
+            return np.abs(inside)
+        return -inside if inside.real < 0.0 else inside
+
+    def latex(self) -> str:
+        """Between bars."""
+        return rf"\left|{self.inside.latex()}\right|"
+
+
+@dataclass(frozen=True, slots=True)
+class Pi(Expression):
+    """The ratio of a circle's circumference to its diameter."""
+
+    def value(self, at: Values, digits: int | None = None) -> Scalar:
+        """Its value."""
+        del at, digits
+        return math.pi
+
+    def latex(self) -> str:
+        """Its letter."""
+        return r"\pi"
+
+    def symbols(self) -> Iterator[str]:
+        """None."""
+        return iter(())
+
+
+PI = Pi()
+
+
+def plain(held: Expression) -> Expression:
+    """A function of an inverse one without either, as √(1 − x²) for the sine of arccos x; else the formula itself."""
+    if not isinstance(held, Call) or not isinstance(held.argument, Call):
+        return held
+    x = held.argument.argument
+    beside = Root(ONE - Power(x, 2)) if held.argument.function != "arctan" else Root(ONE + Power(x, 2))
+    undone: dict[tuple[Function, Function], Expression] = {
+        ("sin", "arcsin"): x,
+        ("cos", "arccos"): x,
+        ("tan", "arctan"): x,
+        ("sin", "arccos"): beside,
+        ("cos", "arcsin"): beside,
+        ("tan", "arcsin"): x / beside,
+        ("tan", "arccos"): beside / x,
+        ("sin", "arctan"): x / beside,
+        ("cos", "arctan"): ONE / beside,
+    }
+    return undone.get((held.function, held.argument.function), held)
+
+
+def summed(parts: Iterable[Expression]) -> Expression:
+    """All parts added up."""
+    return reduce(added, parts, ZERO)
+
+
+def squares(parts: Iterable[Expression]) -> Expression:
+    """The sum of the squares, without those of zeros."""
+    return summed(Power(part, 2) for part in parts if part != ZERO)
+
+
+def values(held: Expression, at: Mapping[str, Array]) -> Array:
+    """The values of a formula for many numbers under each symbol, (m,); not a number where it has none."""
+    with np.errstate(all="ignore"):
+        found = held.value(cast("Values", at))
+    return np.where(np.isfinite(found), found, np.nan) * np.ones_like(next(iter(at.values())))

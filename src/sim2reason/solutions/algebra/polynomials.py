@@ -1,0 +1,251 @@
+"""Polynomials of symbols: sums of products, in which equal terms find each other and what cancels is gone."""
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Self
+
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Number,
+    Quotient,
+    Symbol,
+    Values,
+    added,
+    multiplied,
+)
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+
+NOTHING = 1e-12  # a coefficient that rounding has left
+Monomial = tuple[tuple[Expression, int], ...]  # atoms and their powers, in the order in which they are written
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """Σ coefficient · product of powers of atoms; an atom is a symbol, or the sine or cosine of one."""
+
+    terms: Mapping[Monomial, float]
+
+    @classmethod
+    def of(cls, atom: Expression | float) -> Self:
+        """A single atom, or a number."""
+        if isinstance(atom, Expression):
+            return cls({((atom, 1),): 1.0})
+        return cls({(): float(atom)} if atom else {})
+
+    def __add__(self, other: "Polynomial") -> "Polynomial":
+        """Their sum."""
+        return total((self, other))
+
+    def __sub__(self, other: "Polynomial") -> "Polynomial":
+        """Their difference."""
+        return total((self, other.scaled(-1.0)))
+
+    def __mul__(self, other: "Polynomial") -> "Polynomial":
+        """Their product; of one angle, sin² + cos² is 1."""
+        found: dict[Monomial, float] = {}
+        for one, a in self.terms.items():
+            for two, b in other.terms.items():
+                joined = _joined(one, two)
+                found[joined] = found.get(joined, 0.0) + a * b
+        return Polynomial(_cleaned(found))
+
+    def scaled(self, factor: float) -> "Polynomial":
+        """Times a number."""
+        return Polynomial({monomial: factor * part for monomial, part in self.terms.items()} if factor else {})
+
+    def __bool__(self) -> bool:
+        """Whether it is not zero."""
+        return bool(self.terms)
+
+    @property
+    def number(self) -> float | None:
+        """The number that it is, or None."""
+        if not self.terms:
+            return 0.0
+        return self.terms.get(()) if len(self.terms) == 1 else None
+
+    @property
+    def symbol(self) -> Symbol | None:
+        """The symbol that it is, up to a sign, or None."""
+        if len(self.terms) != 1:
+            return None
+        (monomial, part), *_ = self.terms.items()
+        plain = len(monomial) == 1 and monomial[0][1] == 1 and abs(part) == 1.0
+        atom = monomial[0][0] if plain else None
+        return atom if isinstance(atom, Symbol) else None
+
+    def coefficient(self, name: str) -> "Polynomial":
+        """What stands before a symbol in the terms that hold it once."""
+        atom = (Symbol(name), 1)
+        return Polynomial(
+            {tuple(p for p in monomial if p != atom): part for monomial, part in self.terms.items() if atom in monomial}
+        )
+
+    def without(self, names: Collection[str]) -> "Polynomial":
+        """The terms that hold none of some symbols."""
+        return Polynomial({m: part for m, part in self.terms.items() if not _holds(m, names)})
+
+    def holding(self, names: Collection[str]) -> "Polynomial":
+        """The terms that hold one of some symbols."""
+        return Polynomial({m: part for m, part in self.terms.items() if _holds(m, names)})
+
+    def put(self, values: Mapping[str, "Polynomial"]) -> "Polynomial":
+        """With polynomials in place of symbols, of which each term holds at most first powers."""
+        parts: list[Polynomial] = []
+        for monomial, part in self.terms.items():
+            term = Polynomial({(): part})
+            for atom, power in monomial:
+                inner = values.get(atom.name) if isinstance(atom, Symbol) and power == 1 else None
+                term = term * (inner if inner is not None else Polynomial({((atom, power),): 1.0}))
+            parts.append(term)
+        return total(parts)
+
+    def names(self) -> set[str]:
+        """All symbols in it, those under a sine included."""
+        return {name for monomial in self.terms for atom, _ in monomial for name in atom.symbols()}
+
+    def value(self, at: Values) -> float:
+        """Its value."""
+        found = self.expression().value(at)
+        assert not isinstance(found, complex)
+        return found
+
+    def expression(self) -> Expression:
+        """As a formula, term by term."""
+        found: Expression = ZERO
+        for monomial, part in self.terms.items():
+            found = added(found, written(monomial, part))
+        return found
+
+    def factored(self) -> Expression:
+        """As a formula, with what all terms share in front: m g (sin θ − µ cos θ)."""
+        if len(self.terms) < 2:
+            return self.expression()
+        shared = _shared(list(self.terms))
+        if not shared:
+            return self.expression()
+        if all(part < 0.0 for part in self.terms.values()):
+            return -self.scaled(-1.0).factored()
+        rest = Polynomial({_less(monomial, shared): part for monomial, part in self.terms.items()})
+        inner, outer = rest.expression(), written(shared, 1.0)
+        trailing = isinstance(shared[-1][0], Call)
+        return multiplied(inner, outer) if trailing and len(shared) == 1 else multiplied(outer, inner)
+
+    def collected(self, names: Iterable[str]) -> Expression:
+        """As a formula in which each of some symbols stands once, with a bracket before it: (m + M) a."""
+        left = self
+        found: Expression = ZERO
+        for name in names:
+            before = left.coefficient(name)
+            if before:
+                found = added(found, _times(before, Symbol(name)))
+                left = left.without((name,))
+        return added(found, left.expression())
+
+
+NIL = Polynomial({})
+
+
+def total(parts: Iterable[Polynomial]) -> Polynomial:
+    """The sum of several."""
+    found: dict[Monomial, float] = {}
+    for part in parts:
+        for monomial, factor in part.terms.items():
+            found[monomial] = found.get(monomial, 0.0) + factor
+    return Polynomial(_cleaned(found))
+
+
+def written(monomial: Monomial, part: float) -> Expression:
+    """One term as a formula."""
+    found: Expression = Number(part)
+    below: Expression = ONE
+    for atom, power in monomial:
+        factor = atom if abs(power) == 1 else Power(atom, abs(power))
+        if power > 0:
+            found = multiplied(found, factor)
+        else:
+            below = multiplied(below, factor)
+    return found if below == ONE else Quotient(found, below)
+
+
+def _times(before: Polynomial, last: Symbol) -> Expression:
+    if len(before.terms) == 1:
+        (monomial, part), *_ = before.terms.items()
+        return written(_joined(monomial, ((last, 1),)), part)
+    if all(part < 0.0 for part in before.terms.values()):
+        return -multiplied(before.scaled(-1.0).expression(), last)
+    return multiplied(before.expression(), last)
+
+
+def written_order(part: tuple[Expression, int]) -> tuple[int, str]:
+    """µ, then masses, then the rest, g, unknowns, and roots and sines last."""
+    name = part[0].latex()
+    if isinstance(part[0], Root):
+        return 8, name
+    if isinstance(part[0], Call):
+        return 9, name
+    head = name.partition("_")[0]
+    return {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t": 6}.get(head, 2), name
+
+
+def _joined(one: Monomial, two: Monomial) -> Monomial:
+    if not one or not two:
+        return one or two
+    powers: dict[Expression, int] = dict(one)
+    for atom, power in two:
+        powers[atom] = powers.get(atom, 0) + power
+    return tuple(sorted(((atom, power) for atom, power in powers.items() if power), key=written_order))
+
+
+def _holds(monomial: Monomial, names: Collection[str]) -> bool:
+    return any(isinstance(atom, Symbol) and atom.name in names for atom, _ in monomial)
+
+
+def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
+    """Without what cancels, and with sin² + cos² as 1."""
+    kept = {monomial: part for monomial, part in terms.items() if abs(part) > NOTHING}
+    waiting = [*kept][::-1]
+    while waiting:
+        monomial = waiting.pop()
+        sine = next((a for a, p in monomial if p == 2 and isinstance(a, Call) and a.function == "sin"), None)
+        if sine is None or monomial not in kept:  # it may have been the partner of one before
+            continue
+        part = kept[monomial]
+        rest = tuple(held for held in monomial if held[0] != sine)
+        partner = _joined(rest, ((Call("cos", sine.argument), 2),))
+        if abs(kept.get(partner, 0.0) - part) <= NOTHING and partner in kept:
+            del kept[monomial], kept[partner]
+            kept[rest] = kept.get(rest, 0.0) + part
+            waiting.insert(0, rest)  # for the sines and cosines of another angle, when all is known
+    return {monomial: part for monomial, part in kept.items() if abs(part) > NOTHING}
+
+
+def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:
+    """A polynomial by a single term; None if that does not divide all of it."""
+    found: dict[Monomial, float] = {}
+    for term, factor in held.terms.items():
+        powers = dict(term)
+        for atom, power in monomial:
+            powers[atom] = powers.get(atom, 0) - power
+        if any(power < 0 for power in powers.values()):
+            return None
+        found[tuple((atom, power) for atom, power in powers.items() if power)] = factor / part
+    return Polynomial(found)
+
+
+def _shared(monomials: list[Monomial]) -> Monomial:
+    """The atoms that all hold, in their lowest powers."""
+    found = dict(monomials[0])
+    for monomial in monomials[1:]:
+        powers = dict(monomial)
+        found = {atom: min(power, powers[atom]) for atom, power in found.items() if atom in powers}
+    return tuple(sorted(found.items(), key=written_order))
+
+
+def _less(monomial: Monomial, shared: Monomial) -> Monomial:
+    powers = dict(monomial)
+    for atom, power in shared:
+        powers[atom] -= power
+    return tuple((atom, power) for atom, power in powers.items() if power)

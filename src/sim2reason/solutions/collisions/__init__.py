@@ -1,0 +1,1 @@
+"""Flights between collisions, the impacts themselves, and what adds up over both."""

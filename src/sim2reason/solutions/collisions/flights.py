@@ -1,0 +1,282 @@
+"""Bodies that fly freely between impacts: where each is, and how fast, written on demand."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sim2reason.dsl.frames import Frames, start
+from sim2reason.dsl.mechanism import Meeting
+from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.collisions.long_chains import DISPLACEMENT, TIME, VELOCITY
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
+
+ALIGNED = 1e-9
+
+
+@dataclass
+class Leg:
+    """A flight: when it begins (None at t = 0), with which rates, and where, by coordinate."""
+
+    begins: Symbol | None
+    speeds: Mapping[int, Polynomial]
+    places: dict[int, Polynomial] = field(default_factory=dict[int, Polynomial])
+    after: "Impact | None" = None
+
+
+@dataclass(frozen=True)
+class Impact:
+    """A collision of the motion: its number among all, when it is, and whose."""
+
+    number: int
+    time: float  # s
+    bodies: tuple[str, ...]
+    meeting: int
+
+
+class FreeFlights(ABC):
+    """All flights of a motion, by body; how one leads to the next, impacts say."""
+
+    def __init__(self, setting: Setting, book: Book, *, timed: bool = False) -> None:
+        """UnsolvedError for a mechanism whose bodies are bound to each other.
+
+        `timed`: all impacts have their times in the end, so that the text goes from one to the next.
+        """
+        self.setting, self.book, self.mechanism, self.timed = setting, book, setting.mechanism, timed
+        m = self.mechanism
+        if m.lines or m.faces or m.forces or m.attractions or m.burns or m.feet:
+            raise UnsolvedError("bodies act on each other between collisions")
+        if any(c.kind != "slide" for c in m.coordinates) or any(b.parent is not None for b in m.bodies):
+            raise UnsolvedError("a body turns, or rides on another")
+        self._legs: dict[str, list[Leg]] = {}
+        self.times: dict[int, Symbol] = {}
+        self._spans: dict[tuple[str, str], Symbol] = {}
+        self._speeds: dict[tuple[int, int, str], Polynomial] = {}
+        self._places: dict[tuple[int, int, str], Polynomial] = {}
+        self.struck: dict[int, dict[int, Polynomial]] = {}
+        self.relative: dict[
+            int, tuple[list[Expression], list[Expression], Symbol | None, list[str]]
+        ] = {}  # of discs that meet
+        self.approaches: dict[int, tuple[dict[str, Symbol], Symbol]] = {}
+
+    # ---- numbers
+
+    @cached_property
+    def frames(self) -> tuple[Frames, Frames]:
+        """The geometry at the start, of the mechanism and of its twin."""
+        return start(self.setting.lexicon.mechanism), start(self.setting.lexicon.twin)
+
+    @cached_property
+    def impacts(self) -> list[Impact]:
+        """All collisions up to the moment, in order."""
+        events = [e for e in self.setting.motion.events if e.kind == "collision"]
+        return [Impact(n, e.time, e.subjects, self._meeting(e.subjects, e.time)) for n, e in enumerate(events)]
+
+    def _meeting(self, bodies: tuple[str, ...], time: float) -> int:
+        """The meeting that takes place: of two walls the one that is there."""
+        found = [n for n, met in enumerate(self.mechanism.meetings) if set(met.names) == set(bodies)]
+        if len(found) == 1:
+            return found[0]
+        state = self.setting.study.trace.sample(np.array([time]))
+        places = {b: state.vector(state.frames.center(b).place)[0] for b in bodies}
+
+        def gap(n: int) -> float:
+            met = self.mechanism.meetings[n]
+            assert met.normal is not None
+            return abs(float(places[met.b] @ met.normal) - met.distance)
+
+        return min(found, key=gap)
+
+    def coordinates(self, body: str) -> dict[int, Vector]:
+        """The coordinates of a body, each with its direction."""
+        m = self.mechanism
+        return {m.number[c.name]: c.axis for c in m.body[body].coordinates}
+
+    def acceleration(self, k: int) -> Polynomial:
+        """What weight gives along a coordinate."""
+        lexicon = self.setting.lexicon
+        return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
+
+    def mass(self, body: str) -> Polynomial:
+        """The mass of a body."""
+        return self.setting.lexicon.of(lambda m: m.body[body].mass)
+
+    def _first(self, body: str) -> Leg:
+        read = self.setting.lexicon.of
+        return Leg(None, {k: read(lambda m, k=k: m.coordinates[k].speed) for k in self.coordinates(body)})
+
+    def leg(self, body: str, number: int) -> Leg:
+        """The flight of a body after so many impacts."""
+        legs = self._legs.setdefault(body, [self._first(body)])
+        while len(legs) <= number:
+            own = [impact for impact in self.impacts if body in impact.bodies]
+            impact = own[len(legs) - 1]
+            if self.timed:
+                self.when(impact)
+            legs.append(Leg(None, self.after(impact), after=impact))
+        return legs[number]
+
+    def count(self, body: str, impact: Impact | None) -> int:
+        """How many impacts a body has had before one; before the moment that is asked about for None."""
+        limit = len(self.impacts) if impact is None else impact.number
+        early = self.impacts[:limit]
+        if impact is None:
+            early = [held for held in early if held.time < self.setting.time]
+        return sum(body in held.bodies for held in early)
+
+    @abstractmethod
+    def when(self, impact: Impact) -> Symbol:
+        """When an impact comes."""
+
+    @abstractmethod
+    def after(self, impact: Impact) -> dict[int, Polynomial]:
+        """The rates of the bodies that meet, just after it."""
+
+    # ---- along a flight
+
+    def begins(self, leg: Leg) -> Symbol | None:
+        """When a flight begins; None at t = 0."""
+        return self.when(leg.after) if leg.after is not None else None
+
+    def span(self, leg: Leg, time: Symbol) -> Symbol:
+        """How long a flight has lasted at a time."""
+        begins = self.begins(leg)
+        if begins is None:
+            return time
+        return self.passed(begins, time)
+
+    def passed(self, begins: Symbol, time: Symbol) -> Symbol:
+        """How long it is from one time to another."""
+        key = (begins.name, time.name)
+        if key not in self._spans:
+            step, name = self.book.open(TIME), self.book.fresh("t")
+            formula = (Polynomial.of(time) - Polynomial.of(begins)).expression()
+            step.say(f"Since then {step.result(name, formula, SECONDS, law=True)} have passed.")
+            step.close()
+            self._spans[key] = name
+        return self._spans[key]
+
+    def counted(self, begins: Symbol | None, span: Symbol) -> Symbol:
+        """The time since t = 0, of how long it is from another."""
+        if begins is None:
+            return span
+        step, until = self.book.open(TIME), self.book.fresh("t")
+        step.say(f"That is at {step.result(until, added(begins, span), SECONDS, law=True)}.")
+        step.close()
+        self._spans[begins.name, until.name] = span
+        return until
+
+    def velocity(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
+        """The rate of a coordinate at a time of a flight; at its beginning for None."""
+        leg, a = self.leg(body, number), self.acceleration(k)
+        if not a or time is None or (leg.after is not None and self.begins(leg) == time):
+            return leg.speeds[k]
+        key = (k, number, time.name)
+        if key not in self._speeds:
+            span = self.span(leg, time)
+            step, name = self.book.open(VELOCITY), self.book.fresh("v", self.mark(body, k))
+            formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
+            step.say(f"Then {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
+            step.close()
+            self._speeds[key] = Polynomial.of(name)
+        return self._speeds[key]
+
+    def place(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
+        """How far a body has come along a coordinate, since t = 0, at a time of a flight."""
+        if number == 0 and time is None:
+            return NIL
+        leg = self.leg(body, number)
+        begins = self.begins(leg)
+        there = self._at_wall(body, k, begins if time is None else time)
+        if there is not None:
+            return there
+        if time is None or begins == time:
+            time = begins
+            assert time is not None
+            return self.place(body, number - 1, k, time) if number else NIL
+        key = (k, number, time.name)
+        if key not in self._places:
+            self._places[key] = self._moved(body, number, k, time)
+        return self._places[key]
+
+    def _at_wall(self, body: str, k: int, time: Symbol | None) -> Polynomial | None:
+        """Where a wall stops it, if it hits one at that time: no kinematics is needed."""
+        number = next((n for n, name in self.times.items() if name == time), None)
+        if number is None or self.impacts[number].bodies != (body,):
+            return None
+        meeting = self.impacts[number].meeting
+        ways = self.ways(self.mechanism.meetings[meeting])
+        return self.gap(meeting).scaled(-ways[body][1]) if ways[body][0] == k else None
+
+    def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
+        leg, a = self.leg(body, number), self.acceleration(k)
+        before, speed = self.place(body, number, k, None).expression(), leg.speeds[k].expression()
+        if a:
+            span = Polynomial.of(self.span(leg, time))
+            formula = before + (leg.speeds[k] * span + (a * span * span).scaled(0.5)).expression()
+        else:
+            formula = before + speed * self._lasting(leg, time)
+        if formula == ZERO:
+            return NIL
+        step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", self.mark(body, k))
+        says = f"Until then {self.setting.called(body)} moves by"
+        step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
+        step.close()
+        return Polynomial.of(name)
+
+    def _lasting(self, leg: Leg, time: Symbol) -> Expression:
+        """How long a flight has lasted at a time, as a name only where it has one."""
+        begins = self.begins(leg)
+        if begins is None:
+            return time
+        return self._spans.get((begins.name, time.name)) or time - begins
+
+    def _axis(self, k: int) -> str:
+        label = self.mechanism.coordinates[k].label
+        several = len(self.mechanism.body[self.mechanism.coordinates[k].body].coordinates) > 1
+        return f" along {label}" if several else ""
+
+    def mark(self, body: str, k: int) -> str:
+        """The subscript of what a body has along a coordinate."""
+        mark, label = self.setting.mark(body), self.mechanism.coordinates[k].label
+        several = len(self.mechanism.body[body].coordinates) > 1
+        return ",".join(part for part in (mark, label if several else "") if part)
+
+    def _whose(self, body: str, k: int) -> str:
+        return f"the velocity of {self.setting.called(body)}{self._axis(k)} is"
+
+    # ---- what they meet
+
+    def ways(self, meeting: Meeting) -> dict[str, tuple[int, float]]:
+        """The coordinate of each body along the normal, and its sense."""
+        if meeting.normal is None:
+            raise UnsolvedError("the bodies meet at an angle")
+        found: dict[str, tuple[int, float]] = {}
+        for body in meeting.names:
+            for k, axis in self.coordinates(body).items():
+                along = product(axis, meeting.normal)
+                if abs(along) > 1.0 - ALIGNED:
+                    found[body] = (k, 1.0 if along > 0.0 else -1.0)
+                elif abs(along) > ALIGNED:
+                    raise UnsolvedError("a wall stands at an angle to the motion")
+        return found
+
+    def gap(self, number: int) -> Polynomial:
+        """How far apart the two of a meeting are at t = 0."""
+        here, there = self.frames
+        values: list[float] = []
+        for frames, m in ((here, self.setting.lexicon.mechanism), (there, self.setting.lexicon.twin)):
+            met = m.meetings[number]
+            assert met.normal is not None
+            other = frames.center(met.b).place
+            apart = other if met.a is None else minus(other, frames.center(met.a).place)
+            values.append(float(product(met.normal, apart)) - met.distance)
+        return self.setting.lexicon.read(Both(*values))

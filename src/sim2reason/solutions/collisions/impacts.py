@@ -1,0 +1,174 @@
+"""Impacts between flights: when each comes, and the velocities that it leaves; written on demand."""
+
+from abc import ABC, abstractmethod
+
+from sim2reason.dsl.mechanism import Meeting
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Root, squares
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights, Impact
+from sim2reason.solutions.setting import capital
+from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
+
+
+class Impacts(FreeFlights, ABC):
+    """The impacts between all flights of a motion; those of discs in a plane are `Flights`' own."""
+
+    @abstractmethod
+    def discs_meet(self, impact: Impact) -> Symbol:
+        """When two discs touch."""
+
+    @abstractmethod
+    def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
+        """The rates of two discs just after their impact."""
+
+    def when(self, impact: Impact) -> Symbol:
+        """When an impact comes."""
+        if impact.number not in self.times:
+            self.times[impact.number] = self._meets(impact)
+        return self.times[impact.number]
+
+    def latest(self, impact: Impact) -> tuple[dict[str, int], Impact | None]:
+        """The flights that lead to an impact, by body, and after which impact the later of them begins."""
+        legs = {body: self.count(body, impact) for body in impact.bodies}
+        begun = [held for b, n in legs.items() if (held := self.leg(b, n).after) is not None]
+        return legs, max(begun, key=lambda held: held.number, default=None)
+
+    def _meets(self, impact: Impact) -> Symbol:
+        """Both followed to the later beginning of their flights, then the gap closed."""
+        meeting = self.mechanism.meetings[impact.meeting]
+        if meeting.normal is None:
+            return self.discs_meet(impact)
+        ways = self.ways(meeting)
+        legs, latest = self.latest(impact)
+        since = self.when(latest) if latest is not None else None
+        gap, rate, rise = self.gap(impact.meeting), NIL, NIL
+        again = (
+            latest is not None
+            and latest.meeting == impact.meeting
+            and all(self.leg(b, n).after == latest for b, n in legs.items())
+        )
+        for body, number in legs.items():
+            k, sense = ways[body]
+            sign = sense * (1.0 if body == meeting.b else -1.0)
+            if not again:
+                gap = gap + self.place(body, number, k, since).scaled(sign)
+            rate = rate + self.velocity(body, number, k, since).scaled(sign)
+            rise = rise + self.acceleration(k).scaled(sign)
+        return self._closed(impact, (NIL if again else gap, rate, rise), since)
+
+    def _closed(
+        self, impact: Impact, motion: tuple[Polynomial, Polynomial, Polynomial], since: Symbol | None
+    ) -> Symbol:
+        gap, rate, rise = motion
+        step, name = self.book.open("impact time"), self.book.fresh("t")
+        t = Polynomial.of(name)
+        if not rise:
+            law = step.law(gap.expression(), (rate.scaled(-1.0) * t).collected((name.name,)))
+            formula: Expression = ratio(gap.expression(), rate.scaled(-1.0).expression())
+        elif not gap:
+            law = step.law(ZERO, (rate * t + (rise * t * t).scaled(0.5)).expression())
+            formula = ratio(rate.scaled(-2.0).expression(), rise.expression())
+        else:
+            law = step.law(ZERO, (gap + rate * t + (rise * t * t).scaled(0.5)).expression())
+            formula = self.root(gap, rate, rise)
+        step.say(f"{self.met(impact)} when {law}, so {step.result(name, formula, SECONDS)}{' later' if since else ''}.")
+        step.close()
+        return self.counted(since, name)
+
+    def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial) -> Expression:
+        """The first time at which gap + rate t + ½ rise t² is zero."""
+        double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
+        v = rate.expression()
+        root = Root(added(squares([v]), double))
+        if self.book.value(rise.expression()) < 0.0:
+            return ratio(added(root, v), rise.scaled(-1.0).expression())
+        return ratio(added(-v, -root), rise.expression())
+
+    def met(self, impact: Impact) -> str:
+        """Who meets whom, in words."""
+        again = " again" if any(held.meeting == impact.meeting for held in self.impacts[: impact.number]) else ""
+        if len(impact.bodies) == 1:
+            return f"{capital(self.setting.called(impact.bodies[0]))} hits {self._what(impact)}{again}"
+        return f"{capital(self.setting.listed(list(impact.bodies)))} meet{again}"
+
+    def _what(self, impact: Impact) -> str:
+        normal = self.mechanism.meetings[impact.meeting].normal
+        return "the ground" if normal is not None and normal[2] > 1.0 - ALIGNED else "the wall"
+
+    def after(self, impact: Impact) -> dict[int, Polynomial]:
+        """The rates of the bodies that meet, just after it."""
+        if impact.number not in self.struck:
+            meeting = self.mechanism.meetings[impact.meeting]
+            if meeting.normal is None:
+                found = self.discs_part(impact)
+            else:
+                found = self._rebound(impact) if len(meeting.names) == 1 else self._collision(impact, meeting)
+            for body in impact.bodies:
+                for k in self.coordinates(body):
+                    if k not in found:
+                        found[k] = self.just_before(impact, body, k)
+            self.struck[impact.number] = found
+        return self.struck[impact.number]
+
+    def just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
+        """The rate of a coordinate just before an impact."""
+        time = self.when(impact) if self.acceleration(k) else None
+        return self.velocity(body, self.count(body, impact), k, time)
+
+    def restitution(self, number: int) -> Polynomial:
+        """The coefficient e of a meeting."""
+        return self.setting.lexicon.of(lambda m: m.meetings[number].restitution)
+
+    def closing(self, impact: Impact) -> Expression:
+        """Along the normal, how fast the two approach just before, of either sign."""
+        ways = self.ways(self.mechanism.meetings[impact.meeting])
+        speeds = [self.just_before(impact, body, k).scaled(sense) for body, (k, sense) in ways.items()]
+        return (speeds[0] - speeds[1] if len(speeds) > 1 else speeds[0]).expression()
+
+    def inertia(self, impact: Impact) -> Expression:
+        """What counts as the mass of an impact: m of a body at a wall, m m′/(m + m′) of two."""
+        masses = [self.mass(body).expression() for body in impact.bodies]
+        return masses[0] if len(masses) == 1 else ratio(multiplied(*masses), added(*masses))
+
+    def _rebound(self, impact: Impact) -> dict[int, Polynomial]:
+        body = impact.bodies[0]
+        k, _ = self.ways(self.mechanism.meetings[impact.meeting])[body]
+        e, before = self.restitution(impact.meeting), self.just_before(impact, body, k)
+        step, name = self.book.open("rebound"), self.book.fresh("v", self.mark(body, k))
+        formula = (e * before).scaled(-1.0).expression()
+        met = self.met(impact).replace(" hits ", " rebounds from ")
+        if impact.number in self.times:  # the text has just said from what
+            met = f"{capital(self.setting.called(body))} rebounds"
+        step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}.")
+        step.close()
+        return {k: Polynomial.of(name)}
+
+    def _collision(self, impact: Impact, meeting: Meeting) -> dict[int, Polynomial]:
+        """Momentum and restitution, both velocities."""
+        ways = self.ways(meeting)
+        (one, (i, _)), (other, (j, _)) = ways.items()
+        u, w = self.just_before(impact, one, i), self.just_before(impact, other, j)
+        names = [self.book.fresh("v", self.mark(body, k)) for body, (k, _) in ways.items()]
+        m, n = (self.mass(body) for body in (one, other))
+        e, step = self.restitution(impact.meeting), self.book.open("impact")
+        x, y = (Polynomial.of(name) for name in names)
+        momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
+        parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
+        known = impact.number in self.times  # the text has just said who meets
+        if any(held.kind == "impact" for held in self.book.steps):
+            step.say(f"{'As before' if known else self.met(impact)}: {momentum} and {parting}.")
+        else:
+            step.say("" if known else f"{self.met(impact)}.")
+            step.say(f"Momentum is kept: {momentum}; restitution: {parting}.")
+        step.label(f"impact {impact.number}")
+        step.close()
+        whole = (m + n).expression()
+        for name, heavy, sign in ((names[0], n, -1.0), (names[1], m, 1.0)):
+            step = self.book.open("solve")
+            step.rest_on(f"impact {impact.number}")
+            push = (heavy * e).scaled(sign).expression()
+            above = added((m * u + n * w).expression(), multiplied(push, (u - w).expression()))
+            step.say(f"So {step.result(name, ratio(above, whole), SPEED)}.")
+            step.close()
+        return {i: Polynomial.of(names[0]), j: Polynomial.of(names[1])}

@@ -1,0 +1,44 @@
+"""Long chains of hits: velocities and displacements are told in rows, as soon as all is known that they hang on."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.solution import Step
+from sim2reason.solutions.writing.merging import together
+
+LONG = 6  # names that steps of these kinds give, from which on a text is easier to follow with rows
+VELOCITY, TIME, DISPLACEMENT = "velocity in flight", "time of flight", "displacement in flight"  # kinds of steps
+ROWS = {
+    VELOCITY: ("Velocity:", "Velocities:"),
+    TIME: ("Time:", "Times:"),
+    DISPLACEMENT: ("Displacement:", "Displacements:"),
+}  # of one name, of several
+
+
+def in_rows(steps: Sequence[Step]) -> list[Step]:
+    """A long text with sentences of one kind put together where the first of them stands; any other as it is."""
+    waiting = list(steps)
+    if sum(len(step.gives) for step in waiting if step.kind in ROWS) < LONG:
+        return waiting
+    told, found, place = set[int](), list[Step](), dict[int, int]()
+    while waiting:
+        group = [waiting.pop(0)]
+        kind = group[0].kind
+        told.add(group[0].id)
+        while kind in ROWS and (more := [s for s in waiting if s.kind == kind and told.issuperset(s.needs)]):
+            group += more
+            told.update(step.id for step in more)
+            waiting = [step for step in waiting if step.id not in told]
+        place |= dict.fromkeys((step.id for step in group), group[0].id)
+        found.append(_row(group))
+    return [replace(s, needs=tuple(sorted({place[n] for n in s.needs if n in place} - {s.id}))) for s in found]
+
+
+def _row(group: Sequence[Step]) -> Step:
+    """Steps of one kind as one, their formulas in a row; one of another kind itself."""
+    if group[0].kind not in ROWS:
+        return group[0]
+    formulas = [f"${formula}$" for step in group for formula in step.text.split("$")[1::2]]
+    one, several = ROWS[group[0].kind]
+    return together(group, f"{one if len(formulas) == 1 else several} {joined(formulas)}.")

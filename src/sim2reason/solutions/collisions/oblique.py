@@ -1,0 +1,152 @@
+"""Collisions of discs in a plane: when they touch, and the impulse along the line of their centres."""
+
+from sim2reason.dsl.triples import minus, product
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Power, Root, summed
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.collisions.flights import Impact
+from sim2reason.solutions.collisions.impacts import Impacts
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.unit_latex import IMPULSE, METRES, SECONDS, SPEED, latex
+
+
+class Flights(Impacts):
+    """All flights of a motion, and the impacts between them."""
+
+    def discs_meet(self, impact: Impact) -> Symbol:
+        """When their centres are as far apart as the radii say."""
+        return _meet(self, impact)
+
+    def approach(self, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
+        """Along which line two discs touch, and how fast they approach along it; written once."""
+        if impact.number not in self.approaches:
+            self.approaches[impact.number] = _approach(self, impact)
+        return self.approaches[impact.number]
+
+    def closing(self, impact: Impact) -> Expression:
+        """Along the normal, how fast the two approach just before."""
+        if self.mechanism.meetings[impact.meeting].normal is None:
+            return self.approach(impact)[1]
+        return super().closing(impact)
+
+    def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
+        """What momentum and restitution along the line of centres leave."""
+        return _part(self, impact)
+
+
+def _meet(flights: Impacts, impact: Impact) -> Symbol:
+    """When the centres are as far apart as the radii say: (p t + q)² + c² = p d², p = u², q = X·u, c = X×u."""
+    X, u, since, _ = _relative(flights, impact)
+    book, distance = flights.book, _distance(flights, impact)
+    step, t = book.open("impact time"), book.fresh("t")
+    whole: Expression = ZERO
+    for x, w in zip(X, u, strict=True):
+        whole = added(whole, Power(added(x, multiplied(w, t)), 2))
+    law = step.derived(whole, Power(distance, 2))
+    speeds = summed(Power(w, 2) for w in u)
+    along = summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
+    p, q = book.fresh("p"), book.fresh("q")
+    said = [
+        step.result(p, speeds, latex("m^2/s^2"), law=True),
+        step.result(q, along, latex("m^2/s"), law=True),
+    ]
+    aside: Expression = ZERO
+    if len(X) > 1:  # |X|² |u|² = (X·u)² + (X×u)²: q² − p |X|² would leave few digits where they hardly touch
+        c = book.fresh("c")
+        said.append(step.result(c, X[0] * u[1] - X[1] * u[0], latex("m^2/s"), law=True))
+        aside = Power(c, 2)
+    square = multiplied(p, Power(distance, 2))
+    quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
+    formula = ratio(added(-q, -Root(added(square, -aside))), p)
+    step.say(f"{flights.met(impact)} when {law}, that is {quadratic} with {joined(said)}.")
+    step.say(f"The first root is {step.result(t, formula, SECONDS)}.")
+    step.close()
+    return flights.counted(since, t)
+
+
+def _distance(flights: Impacts, impact: Impact) -> Expression:
+    return flights.setting.lexicon.of(lambda m: m.meetings[impact.meeting].distance).expression()
+
+
+def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:
+    """From the first to the second: where, and how fast, when the later of the two flights begins."""
+    legs, latest = flights.latest(impact)
+    since = flights.when(latest) if latest is not None else None
+    one, other = impact.bodies
+    lexicon = flights.setting.lexicon
+    places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
+    X: list[Expression] = []
+    u: list[Expression] = []
+    labels: list[str] = []
+    found: list[tuple[str, Polynomial, Polynomial]] = []
+    for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
+        axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
+        along = [float(product(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
+        apart = lexicon.read(Both(*along))
+        apart = apart + flights.place(other, legs[other], j, since) - flights.place(one, legs[one], i, since)
+        w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
+        if flights.acceleration(i) - flights.acceleration(j):
+            raise ValueError("discs that are accelerated differently")
+        if apart or w:  # along an axis on which nothing differs nothing happens
+            found.append((flights.mechanism.coordinates[i].label, apart, w))
+    step, said = flights.book.open("relative"), list[str]()
+    pair = "".join(flights.setting.mark(body) for body in impact.bodies)
+    for label, apart, w in found:
+        x, v = flights.book.fresh(label, pair), flights.book.fresh("u", f"{pair},{label}")
+        said += [step.result(x, apart.expression(), METRES, law=True), step.result(v, w.expression(), SPEED, law=True)]
+        X.append(x)
+        u.append(v)
+        labels.append(label)
+    who = [flights.setting.called(body) for body in impact.bodies]
+    step.say(f"From {who[0]} to {who[1]}: {joined(said)}.")
+    step.close()
+    flights.relative[impact.number] = (X, u, since, labels)
+    return X, u, since, labels
+
+
+def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
+    """The direction of the line of centres, by axis, and how fast the discs approach along it, with a minus sign."""
+    book, time = flights.book, flights.when(impact)
+    X, u, since, labels = flights.relative[impact.number]
+    span = time if since is None else flights.passed(since, time)
+    distance = _distance(flights, impact)
+    step, n = book.open("normal"), dict[str, Symbol]()
+    said: list[str] = []
+    for label, x, w in zip(labels, X, u, strict=True):
+        n[label] = book.fresh("n", label)
+        said.append(step.result(n[label], ratio(added(x, multiplied(w, span)), distance), "", law=True))
+    step.say(f"The line of centres then has the direction {joined(said)}.")
+    approach = book.fresh("u", r"\text{n}")
+    along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
+    step.say(f"Along it they approach with {step.result(approach, along, SPEED, law=True)}.")
+    step.close()
+    return n, approach
+
+
+def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
+    """The velocities just after: each changes along the line of centres alone."""
+    book, (n, approach) = flights.book, flights.approach(impact)
+    one, other = impact.bodies
+    m, k = (flights.mass(body).expression() for body in impact.bodies)
+    e = flights.restitution(impact.meeting).expression()
+    step, push = book.open("impulse"), book.fresh("J")
+    reduced = ratio(multiplied(m, k), added(m, k))
+    formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
+    said = "Momentum and restitution along it give the impulse"
+    step.say(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
+    step.close()
+    found: dict[int, Polynomial] = {}
+    for body, mass, sign in ((one, m, -1.0), (other, k, 1.0)):
+        for number in flights.coordinates(body):
+            before, label = flights.just_before(impact, body, number), flights.mechanism.coordinates[number].label
+            if label not in n:
+                found[number] = before
+                continue
+            step, name = book.open("after"), book.fresh("v", flights.mark(body, number))
+            change = multiplied(Number(sign), multiplied(ratio(push, mass), n[label]))
+            formula = added(before.expression(), change)
+            step.say(f"After the impact, {step.result(name, formula, SPEED, law=True)}.")
+            step.close()
+            found[number] = Polynomial.of(name)
+    return found

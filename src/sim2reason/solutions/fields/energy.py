@@ -1,0 +1,70 @@
+"""What fields and a medium do to the energy of a charged body up to a moment; magnetic forces do no work."""
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.algebra.polynomials import NIL, total
+from sim2reason.solutions.fields.moment import FieldMoment
+from sim2reason.solutions.goals import magnitude
+from sim2reason.solutions.goals.kinematics import VELOCITIES
+from sim2reason.solutions.goals.turning import squared
+from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.unit_latex import JOULES
+
+HALF = Number(0.5)
+
+
+class FieldEnergy:
+    """The works of what acts, written as they are needed."""
+
+    def __init__(self, known: Way, moment: FieldMoment) -> None:
+        """`known` tells how far the body has come by the moment, and how fast it is."""
+        self.known, self.moment, self.fields, self.book = known, moment, moment.fields, known.book
+
+    def potential(self) -> Expression:
+        """The work of the electric force along its axis; UnsolvedError where that has none of its own."""
+        drive, mass = self.fields.drive, self.fields.mass
+        if drive is None:
+            return ZERO
+        if drive.growth is not None or drive.frequency is not None:
+            raise UnsolvedError("the field changes with time")
+        moved = self.known.vector("s", self.fields.body)[drive.axis].expression()
+        work = mass * drive.strength * moved
+        if drive.slope is not None:
+            if drive.along != drive.axis:
+                raise UnsolvedError("the field has no potential")
+            work = work + HALF * mass * drive.slope * Power(moved, 2)
+        return work
+
+    def _gained(self) -> Expression:
+        """The change in kinetic energy."""
+        speeds = (self.known.first_speeds.get(number, NIL) for number in self.fields.coordinates)
+        first = total(speed * speed for speed in speeds).expression()
+        square = self._square()
+        return HALF * self.fields.mass * (square - first)
+
+    def _square(self) -> Expression:
+        """Of the speed."""
+        if self.moment.speed is not None:
+            return Power(self.moment.speed, 2)
+        last = magnitude(self.known.vector("v", self.fields.body), self.known, VELOCITIES, self.fields.body)
+        return last.inside if isinstance(last, Root) else squared(last)
+
+    def work(self) -> Symbol:
+        """What the electric field does."""
+        if self.fields.damping is None:
+            said = "The magnetic force does no work, and that of the electric force is the kinetic energy gained,"
+            said = said if self.fields.turning is not None else "The work is the kinetic energy gained,"
+            formula = self._gained()
+        else:
+            said, formula = "The work of the electric force along the way is", self.potential()
+        return self.book.told("work", said, self.book.fresh("W"), formula, JOULES)
+
+    def lost(self) -> Symbol:
+        """What the medium takes: the work of the electric force, less what is gained in kinetic energy."""
+        work: Expression = self.potential()
+        if work != ZERO:
+            said = "The work of the electric force along the way is"
+            work = self.book.told("work", said, self.book.fresh("W"), work, JOULES)
+        said = "The medium takes what is missing of the kinetic energy,"
+        return self.book.told("energy", said, self.book.fresh("Q"), work - self._gained(), JOULES)

@@ -1,0 +1,183 @@
+"""The forces of fields on a charged body in a plane, over its mass, in the symbols of the text."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from sim2reason.dsl.fields import Magnetic, Profile, Push, Resistance
+from sim2reason.dsl.mechanism import Force, Mechanism
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
+
+AXES = ("x", "y")
+TURNS = (1.0, -1.0)  # of the velocity: a_x = Ω v_y, a_y = −Ω v_x
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """The acceleration by an electric field along one axis: strength + growth t, or times cos νt, or + slope s."""
+
+    axis: int
+    strength: Symbol
+    growth: Symbol | None = None
+    frequency: Expression | None = None
+    slope: Symbol | None = None
+    along: int = 0  # the axis on which its place matters
+
+    def at(self, time: Expression, moved: Callable[[int], Expression]) -> Expression:
+        """Its value at a time, and at a place if that matters."""
+        if self.frequency is not None and time != ZERO:
+            return self.strength * Call("cos", self.frequency * time)
+        if self.slope is not None:
+            return self.strength + self.slope * moved(self.along)
+        return self.strength + self.growth * time if self.growth is not None else self.strength
+
+
+class Fields:
+    """All that acts on one body; UnsolvedError where that is of another kind."""
+
+    def __init__(self, setting: Setting, book: Book, body: str, *, start: bool) -> None:
+        """`start`: only the forces at the start matter, when the body is at the origin."""
+        self.start = start
+        self.setting, self.book, self.body = setting, book, body
+        m = setting.mechanism
+        self.forces = [number for number, force in enumerate(m.forces) if force.body == body]
+        self.coordinates = [m.number[c.name] for c in m.body[body].coordinates]
+        self.launch = [self._read(lambda m, k=k: m.coordinates[k].speed).expression() for k in self.coordinates]
+        self.mass = self._read(lambda m: m.body[body].mass).expression()
+        self._checked()
+
+    def _checked(self) -> None:
+        """That the equations of motion are linear, with coefficients that never change."""
+        for law in (self.setting.mechanism.forces[number].law for number in self.forces):
+            if isinstance(law, Magnetic) and (law.profile.uniform or self.start):
+                continue
+            if isinstance(law, Resistance) and (not law.quadratic or self.start or self._of(Push) is None):
+                continue
+            if not isinstance(law, Push):
+                raise UnsolvedError("what acts leaves no closed form")
+
+    def _read(self, number: Callable[[Mechanism], float]) -> Polynomial:
+        return self.setting.lexicon.of(number)
+
+    def _of(self, kind: type) -> int | None:
+        """The number of the force of a kind."""
+        return next((n for n in self.forces if isinstance(self.setting.mechanism.forces[n].law, kind)), None)
+
+    # ---- what acts
+
+    @cached_property
+    def turning(self) -> Symbol | None:
+        """Ω = qB/m: how fast the magnetic field turns the velocity, clockwise if positive."""
+        number = self._of(Magnetic)
+        if number is None:
+            return None
+        charge = self._read(lambda m: _magnetic(m.forces[number]))
+        said = "The magnetic force is square to the velocity and turns it clockwise at the rate"
+        return self.book.told("field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED)
+
+    @cached_property
+    def damping(self) -> Symbol | None:
+        """b/m of a medium."""
+        number = self._of(Resistance)
+        if number is None or self.resists:
+            return None
+        drag = self._read(lambda m: getattr(m.forces[number].law, "linear", 0.0)).expression()
+        said = "The medium slows it at the rate"
+        return self.book.told("field", said, self.book.fresh(r"\gamma"), drag / self.mass, PER_SECOND)
+
+    @property
+    def resists(self) -> bool:
+        """Whether a medium resists by the square of the speed."""
+        number = self._of(Resistance)
+        return number is not None and bool(getattr(self.setting.mechanism.forces[number].law, "quadratic", 0.0))
+
+    @cached_property
+    def drag(self) -> Expression:
+        """The c v/m by which a medium slows it at first that resists by the square of the speed."""
+        number = self._of(Resistance)
+        square = (
+            self._read(lambda m: getattr(m.forces[number or 0].law, "quadratic", 0.0)) if number is not None else None
+        )
+        if not square:
+            return ZERO
+        vx, vy = self.launch
+        said = "The medium slows it at first at the rate"
+        formula = square.expression() * Root(Power(vx, 2) + Power(vy, 2)) / self.mass
+        return self.book.told("field", said, self.book.fresh(r"\gamma"), formula, PER_SECOND)
+
+    @cached_property
+    def drive(self) -> Drive | None:
+        """The electric field."""
+        number = self._of(Push)
+        if number is None:
+            return None
+        law = self.setting.mechanism.forces[number].law
+        assert isinstance(law, Push)
+        axis = next(n for n in (0, 1) if abs(law.direction[n]) > 0.5)
+        strength = self._part(number, "value", axis) / self.mass
+        first = "" if law.profile.uniform else " at first" if law.profile.steady is False else " at the origin"
+        said = f"The electric force accelerates it along {AXES[axis]}{first} by"
+        name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
+        profile = law.profile
+        if profile.frequency:
+            frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
+            return Drive(axis, name, frequency=frequency)
+        if profile.rate:
+            growth, more = self._part(number, "rate", axis) / self.mass, "In each second that grows by"
+            return Drive(axis, name, growth=self.book.told("field", more, self.book.fresh("j"), growth, latex("m/s^3")))
+        if profile.slope:
+            along = next(n for n in (0, 1) if abs(profile.axis[n]) > 0.5)
+            slope, more = (
+                self._part(number, "slope", axis) / self.mass,
+                f"For each metre along {AXES[along]} that grows by",
+            )
+            slope = self.book.told("field", more, self.book.fresh("k"), slope, PER_SECOND_SQUARED)
+            return Drive(axis, name, slope=slope, along=along)
+        return Drive(axis, name)
+
+    def _part(self, number: int, field: str, axis: int) -> Expression:
+        """A number of the profile of a push, signed along an axis."""
+
+        def signed(m: Mechanism) -> float:
+            law = m.forces[number].law
+            assert isinstance(law, Push)
+            return float(getattr(law.profile, field)) * law.direction[axis]
+
+        return self._read(signed).expression()
+
+    def acceleration(
+        self, axis: int, time: Expression, rate: Callable[[int], Expression], moved: Callable[[int], Expression]
+    ) -> Expression:
+        """Newton's law over the mass: what all forces add up to."""
+        found: Expression = ZERO
+        if self.drive is not None and self.drive.axis == axis:
+            found = found + self.drive.at(time, moved)
+        if self.turning is not None:
+            found = found + self.turning * rate(1 - axis) * TURNS[axis]
+        if self.damping is not None:
+            found = found - self.damping * rate(axis)
+        if self.drag != ZERO:
+            found = found - self.drag / (ONE + self.drag * time) * rate(axis)
+        return found
+
+    def speed(self, first: Expression, time: Expression) -> Expression:
+        """By a time, of what has one at first, where no electric field acts: the medium alone changes it."""
+        if self.damping is not None:
+            return first * Call("exp", -(self.damping * time))
+        return first / (ONE + self.drag * time)
+
+
+def _profile(force: Force) -> Profile:
+    assert isinstance(force.law, Push)
+    return force.law.profile
+
+
+def _magnetic(force: Force) -> float:
+    """The product of charge and field, positive along z."""
+    assert isinstance(force.law, Magnetic)
+    return force.law.profile.value * force.law.direction[2]

@@ -1,0 +1,251 @@
+"""A light body that a fixed one attracts: its ellipse, and where on it the body is when.
+
+Time is told by how far the eccentric anomaly E has grown, η = E − E₀; with p = e cos E₀ = 1 − r₀/a and
+q = e sin E₀ = r₀·v₀/√(µa), Kepler's equation reads n t = η − p sin η + q (1 − cos η), and the place is
+c₁ r₀ + c₂ v₀, as Lagrange has it (Bate, Mueller and White, *Fundamentals of Astrodynamics*, 4.4).
+"""
+
+from collections.abc import Callable
+from math import cos, pi, sin
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.triples import minus
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.laws.common_rates import gravitational_constant
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, METRES, RADIANS, SECONDS, latex
+
+PARAMETER, AREAL, AREA = latex("m^3/s^2"), latex("m^2/s"), latex("m^2")
+ROUNDS, PIECES = 60, 720
+TWO, HALF = Number(2.0), Number(0.5)
+
+
+class KeplerOrbit:
+    """The orbit of one body, written as far as it is needed."""
+
+    def __init__(self, setting: Setting, book: Book, body: str, center: str, *, alone: bool) -> None:
+        """`alone`: no other orbit is written, so that its names need not say whose they are."""
+        self.setting, self.book, self.body, self.center = setting, book, body, center
+        self._mark = "" if alone else setting.mark(body)
+        lexicon = setting.lexicon
+        sides = [(m, start(m)) for m in (lexicon.mechanism, lexicon.twin)]
+        places = [minus(f.center(body).place, f.center(center).place) for _, f in sides]
+        self.numbers = [lexicon.mechanism.number[c.name] for c in lexicon.mechanism.body[body].coordinates]
+        rates = [[m.coordinates[k].speed for k in self.numbers] for m, _ in sides]
+        axis = [[abs(part) > 0.5 for part in lexicon.mechanism.coordinates[k].axis].index(True) for k in self.numbers]
+        self.place = [lexicon.read(Both(float(places[0][n]), float(places[1][n]))).expression() for n in axis]
+        self.rate = [lexicon.read(Both(*pair)).expression() for pair in zip(*rates, strict=True)]
+        masses = [m.body[center].mass for m, _ in sides]
+        self._heavy = lexicon.read(Both(masses[0], masses[1])).expression()
+
+    def named(self, base: str, mark: str = "") -> Symbol:
+        """A name that says whose it is, if that needs to be said."""
+        return self.book.fresh(base, ",".join(part for part in (mark, self._mark) if part))
+
+    # ---- the ellipse
+
+    @cached_property
+    def parameter(self) -> Symbol:
+        """µ = G M."""
+        constant = gravitational_constant(self.book, self.setting.mechanism.attractions[0].constant)
+        return self.book.told("parameter", "Let", self.named(r"\mu"), constant * self._heavy, PARAMETER)
+
+    @cached_property
+    def radius(self) -> Symbol:
+        """How far away it is at the start."""
+        formula = Root(squares(self.place))
+        said = f"At first the distance of {self.setting.called(self.body)} is"
+        return self.book.told("distance", said, self.named("r", "0"), formula, METRES)
+
+    @cached_property
+    def axis(self) -> Symbol:
+        """The semi-major axis, from the energy; UnsolvedError if it does not return."""
+        square = squares(self.rate)
+        formula = ONE / (TWO / self.radius - square / self.parameter)
+        if self.book.value(formula) <= 0.0:
+            raise UnsolvedError("its orbit is no ellipse")
+        step, name = self.book.open("energy"), self.named("a")
+        energy = HALF * square - self.parameter / self.radius
+        law = step.law(energy, -(self.parameter / (TWO * name)))
+        step.say(f"Its energy per unit of mass is that of an ellipse with the semi-major axis ${name.name}$: {law},")
+        step.say(f"so {step.result(name, formula, METRES)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def period(self) -> Symbol:
+        """Kepler's third law."""
+        formula = TWO * PI * Root(Power(self.axis, 3) / self.parameter)
+        return self.book.told("period", "By Kepler's third law the period is", self.named("T"), formula, SECONDS)
+
+    @cached_property
+    def mean_motion(self) -> Symbol:
+        """The mean angular velocity, √(µ/a³)."""
+        formula = Root(self.parameter / Power(self.axis, 3))
+        return self.book.told("mean motion", "The mean motion is", self.named("n"), formula, ANGULAR_SPEED)
+
+    @cached_property
+    def dot(self) -> Expression:
+        """r₀·v₀."""
+        return self.place[0] * self.rate[0] + self.place[1] * self.rate[1]
+
+    @cached_property
+    def momentum(self) -> Symbol:
+        """The angular momentum per unit of mass, positive about z."""
+        formula = self.place[0] * self.rate[1] - self.place[1] * self.rate[0]
+        said = "The angular momentum per unit of mass about the centre is"
+        return self.book.told("angular momentum", said, self.named("h"), formula, AREAL)
+
+    @cached_property
+    def along(self) -> Symbol:
+        """Of the product e cos E₀, the value."""
+        said = r"At the start $e \cos E$ of the eccentric anomaly is"
+        return self.book.told("anomaly", said, self.named("p"), ONE - self.radius / self.axis)
+
+    @cached_property
+    def across(self) -> Expression:
+        """Of the product e sin E₀, the value."""
+        if self.dot == ZERO:
+            return ZERO  # it begins at an apsis
+        formula = self.dot / Root(self.parameter * self.axis)
+        return self.book.told(
+            "anomaly", r"At the start $e \sin E$ of the eccentric anomaly is", self.named("q"), formula
+        )
+
+    @cached_property
+    def eccentricity(self) -> Symbol:
+        """From energy and angular momentum."""
+        formula = Root(ONE - Power(self.momentum, 2) / (self.parameter * self.axis))
+        return self.book.told("eccentricity", "The eccentricity is", self.named("e"), formula)
+
+    def apsis(self, *, far: bool) -> Symbol:
+        """The greatest or the least distance."""
+        e, which = self.eccentricity, "greatest" if far else "least"
+        formula = self.axis * (ONE + e if far else ONE - e)
+        return self.book.told("apsis", f"The {which} distance is", self.named("r"), formula, METRES)
+
+    # ---- how far it has come
+
+    def to_time(self, time: Expression) -> Symbol:
+        """By how much the eccentric anomaly has grown at a time: Kepler's equation."""
+        p, q, n, name = self.along, self.across, self.mean_motion, self.named(r"\eta")
+        right = self._grown(name)
+        near = _rising(lambda x: x - self._at(p) * sin(x) + self._at(q) * (1.0 - cos(x)) - self._at(n * time))
+        step = self.book.open("Kepler's equation")
+        law = step.law(n * time, right)
+        step.say(f"By Kepler's equation $E$ has grown by an angle ${name.latex()}$ with {law}.")
+        step.say(told_root(self.book, step, name, right - n * time, near, RADIANS, "Found numerically,"))
+        step.close()
+        return name
+
+    def time(self, grown: Expression) -> Symbol:
+        """When it has grown so far."""
+        if grown == TWO * PI:
+            return self.period
+        if grown == PI:
+            said = "From one apsis to the other it takes half of that,"
+            return self.book.told("time", said, self.named("t"), HALF * self.period, SECONDS)
+        formula = self._grown(grown) / self.mean_motion
+        return self.book.told("time", "By Kepler's equation that takes", self.named("t"), formula, SECONDS)
+
+    def _grown(self, angle: Expression) -> Expression:
+        return angle - self.along * Call("sin", angle) + self.across * (ONE - Call("cos", angle))
+
+    def to_apsis(self, *, far: bool) -> Expression:
+        """By how much it has grown at the next perihelion or aphelion."""
+        if self.dot == ZERO:
+            begins_far = self._at(self.along) < 0.0
+            return TWO * PI if begins_far == far else PI
+        begins = self._begins
+        turn = PI if far else TWO * PI if self._at(begins) > 0.0 else ZERO
+        formula = turn - begins
+        where = "farthest" if far else "nearest"
+        which = r"180^\circ" if far else "0"
+        said = f"It is {where} where $E$ is ${which}$ or whole turns more, so that $E$ has grown by"
+        return self.book.told("apsis", said, self.named(r"\eta"), formula, RADIANS)
+
+    @property
+    def _begins(self) -> Expression:
+        """The eccentric anomaly at the start, by that function which small errors of p and q change the least."""
+        p, q = self._at(self.along), self._at(self.across)
+        if abs(p) < abs(q):
+            size = Call("arccos", self.along / Root(Power(self.along, 2) + Power(self.across, 2)))
+            return size if q > 0.0 else -size
+        least = Call("arctan", self.across / self.along)
+        return least if p > 0.0 else least + PI if q > 0.0 else least - PI
+
+    def to_distance(self, distance: Symbol) -> Symbol:
+        """By how much it has grown when the body is first so far from where it began."""
+        name = self.named(r"\eta")
+        square = self._away(name)
+        level = self.book.value(distance) ** 2
+        near = _rising(lambda x: square.value({**self.book.values, name.name: x}).real - level)
+        step = self.book.open("distance")
+        law = step.law(square, Power(distance, 2))
+        who = capital(self.setting.called(self.body))
+        step.say(f"{who} is first so far from its start when $E$ has grown by ${name.latex()}$ with {law}.")
+        residual = square - Power(distance, 2)
+        step.say(told_root(self.book, step, name, residual, near, RADIANS, "Found numerically,"))
+        step.close()
+        return name
+
+    def farthest(self) -> Symbol:
+        """The greatest distance from where it began, at which its velocity is square to the way there."""
+        name, angle = self.named("d"), self.named(r"\eta")
+        if self.dot == ZERO:
+            said = "It begins at an end of the major axis, from which the other end is farthest:"
+            return self.book.told("distance", said, name, TWO * self.axis, METRES)
+        sine, cosine = Call("sin", angle), Call("cos", angle)
+        turned = (self.radius / self.axis * cosine + self.across * sine) / self.mean_motion
+        less, more = self.weights(angle)
+        both = list(zip(self.place, self.rate, strict=True))
+        ways = [less * place + more * rate for place, rate in both]
+        rates = [turned * rate - self.axis / self.radius * sine * place for place, rate in both]
+        residual = ways[0] * rates[0] + ways[1] * rates[1]
+        square = self._away(angle)
+        steps = [2.0 * pi * (number + 0.5) / PIECES for number in range(PIECES)]
+        there = max(steps, key=lambda x: square.value({**self.book.values, angle.name: x}).real)
+        near = NumericRoot(residual, angle.name, there).value(self.book.values).real
+        step = self.book.open("farthest")
+        law = step.law(residual, ZERO)
+        said = f"If $E$ has grown by ${angle.latex()}$, the way from the start is square to the velocity where"
+        step.say(f"{said} {law}.")
+        step.say(told_root(self.book, step, angle, residual, near, RADIANS, "Found numerically,"))
+        step.close()
+        return self.book.told("distance", "There the distance is", name, Root(square), METRES)
+
+    def _away(self, angle: Expression) -> Expression:
+        """The square of the displacement, when the anomaly has grown by an angle."""
+        less, more = self.weights(angle)
+        return Power(less * self.place[0] + more * self.rate[0], 2) + Power(
+            less * self.place[1] + more * self.rate[1], 2
+        )
+
+    def weights(self, angle: Expression) -> tuple[Expression, Expression]:
+        """Of place and velocity at the start in the displacement."""
+        rest = ONE - Call("cos", angle)
+        ahead = (self.radius / self.axis * Call("sin", angle) + self.across * rest) / self.mean_motion
+        return -(self.axis / self.radius * rest), ahead
+
+    def _at(self, held: Expression) -> float:
+        return self.book.value(held)
+
+
+def _rising(residual: Callable[[float], float]) -> float:
+    """The first root of what begins below zero, of an angle."""
+    step, low = 0.01, 0.0
+    while residual(low + step) < 0.0:
+        low += step
+        if low > 40.0 * pi:
+            raise UnsolvedError("it never comes so far")
+    high = low + step
+    for _ in range(ROUNDS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if residual(middle) < 0.0 else (low, middle)
+    return high

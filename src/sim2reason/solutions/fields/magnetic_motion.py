@@ -1,0 +1,194 @@
+"""How a magnetic field leads a charged body: in crossed fields, or through a medium that resists."""
+
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
+from sim2reason.solutions.fields.motion import Driven, FieldMotion
+from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, PER_SECOND_SQUARED, SPEED
+
+HALF = Number(0.5)
+
+
+class Crossed(Driven):
+    """An electric field that grows along its own direction, across a uniform magnetic one.
+
+    Across the electric field the velocity changes by Ω times the way along it, so that along it the force is linear.
+    """
+
+    @property
+    def _turning(self) -> Symbol:
+        assert self.fields.turning is not None
+        return self.fields.turning
+
+    @cached_property
+    def push(self) -> Expression:
+        """With the magnetic force."""
+        axis = self._drive.axis
+        turned = self._turning * self.launch[1 - axis] * TURNS[axis]
+        if turned == ZERO:
+            return self._drive.strength
+        said = f"With the magnetic force, its acceleration along {AXES[axis]} is at first"
+        return self.named(said, "a", "0", self._drive.strength + turned, ACCELERATION)
+
+    @cached_property
+    def slope(self) -> Expression:
+        """Less what the magnetic force takes."""
+        assert self._drive.slope is not None
+        along, across = AXES[self._drive.axis], AXES[1 - self._drive.axis]
+        said = f"The magnetic force changes the velocity along {across} by the rate of turning times the way along"
+        said = f"{said} {along}, and so holds back; for each metre along {along} the acceleration grows by"
+        return self.named(said, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
+
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """Along the field as without the magnetic one; across it, integrated."""
+        along = self._drive.axis
+        if axis == along:
+            return self._departed(axis, time)
+        summed = self.center * (time - self._odd(time)) - self.launch[along] * (ONE - self._even(time)) / self.slope
+        return self.launch[axis] * time + self._turning * TURNS[axis] * summed
+
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """Across the field, by the way along it."""
+        along = self._drive.axis
+        if axis == along:
+            return super().rate(axis, time)
+        return self.launch[axis] + self._turning * TURNS[axis] * self._departed(along, time)
+
+
+class Slowed(FieldMotion):
+    """A magnetic field that turns the velocity, in a medium that resists by the square of the speed."""
+
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """The velocity at the start, turned, and divided by 1 + γ t."""
+        found, turning = self.launch[axis], self.fields.turning
+        if turning is not None:
+            across = self.launch[1 - axis] * TURNS[axis]
+            found = found * Call("cos", turning * time) + across * Call("sin", turning * time)
+        return found / (ONE + self.fields.drag * time)
+
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """No closed form."""
+        del axis, time
+        raise UnsolvedError("the way in such a medium has no closed form")
+
+
+class Turning(FieldMotion):
+    """A uniform magnetic field, perhaps with a uniform electric one and with a medium that resists in proportion.
+
+    The velocity is one that the fields keep up, such as the drift E/B, and one that turns at the rate Ω, and decays.
+    """
+
+    def __init__(self, fields: Fields, launch: list[Expression]) -> None:
+        """UnsolvedError where the electric field depends on the place."""
+        super().__init__(fields, launch)
+        turning, drive = fields.turning, fields.drive
+        assert turning is not None
+        changing = drive is not None and (drive.growth is not None or drive.frequency is not None)
+        if drive is not None and (drive.slope is not None or (changing and fields.damping is not None)):
+            raise UnsolvedError("a magnetic field with an electric one that depends on the place")
+        self.turning: Symbol = turning
+        self.drive = drive
+
+    @cached_property
+    def _drift(self) -> list[Expression]:
+        """What a uniform electric field keeps up, along x and y; of one that oscillates, the amplitudes."""
+        found: list[Expression] = [ZERO, ZERO]
+        drive = self.drive
+        if drive is None:
+            return found
+        i, j, f, turns = drive.axis, 1 - drive.axis, drive.strength, self.turning
+        along, across = AXES[i], AXES[j]
+        if self.fields.damping is not None:
+            both = Power(self.fields.damping, 2) + Power(turns, 2)
+            found[i] = self.named(
+                f"In the end it drifts along {along} with", "u", along, self.fields.damping * f / both, SPEED
+            )
+            said = f"Along {across} it drifts with"
+            found[j] = self.named(said, "u", across, -(turns * f / both) * TURNS[i], SPEED)
+        elif drive.frequency is not None:
+            gap = Power(drive.frequency, 2) - Power(turns, 2)
+            said = f"The electric field keeps up a velocity along {along} as the sine of its phase, with the amplitude"
+            found[i] = self.named(said, "u", along, f * drive.frequency / gap, SPEED)
+            said = f"With it goes one along {across} as the cosine, with the amplitude"
+            found[j] = self.named(said, "u", across, f * turns / gap * TURNS[i], SPEED)
+        else:
+            first = "" if drive.growth is None else " at first"
+            said = f"Electric and magnetic force cancel{first} for a drift along {across} with"
+            found[j] = self.named(said, "u", across, -(f / turns) * TURNS[i], SPEED)
+            if drive.growth is not None:
+                said = f"As the drift grows, there is one along {along}, too, with"
+                found[i] = self.named(said, "u", along, drive.growth / Power(turns, 2), SPEED)
+        return found
+
+    @cached_property
+    def _turned(self) -> list[Expression]:
+        """What of the velocity turns, at the start."""
+        still = [self._kept(axis, None) for axis in (0, 1)]
+        found: list[Expression] = []
+        for axis, begins in enumerate(self.launch):
+            said = f"What turns of the velocity is at first, along {AXES[axis]},"
+            found.append(self.named(said, "w", AXES[axis], begins - still[axis], SPEED))
+        return found
+
+    def _kept(self, axis: int, time: Expression | None) -> Expression:
+        """The velocity that the fields keep up; at the start without a time."""
+        drive, drift = self.drive, self._drift[axis]
+        if drive is None:
+            return ZERO
+        if drive.frequency is not None:
+            if time is None:
+                return ZERO if axis == drive.axis else drift
+            return drift * Call("sin" if axis == drive.axis else "cos", drive.frequency * time)
+        if drive.growth is not None and axis != drive.axis and time is not None:
+            return drift - drive.growth / self.turning * time * TURNS[drive.axis]
+        return drift
+
+    def carried(self, axis: int, time: Expression) -> Expression:
+        """How far the velocity that is kept up leads."""
+        drive, drift = self.drive, self._drift[axis]
+        if drive is None:
+            return ZERO
+        if drive.frequency is not None:
+            phase = drive.frequency * time
+            part = ONE - Call("cos", phase) if axis == drive.axis else Call("sin", phase)
+            return drift / drive.frequency * part
+        found = drift * time
+        if drive.growth is not None and axis != drive.axis:
+            found = found - HALF * drive.growth / self.turning * Power(time, 2) * TURNS[drive.axis]
+        return found
+
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """What is kept up, and what turns."""
+        here, other = self._turned[axis], self._turned[1 - axis] * TURNS[axis]
+        phase = self.turning * time
+        turned = here * Call("cos", phase) + other * Call("sin", phase)
+        if self.fields.damping is not None:
+            turned = Call("exp", -(self.fields.damping * time)) * turned
+        return self._kept(axis, time) + turned
+
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """The integral of that."""
+        here, other = self._turned[axis], self._turned[1 - axis] * TURNS[axis]
+        turns, damping, phase = self.turning, self.fields.damping, self.turning * time
+        sine, cosine = Call("sin", phase), Call("cos", phase)
+        if damping is None:
+            return self.carried(axis, time) + (here * sine + other * (ONE - cosine)) / turns
+        left, both = Call("exp", -(damping * time)), Power(damping, 2) + Power(turns, 2)
+        even = damping - left * (damping * cosine - turns * sine)
+        odd = turns - left * (turns * cosine + damping * sine)
+        return self.carried(axis, time) + (here * even + other * odd) / both
+
+    def extreme(self, *, least: bool) -> tuple[str, str, Symbol, Expression]:
+        """The greatest or the least speed in uniform fields: what turns is then along the drift, or against it."""
+        sizes: list[Expression] = []
+        for parts in (self._drift, self._turned):
+            kept = [part for part in parts if part != ZERO]
+            square = Power(parts[0], 2) + Power(parts[1], 2)
+            size = kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
+            sizes.append(size if len(kept) == 1 else Root(square))
+        one, other = sizes if self.book.value(sizes[0]) >= self.book.value(sizes[1]) else sizes[::-1]
+        said = "What turns is in turn along the drift and against it, so that the "
+        said += "least speed is" if least else "greatest speed is"
+        return "extremum", said, self.book.fresh("v"), one - other if least else one + other

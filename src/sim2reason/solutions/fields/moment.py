@@ -1,0 +1,254 @@
+"""When a charged body in fields is where a question wants it, and where its speed or its distance is extreme."""
+
+import numpy as np
+
+from sim2reason.lazy import cached_property
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.fields.forces import AXES, Fields
+from sim2reason.solutions.fields.magnetic_motion import Crossed, Slowed, Turning
+from sim2reason.solutions.fields.motion import Driven, FieldMotion
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
+
+TWO, HALF = Number(2.0), Number(0.5)
+SAMPLES = 400
+
+
+class FieldMoment:
+    """The moment that is asked about, written as it is needed."""
+
+    def __init__(self, setting: Setting, book: Book, fields: Fields) -> None:
+        """Nothing is written yet."""
+        self.setting, self.book, self.fields = setting, book, fields
+
+    @cached_property
+    def motion(self) -> FieldMotion:
+        """As functions of time."""
+        return motion_in(self.fields, self.fields.launch)
+
+    @cached_property
+    def time(self) -> Symbol:
+        """When the moment is."""
+        moment, name = self.setting.query.moment, self.book.fresh("t")
+        if isinstance(moment, AtTime):
+            self.book.say_given(name.name, moment.after, SECONDS)
+            return name
+        if isinstance(moment, Stopped):
+            return self._stopped(name)
+        assert isinstance(moment, Away)
+        distance = self.book.fresh("d")
+        self.book.say_given(distance.name, moment.value, METRES)
+        if self.fields.drive is None and self.fields.damping is None:
+            return self._chord(distance, name)
+        square, level = self._distance(name), Power(distance, 2)
+        step = self.book.open("time")
+        law = step.law(square, level)
+        who = capital(self.setting.called(self.fields.body))
+        step.say(f"{who} is first so far away when {law}.")
+        step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, "Numerically,"))
+        step.close()
+        return name
+
+    def _stopped(self, name: Symbol) -> Symbol:
+        """When a body on a line has no velocity."""
+        drive, rates = self.fields.drive, [self.motion.rate(axis, name) for axis in (0, 1)]
+        kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
+        if turns is not None and self._uniform and self._from_rest:
+            size = turns if self.book.value(turns) > 0.0 else -turns
+            return self.book.told(
+                "stop", "What turns of the velocity cancels the drift again after", name, TWO * PI / size, SECONDS
+            )
+        if len(kept) != 1 or drive is None or drive.frequency is not None:
+            raise UnsolvedError("it does not move to and fro on a line by a steady force")
+        step, who = self.book.open("stop"), capital(self.setting.called(self.fields.body))
+        step.say(f"{who} comes to rest when {step.law(kept[0], ZERO)}.")
+        if drive.growth is None and drive.slope is None and self.fields.damping is None:
+            formula = -(self.fields.launch[drive.axis] / drive.strength)
+            step.say(f"So {step.result(name, formula, SECONDS)}.")
+        else:
+            step.say(told_root(self.book, step, name, kept[0], self.setting.time, SECONDS, "Numerically,"))
+        step.close()
+        return name
+
+    def _distance(self, time: Symbol) -> Expression:
+        """Of the distance from the start."""
+        return squares([self.motion.moved(axis, time) for axis in (0, 1)])
+
+    @cached_property
+    def _circle(self) -> Symbol:
+        """The radius of the circle on which a magnetic field alone leads it."""
+        turns = self.fields.turning
+        assert turns is not None
+        size = turns if self.book.value(turns) > 0.0 else -turns
+        said = "Magnetic force and circular motion give the radius of its circle,"
+        return self.book.told("circle", said, self.book.fresh("R"), self.launched / size, METRES)
+
+    @property
+    def launched(self) -> Expression:
+        """The speed at the start."""
+        given = self.setting.given(f"{self.fields.body.rpartition('.')[0]}.start.speed")
+        return Symbol(given.symbol) if given is not None else self._size(self.fields.launch)
+
+    def _size(self, parts: list[Expression]) -> Expression:
+        """Of a vector: a single component without its sign, or a root."""
+        kept = [part for part in parts if part != ZERO]
+        if len(kept) != 1:
+            return Root(squares(parts)) if kept else ZERO
+        return kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
+
+    @cached_property
+    def speed(self) -> Expression | None:
+        """At the moment, where no electric field acts; None where one does."""
+        fields = self.fields
+        if fields.drive is not None:
+            return None
+        if fields.damping is None and not fields.resists:
+            return self.launched
+        said = "The magnetic force does no work, so that the medium alone changes its speed, which becomes"
+        return self.book.told("speed", said, self.book.fresh("v"), fields.speed(self.launched, self.time), SPEED)
+
+    @cached_property
+    def pull(self) -> Expression | None:
+        """The size of the acceleration at the moment, where the fields are uniform; None where they are not."""
+        fields = self.fields
+        drive, first = fields.drive, fields.launch
+        changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
+        if changing or fields.turning is None or fields.resists:
+            return None
+        parts = [fields.acceleration(axis, ZERO, lambda n: first[n], lambda _: ZERO) for axis in (0, 1)]
+        begun, name = self._size(parts), self.book.fresh("a", "0")
+        begun = self.book.told("newton", "The acceleration at the start is", name, begun, ACCELERATION)
+        if fields.damping is None:
+            return begun
+        said = "In uniform fields the magnetic force turns the acceleration as it does a velocity, and the medium makes"
+        formula = fields.speed(begun, self.time)
+        return self.book.told("newton", f"{said} it decay to", self.book.fresh("a"), formula, ACCELERATION)
+
+    def _chord(self, distance: Symbol, name: Symbol) -> Symbol:
+        turns = self.fields.turning
+        assert turns is not None
+        size = turns if self.book.value(turns) > 0.0 else -turns
+        half = Call("arcsin", distance / (TWO * self._circle))
+        said = "It is so far away when this is the chord of the angle through which it has turned:"
+        return self.book.told("chord", said, name, TWO / size * half, SECONDS)
+
+    @property
+    def _uniform(self) -> bool:
+        """Whether the fields never change, and nothing resists."""
+        drive = self.fields.drive
+        changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
+        return not changing and self.fields.damping is None
+
+    def extreme(self, query: StretchQuery) -> Symbol:
+        """Where the rate of change of its square vanishes."""
+        fields = self.fields
+        if query.functional == "greatest displacement":
+            if fields.drive is None and fields.damping is None:
+                said = "The longest chord is its diameter,"
+                return self.book.told("chord", said, self.book.fresh("d"), TWO * self._circle, METRES)
+            return self._farthest()
+        if self._uniform and isinstance(self.motion, Turning):
+            speed = self.book.told(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
+        else:
+            speed = self._fastest(-1.0 if query.functional.startswith("least") else 1.0)
+        if query.functional != "greatest kinetic energy":
+            return speed
+        energy = HALF * fields.mass * Power(speed, 2)
+        return self.book.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, JOULES)
+
+    def _farthest(self) -> Symbol:
+        """Where the displacement is square to the velocity."""
+        time = self.book.fresh("t")
+        parts = [self.motion.moved(axis, time) for axis in (0, 1)]
+        rates = [self.motion.rate(axis, time) for axis in (0, 1)]
+        kept = [part * rate for part, rate in zip(parts, rates, strict=True) if part != ZERO]
+        if len(kept) == 1:
+            raise UnsolvedError("it moves to and fro on a line")
+        self._turned(time, parts, 1.0, kept[0] + kept[1], "displacement is square to its velocity")
+        return self.book.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
+
+    def _fastest(self, sign: float) -> Symbol:
+        """Where the forces that do work do none: the magnetic one never does."""
+        time, drive = self.book.fresh("t"), self.fields.drive
+        rates = [self.motion.rate(axis, time) for axis in (0, 1)]
+        near = self._sampled(time, rates, sign)
+        if drive is None:
+            raise UnsolvedError("the medium only slows it")
+        pull = drive.at(time, lambda axis: self.motion.moved(axis, time))
+        at = {**self.book.values, time.name: near}
+        if self.fields.damping is not None:
+            work = pull * rates[drive.axis] - self.fields.damping * squares(rates)
+            self._turned(time, rates, sign, work, "electric force and the medium do no work together")
+        elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
+            halves = round(drive.frequency.value(at).real * near / np.pi - 0.5)
+            said = "Its speed is extreme when the electric force passes through zero, at"
+            self.book.told("extremum", said, time, Number(halves + 0.5) * PI / drive.frequency, SECONDS)
+        else:
+            slow = abs(rates[drive.axis].value(at)) < 0.05 * float(squares(rates).value(at).real) ** 0.5
+            if slow and isinstance(self.motion, Crossed) and self.motion.swings and self._from_rest:
+                return self._at_far_end(self.motion, drive.axis)
+            along = "velocity along the electric field is zero" if slow else "electric force is zero"
+            if not slow and drive.growth is not None:
+                step = self.book.open("extremum")
+                law = step.law(pull, ZERO)
+                found = step.result(time, -(drive.strength / drive.growth), SECONDS)
+                step.say(f"It is extreme where the {along}: {law}, so {found}.")
+                step.close()
+            else:
+                self._turned(time, rates, sign, rates[drive.axis] if slow else pull, along)
+        return self.book.told("extremum", "The speed is then", self.book.fresh("v"), Root(squares(rates)), SPEED)
+
+    @property
+    def _from_rest(self) -> bool:
+        return self.fields.launch == [ZERO, ZERO]
+
+    def _at_far_end(self, motion: Crossed, axis: int) -> Symbol:
+        """The speed where an oscillation along the electric field, in crossed fields, has gone to its other end."""
+        turning, along = self.fields.turning, AXES[axis]
+        assert turning is not None
+        said = (
+            f"It is fastest at the far end of the oscillation along {along}, which is centred where the force is zero:"
+        )
+        far = self.book.told("extremum", said, self.book.fresh(along, "1"), TWO * motion.center, METRES)
+        across = turning * far
+        said = f"There its velocity along {along} is zero, and across it, by the rate of turning times the way,"
+        formula = across if self.book.value(turning) * self.book.value(far) > 0.0 else -across
+        return self.book.told("extremum", said, self.book.fresh("v"), formula, SPEED)
+
+    def _turned(self, time: Symbol, parts: list[Expression], sign: float, residual: Expression, said: str) -> None:
+        """When something vanishes, near where a vector is longest or shortest."""
+        start = self._sampled(time, parts, sign)
+        near = NumericRoot(residual, time.name, start).value(self.book.values).real
+        step = self.book.open("extremum")
+        law = step.law(residual, ZERO)
+        step.say(f"It is extreme where the {said}: {law}.")
+        step.say(told_root(self.book, step, time, residual, near, SECONDS, "Found numerically,"))
+        step.close()
+
+    def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:
+        """When the size of a vector is about greatest or least."""
+        square = squares(parts)
+        times: list[float] = np.linspace(0.0, self.setting.time, SAMPLES).tolist()
+        return max(times, key=lambda t: sign * square.value({**self.book.values, name.name: t}).real)
+
+
+def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
+    """The motion in some fields; UnsolvedError where it has no closed form here."""
+    if fields.resists:
+        return Slowed(fields, launch)
+    drive = fields.drive
+    if fields.turning is not None and drive is not None and drive.along == drive.axis and drive.slope is not None:
+        return Crossed(fields, launch)
+    if fields.turning is not None:
+        return Turning(fields, launch)
+    if fields.damping is not None:
+        raise UnsolvedError("a resistance without a magnetic field")
+    return Driven(fields, launch)

@@ -1,0 +1,118 @@
+"""How a charged body moves in a plane in fields whose equations of motion are linear, as functions of time."""
+
+from abc import ABC, abstractmethod
+
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.fields.forces import AXES, Drive, Fields
+from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, METRES, PER_SECOND
+
+HALF, SIXTH = Number(0.5), Number(1.0 / 6.0)
+
+
+class FieldMotion(ABC):
+    """Displacement and velocity since a start with a known velocity."""
+
+    def __init__(self, fields: Fields, launch: list[Expression]) -> None:
+        """`launch` is the velocity at the start, along x and y."""
+        self.fields, self.launch, self.book = fields, launch, fields.book
+
+    @abstractmethod
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """The displacement along an axis after a time."""
+
+    @abstractmethod
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """The velocity along an axis after a time."""
+
+    def named(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:
+        """A constant of the motion, by a name unless it is zero or a name already."""
+        if formula == ZERO or isinstance(formula, Symbol):
+            return formula
+        return self.book.told("motion", said, self.book.fresh(base, mark), formula, unit)
+
+
+class Driven(FieldMotion):
+    """An electric field alone."""
+
+    def moved(self, axis: int, time: Expression) -> Expression:
+        """Integrated twice."""
+        drive, plain = self.fields.drive, self.launch[axis] * time
+        if drive is None or drive.axis != axis:
+            return plain
+        if drive.frequency is not None:
+            swing = ONE - Call("cos", drive.frequency * time)
+            return plain + drive.strength / Power(drive.frequency, 2) * swing
+        if drive.slope is not None and drive.along == axis:
+            return self._departed(axis, time)
+        third = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
+        found = plain + HALF * drive.strength * Power(time, 2)
+        return found + SIXTH * third * Power(time, 3) if third is not None else found
+
+    def rate(self, axis: int, time: Expression) -> Expression:
+        """Integrated once."""
+        drive, plain = self.fields.drive, self.launch[axis]
+        if drive is None or drive.axis != axis:
+            return plain
+        if drive.frequency is not None:
+            return plain + drive.strength / drive.frequency * Call("sin", drive.frequency * time)
+        if drive.slope is not None and drive.along == axis:
+            return plain * self._even(time) + self.push * self._odd(time)
+        second = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
+        found = plain + drive.strength * time
+        return found + HALF * second * Power(time, 2) if second is not None else found
+
+    # ---- a field that grows along its own direction
+
+    @property
+    def _drive(self) -> Drive:
+        assert self.fields.drive is not None
+        return self.fields.drive
+
+    @cached_property
+    def push(self) -> Expression:
+        """The acceleration along the field at the start."""
+        return self._drive.strength
+
+    @cached_property
+    def slope(self) -> Expression:
+        """By how much it grows for each metre along the field."""
+        assert self._drive.slope is not None
+        return self._drive.slope
+
+    def _departed(self, axis: int, time: Expression) -> Expression:
+        """How far it has come along the field."""
+        return self.center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
+
+    @cached_property
+    def swings(self) -> bool:
+        """Whether it is drawn back to where the force is zero."""
+        return self.book.value(self.slope) < 0.0
+
+    @cached_property
+    def _frequency(self) -> Expression:
+        along = AXES[self._drive.axis]
+        if self.swings:
+            said = f"Along {along} that is a harmonic oscillation with the angular frequency"
+            return self.named(said, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
+        said = f"Along {along} the departure from where the force is zero grows or decays exponentially, at the rate"
+        return self.named(said, r"\lambda", "", Root(self.slope), PER_SECOND)
+
+    @cached_property
+    def center(self) -> Expression:
+        """Where along the field the force is zero."""
+        along = AXES[self._drive.axis]
+        return self.named(f"The force is zero at {along} equal to", along, "c", -(self.push / self.slope), METRES)
+
+    def _even(self, time: Expression) -> Expression:
+        """The cosine, or the hyperbolic one."""
+        phase = self._frequency * time
+        return Call("cos", phase) if self.swings else HALF * (Call("exp", phase) + Call("exp", -phase))
+
+    def _odd(self, time: Expression) -> Expression:
+        """The sine, or the hyperbolic one, over the frequency."""
+        phase = self._frequency * time
+        if self.swings:
+            return Call("sin", phase) / self._frequency
+        return (Call("exp", phase) - Call("exp", -phase)) / (2.0 * self._frequency)

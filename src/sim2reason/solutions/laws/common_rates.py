@@ -1,0 +1,60 @@
+"""What several coordinates have in common, and what of them laws are about."""
+
+from dataclasses import dataclass
+from math import isclose, pi
+
+from sim2reason.solutions.algebra.expressions import Number, Product, Symbol
+from sim2reason.solutions.algebra.functions import PI, Power
+from sim2reason.solutions.laws.newton import Row
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import ACCELERATION
+
+STILL = 1e-9
+
+
+@dataclass(slots=True)
+class Shared:
+    """Coordinates that change at one rate, up to a sign: `sense` of each, by its number."""
+
+    symbol: Symbol
+    sense: dict[int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """What of coordinates the laws are about: accelerations, or displacements where no force has a part.
+
+    `values` are the engine's, by coordinate; `known` is a coordinate whose value has a name already.
+    """
+
+    base: str
+    unit: str
+    noun: str
+    values: tuple[float, ...] = ()
+    known: tuple[int, Symbol] | None = None
+
+
+ACCELERATIONS = Measure("a", ACCELERATION, "acceleration")
+
+
+def equal(row: Row) -> tuple[tuple[int, int], int] | None:
+    """The two coordinates that a string binds at equal rates, and whether with equal signs; None if it does not."""
+    if row.kind not in ("string", "grip") or len(row.inertia.terms) != 2:
+        return None
+    parts = [(int(m[0][0].latex()[1:]), part) for m, part in row.inertia.terms.items() if len(m) == 1 and m[0][1] == 1]
+    if len(parts) != 2 or abs(abs(parts[0][1]) - abs(parts[1][1])) > STILL:
+        return None
+    return (parts[0][0], parts[1][0]), -1 if parts[0][1] * parts[1][1] > 0.0 else 1
+
+
+def gravitational_constant(book: Book, value: float) -> Symbol:
+    """The constant of gravitation, which the text says once for all."""
+    if "G" not in book.values:
+        book.reserve("G")
+        book.know("G", value)
+        mantissa, _, power = f"{value:.8g}".partition("e")
+        said = rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
+        plain = isclose(value, 4.0 * pi**2)
+        book.stated["G"] = r"4 \pi^{2}" if plain else said
+        book.constants["G"] = Product((Number(4.0), Power(PI, 2))) if plain else Number(value)
+    return Symbol("G")

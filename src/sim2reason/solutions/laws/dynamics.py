@@ -1,0 +1,245 @@
+"""Accelerations and forces of one segment of a motion, from Newton's laws of the bodies that matter."""
+
+from collections.abc import Sequence
+
+from sim2reason.dsl.triples import product
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.laws.common_rates import ACCELERATIONS, STILL, Measure, Shared, equal
+from sim2reason.solutions.laws.newton import Newton, Row, symbol
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import NEWTONS
+
+
+class Dynamics:
+    """Writes the steps from Newton's laws to what is wanted."""
+
+    def __init__(self, setting: Setting, book: Book, segment: Segment, measure: Measure = ACCELERATIONS) -> None:
+        """UnreadError if the mechanism is of another kind."""
+        self.setting, self.book, self.segment = setting, book, segment
+        self.newton = Newton(setting.lexicon, segment)
+        self.mechanism = setting.mechanism
+        self.names: dict[str, Polynomial] = {}  # of the unknowns of Newton's laws, in the symbols of the book
+        self.shared: list[Shared] = []
+        self.groups: list[list[Row]] = []
+        self.sense: dict[int, int] = {}
+        self.measure = measure
+        self._units: dict[str, str] = {}
+
+    # ---- which laws
+
+    @cached_property
+    def frozen(self) -> set[int]:
+        """The coordinates that do not change, as friction or a string holds them."""
+        held = {
+            k for face, side in self.newton.rough.items() if side == 0 and (k := self.newton.alone(face)) is not None
+        }
+        rows = [self.newton.string(place).inertia for place in self._taut]
+        for _ in rows:  # what is held can hold more
+            left = [row.put({f"q{k}": NIL for k in held}) for row in rows]
+            held |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
+        return held
+
+    @cached_property
+    def carried(self) -> dict[int, tuple[int, float]]:
+        """The coordinates along which a body slides parallel to its carrier, each with the carrier's, and the sense.
+
+        A slab on a slab on a slope: there one speaks of the acceleration of each, not of one relative to the other.
+        """
+        found: dict[int, tuple[int, float]] = {}
+        if self.measure.values:
+            return found
+        for k, coordinate in enumerate(self.mechanism.coordinates):
+            if (
+                k in self.frozen
+                or coordinate.kind != "slide"
+                or len(self.mechanism.body[coordinate.body].coordinates) > 1
+            ):
+                continue
+            below = [j for j in self._below(coordinate.body) if j not in self.frozen]
+            along = [product(coordinate.axis, self.mechanism.coordinates[j].axis) for j in below]
+            if below and all(abs(abs(part) - 1.0) < STILL for part in along):
+                sign = float(round(along[0]))
+                if self._tied_outside(k, below[0], sign):
+                    found[k] = below[0], sign
+        return found
+
+    def _tied_outside(self, k: int, j: int, sign: float) -> bool:
+        """Whether strings feel how a body moves in the room, not how it does on its carrier."""
+        for place in self._taut:
+            terms = self.newton.string(place).inertia
+            own, other = terms.coefficient(f"q{k}"), terms.coefficient(f"q{j}")
+            if own and own - other.scaled(sign):
+                return False
+        return True
+
+    def _below(self, body: str) -> list[int]:
+        """The coordinates of what carries a body, the nearest first."""
+        found: list[int] = []
+        step = self.mechanism.body[body].parent
+        while step is not None:
+            found += [self.mechanism.number[c.name] for c in reversed(self.mechanism.body[step].coordinates)]
+            step = self.mechanism.body[step].parent
+        return found
+
+    @property
+    def _taut(self) -> list[int]:
+        acting = self.segment.found.mode.acting
+        return [place for place in range(len(self.newton.lines)) if acting[place]]
+
+    def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
+        """All laws of this segment, and their unknowns."""
+        newton, size = self.newton, len(self.mechanism.coordinates)
+        sticking = [face for face, side in newton.rough.items() if side == 0]
+        pressing = {face for face, side in newton.rough.items() if side}
+        pressing |= {int(goal[1:]) for goal in goals if goal[0] == "N"}
+        rows = [newton.newton(k) for k in range(size)]
+        rows += [newton.normal(face) for face in sorted(pressing)]
+        rows += [newton.string(place) for place in self._taut]
+        rows += [newton.rolling(face) for face in sticking if newton.alone(face) is None]
+        still = {f"q{k}": NIL for k in self.frozen}
+        for k, (j, sign) in self.carried.items():  # from now on that of the body itself, not relative to its carrier
+            still[f"q{k}"] = symbol("q", k) - symbol("q", j).scaled(sign)
+        rows = [Row(r.kind, r.number, r.forces.put(still), r.inertia.put(still)) for r in rows]
+        unknowns = [f"q{k}" for k in range(size) if k not in self.frozen]
+        if self.measure.values:
+            rows = [row for row in rows if row.kind == "string" or (row.kind == "newton" and not row.forces)]
+            return rows, [
+                name for name in unknowns if self.measure.known is None or name != f"q{self.measure.known[0]}"
+            ]
+        unknowns += [f"T{place}" for place in self._taut] + [f"N{face}" for face in sorted(pressing)]
+        return rows, unknowns + [f"f{face}" for face in sticking]
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """What the engine has for the unknowns."""
+        pairs = zip(self.measure.values, self.newton.scale, strict=False)
+        found = self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
+        for k, (j, sign) in self.carried.items():  # in the order of bodies, so that a carrier's is there already
+            found[f"q{k}"] += sign * found[f"q{j}"]
+        return found
+
+    def own(self, values: Sequence[float]) -> list[float]:
+        """Rates relative to carriers as those of the bodies themselves."""
+        found = list(values)
+        for k, (j, sign) in self.carried.items():
+            found[k] += sign * found[j]
+        return found
+
+    # ---- names
+
+    def share(self, rows: Sequence[Row], goals: Sequence[str], laws: Sequence[Row]) -> None:
+        """Coordinates that strings bind to each other at equal rates go by one name."""
+        members: dict[int, dict[int, int]] = {}
+        used = {name for row in rows for name in row.zero.names() if name[0] == "q" and name[1:].isdigit()}
+        known = {f"q{self.measure.known[0]}"} if self.measure.known else set[str]()
+        for k in sorted(int(name[1:]) for name in used | known | {goal for goal in goals if goal[0] == "q"}):
+            members[k] = {k: 1}
+        for row in laws:  # also those strings that an answer does not need: equal rates have one name all the same
+            pair = equal(row)
+            if pair is None:
+                continue
+            (one, other), sign = pair
+            if one not in members or other not in members or members[one] is members[other]:
+                continue
+            turned = sign * members[one][one] * members[other][other]
+            members[one] |= {k: turned * s for k, s in members[other].items()}
+            for k in members[one]:
+                members[k] = members[one]
+        classes = {id(held): held for held in members.values()}.values()
+        for held in classes:
+            self._called(held, alone=len(classes) == 1, goals=goals)
+
+    def _called(self, held: dict[int, int], *, alone: bool, goals: Sequence[str]) -> None:
+        bodies = [self.mechanism.coordinates[k].body for k in held]
+        goal = next(
+            (self.mechanism.coordinates[int(g[1:])].body for g in goals if g[0] == "q" and int(g[1:]) in held), ""
+        )
+        told = [body for body in bodies if body in self.setting.words.mentions]
+        name = goal if goal in told else next(iter(told), bodies[0])
+        told_already = self.measure.known is not None and self.measure.known[0] in held
+        if told_already and self.measure.known is not None:
+            named = self.measure.known[1]
+        else:
+            named = self.book.fresh(self.measure.base, "" if alone else self.setting.mark(name))
+        turn = self._turn(held)
+        self.shared.append(Shared(named, {k: turn * s for k, s in held.items()}))
+        self.sense |= self.shared[-1].sense
+        self._units[named.name] = self.measure.unit
+        for k, sense in self.shared[-1].sense.items():
+            self.names[f"q{k}"] = Polynomial.of(named).scaled(float(sense))
+
+    def _turn(self, held: dict[int, int]) -> int:
+        """The sense in which they move, or begin to."""
+        for values in (self.own(self.segment.v), [self.values[f"q{k}"] for k in range(len(self.segment.v))]):
+            found = next((s * values[k] for k, s in held.items() if abs(values[k]) > STILL), 0.0)
+            if found:
+                return 1 if found > 0.0 else -1
+        return 1
+
+    def name(self, rows: Sequence[Row], goals: Sequence[str]) -> None:
+        """Tensions that do not cancel at once are numbered; other forces are named after their bodies."""
+        self.groups = self._grouped([row for row in rows if row.kind == "newton"], goals)
+        used = {name for group in self.groups for name in self.added(group).zero.names()} | set(goals)
+        tensions = sorted((n for n in used if n[0] == "T" and n[1:].isdigit()), key=lambda n: int(n[1:]))
+        marks = [""] if len(tensions) == 1 else [str(number) for number in range(1, len(tensions) + 1)]
+        for name, mark in zip(tensions, marks, strict=True):
+            self._force(name, "T", mark)
+        for name in sorted({name for row in rows for name in row.zero.names()}):
+            if name[0] in "Nf" and name[1:].isdigit():
+                self._force(name, name[0], self.setting.mark(self.mechanism.faces[int(name[1:])].subject))
+
+    def added(self, group: Sequence[Row]) -> Row:
+        """The sum of Newton's laws of a group."""
+        forces, inertia = total(row.forces for row in group), total(row.inertia for row in group)
+        return Row("newton", group[0].number, forces, inertia)
+
+    def _grouped(self, rows: Sequence[Row], goals: Sequence[str]) -> list[list[Row]]:
+        """Newton's laws, those of a row of blocks on one string together, so that its tension is gone."""
+        groups = [[row] for row in rows]
+        for name in sorted({n for row in rows for n in row.zero.names() if n[0] == "T" and n[1:].isdigit()} - {*goals}):
+            holding = [group for group in groups if name in self.added(group).zero.names()]
+            if len(holding) != 2:
+                continue
+            one, other = holding
+            if self._alike(one[0].number, other[0].number) and name not in self.added([*one, *other]).zero.names():
+                groups[groups.index(one)] = sorted(one + other, key=lambda row: row.number)
+                groups.remove(other)
+        return groups
+
+    def _alike(self, one: int, other: int) -> bool:
+        """Whether two coordinates move their bodies side by side along one line."""
+        a, b = self.mechanism.coordinates[one], self.mechanism.coordinates[other]
+        parents = [self.mechanism.body[c.body].parent for c in (a, b)]
+        straight = a.kind == b.kind == "slide" and parents[0] == parents[1] and _close(a.axis, b.axis)
+        same = one in self.sense and other in self.sense and self.names[f"q{one}"] == self.names[f"q{other}"]
+        return straight and same and all(self.mechanism.body[c.body].mass for c in (a, b))
+
+    def _force(self, name: str, base: str, mark: str) -> None:
+        named = self.book.fresh(base, mark)
+        sense = -1.0 if base == "f" and self.values[name] < 0.0 else 1.0
+        self.names[name] = Polynomial.of(named).scaled(sense)
+        self._units[named.name] = NEWTONS
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit of every unknown, in LaTeX."""
+        return self._units
+
+    def moving(self, k: int, sense: int) -> str:
+        """The direction of a coordinate, in words."""
+        coordinate = self.mechanism.coordinates[k]
+        x, y, z = coordinate.axis
+        parent = self.mechanism.body[coordinate.body].parent if k not in self.carried else None
+        return self.setting.towards((sense * x, sense * y, sense * z), on=parent)
+
+    def enough(self, coordinates: Sequence[int]) -> list[int]:
+        """Those of a body's coordinates that its own motion needs: not its carrier's where it is counted by itself."""
+        spared = {j for k in coordinates if k in self.carried for j in self._below(self.mechanism.coordinates[k].body)}
+        return [k for k in coordinates if k not in spared]
+
+
+def _close(one: Sequence[float], other: Sequence[float]) -> bool:
+    return all(abs(a - b) < STILL for a, b in zip(one, other, strict=True))

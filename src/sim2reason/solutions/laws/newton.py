@@ -1,0 +1,251 @@
+"""Newton's second law of a mechanism whose equations never change, in the symbols of the text.
+
+For each coordinate k, of the body that it moves with all that this carries: Σ m (a·e) = Σ F·e along its direction e.
+Forces of faces between these bodies do not appear. Symbols here are of this module's own: ``q3`` the acceleration of
+a coordinate (of a hinge, that of its rim), ``T2`` the tension of a line, ``N1`` and ``f1`` the forces of a face.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from sim2reason.dsl.frames import Frames, start
+from sim2reason.dsl.mechanism import ConstantTension, Line, Mechanism
+from sim2reason.dsl.triples import applied, product
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
+
+Side = tuple[Mechanism, Frames]
+
+
+def symbol(kind: str, number: int) -> Polynomial:
+    """An unknown of this module."""
+    return Polynomial.of(Symbol(f"{kind}{number}"))
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One law: `forces` = `inertia`; a string's has its accelerations as `inertia`, and no forces."""
+
+    kind: str  # newton, normal, string, grip
+    number: int  # of the coordinate, face or line
+    forces: Polynomial
+    inertia: Polynomial
+
+    @property
+    def zero(self) -> Polynomial:
+        """What vanishes."""
+        return self.forces - self.inertia
+
+
+class Newton:
+    """The laws of one segment of a motion, each worked out when it is asked for."""
+
+    def __init__(self, lexicon: Lexicon, segment: Segment) -> None:
+        """UnreadError if the mechanism has something else than bodies on straight ways, strings and faces."""
+        self.lexicon, self.mechanism, self.segment = lexicon, lexicon.mechanism, segment
+        if self.mechanism.forces or self.mechanism.feet or any(segment.found.mode.acting[len(self.lines) :]):
+            raise UnreadError("there are forces of fields, or feet")
+        self._sides: tuple[Side, Side] = tuple((m, start(m)) for m in (lexicon.mechanism, lexicon.twin))  # type: ignore[assignment]
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """The lines that give equations."""
+        return self.mechanism.constraints
+
+    # ---- numbers
+
+    def _both(self, number: Callable[[Mechanism, Frames], float]) -> Both:
+        (here, frames), (there, others) = self._sides
+        return Both(float(number(here, frames)), float(number(there, others)))
+
+    def read(self, number: Callable[[Mechanism, Frames], float]) -> Polynomial:
+        """A number of the mechanism and its geometry at the start, in symbols."""
+        return self.lexicon.read(self._both(number))
+
+    @cached_property
+    def scale(self) -> list[Both]:
+        """By what the rate of each coordinate is multiplied: the radius of a wheel's rim, else one."""
+        found = [Both(1.0, 1.0)] * len(self.mechanism.coordinates)
+        for number, line in enumerate(self.mechanism.lines):
+            for place, wheel in enumerate(line.wheels):
+                both = self._both(lambda m, _, n=number, p=place: abs(m.lines[n].wheels[p].radius))
+                found[self.mechanism.number[wheel.coordinate]] = both
+        for number, face in enumerate(self.mechanism.faces):
+            for place, (name, _) in enumerate(face.slip):
+                k = self.mechanism.number[name]
+                if self.mechanism.coordinates[k].kind == "hinge":
+                    found[k] = self._both(lambda m, _, n=number, p=place: abs(m.faces[n].slip[p][1]))
+        return found
+
+    @cached_property
+    def gravity(self) -> Polynomial:
+        """g, or zero."""
+        return self.read(lambda m, _: -m.gravity[2])
+
+    @cached_property
+    def _masses(self) -> list[Polynomial]:
+        return [self.read(lambda m, _, n=n: m.bodies[n].mass) for n in range(len(self.mechanism.bodies))]
+
+    def mass(self, body: str) -> Polynomial:
+        """The mass of a body."""
+        return self._masses[next(n for n, held in enumerate(self.mechanism.bodies) if held.name == body)]
+
+    def moved(self, body: str) -> list[int]:
+        """The coordinates that move the centre of mass of a body."""
+        gradient = self._sides[0][1].center(body).gradient
+        return [k for k, way in gradient.items() if product(way, way) > 1e-18]
+
+    def along(self, body: str, k: int, way: tuple[float, float, float]) -> Polynomial:
+        """How much of the motion along coordinate k goes along a direction of the room."""
+        return self.read(lambda _, f: product(f.center(body).gradient[k], way))
+
+    # ---- laws
+
+    def newton(self, k: int) -> Row:
+        """The law of a coordinate."""
+        inertia, forces = list[Polynomial](), list[Polynomial]()
+        for number, body in enumerate(self.mechanism.bodies):
+            moved = self.moved(body.name) if body.mass else []
+            if k in moved:
+                mass = self._masses[number]
+                inertia += [mass * self._dot(body.name, k, j) * symbol("q", j) for j in moved]
+                forces.append(mass * self.gravity * self.along(body.name, k, (0.0, 0.0, -1.0)))
+        inertia += self._turning(k)
+        forces += [pull for number, line in enumerate(self.mechanism.lines) if (pull := self._pull(number, line, k))]
+        forces += self._rubbing(k)
+        return Row("newton", k, total(forces), total(inertia))
+
+    def _dot(self, body: str, k: int, j: int) -> Polynomial:
+        if k == j:
+            return Polynomial.of(1.0)
+        return self.read(lambda _, f: product(f.center(body).gradient[k], f.center(body).gradient[j]))
+
+    def _turning(self, k: int) -> list[Polynomial]:
+        """I/r² times the acceleration of the rim, of what turns about its own axis."""
+        hinges = [j for j, coordinate in enumerate(self.mechanism.coordinates) if coordinate.kind == "hinge"]
+        return [part * symbol("q", j) for j in hinges if k in hinges and (part := self.turning(k, j))]
+
+    def turning(self, k: int, j: int) -> Polynomial:
+        """The moment of inertia that two hinges share, over the squares of the radii of their rims."""
+
+        def inertia(m: Mechanism, f: Frames) -> float:
+            total = 0.0
+            for body in m.bodies:
+                axes = f[body.name].turning.gradient
+                if any(body.inertia) and k in axes and j in axes:
+                    total += float(product(axes[k], applied(body.inertia, axes[j])))
+            return total
+
+        return self.lexicon.read(self._both(inertia) / (self.scale[k] * self.scale[j]))
+
+    def _pull(self, number: int, line: Line, k: int) -> Polynomial:
+        """What a line does along a coordinate."""
+        tension = self.tension(number, line)
+        return (tension * self.stretch(number, k)).scaled(-1.0) if tension else NIL
+
+    def tension(self, number: int, line: Line) -> Polynomial:
+        """The tension of a line: unknown, or that of a hand; none if it is slack."""
+        if isinstance(line.law, ConstantTension):
+            return self.read(lambda m, _: getattr(m.lines[number].law, "force", 0.0))
+        if not line.law.row:
+            raise UnreadError("there is a spring")
+        place = self.lines.index(line)
+        return symbol("T", place) if self.segment.found.mode.acting[place] else NIL
+
+    def stretch(self, number: int, k: int) -> Polynomial:
+        """How a line grows with a coordinate."""
+        return self.lexicon.read(self._stretch(number, k))
+
+    def _stretch(self, number: int, k: int) -> Both:
+        def along(m: Mechanism, f: Frames) -> float:
+            line = m.lines[number]
+            turned = sum(w.radius for w in line.wheels if m.number[w.coordinate] == k)
+            return turned + sum(float(piece.along.get(k, 0.0)) for piece in f.pieces(line))
+
+        return self._both(along) / self.scale[k]
+
+    def string(self, place: int) -> Row:
+        """That a taut string does not stretch."""
+        number = self.mechanism.lines.index(self.lines[place])
+        terms = [
+            self.stretch(number, k) * symbol("q", k)
+            for k in range(len(self.mechanism.coordinates))
+            if self._stretch(number, k).here
+        ]
+        return Row("string", place, NIL, total(terms))
+
+    # ---- faces
+
+    @cached_property
+    def rough(self) -> dict[int, int]:
+        """The side to which each rough face slips, by its number; 0 if it sticks."""
+        faces = [number for number, face in enumerate(self.mechanism.faces) if face.friction > 0.0]
+        return dict(zip(faces, self.segment.found.mode.rubbing, strict=True))
+
+    def slip(self, face: int) -> dict[int, Polynomial]:
+        """How the surfaces slip with each coordinate."""
+        found: dict[int, Polynomial] = {}
+        for place, (name, _) in enumerate(self.mechanism.faces[face].slip):
+            k = self.mechanism.number[name]
+            both = self._both(lambda m, _, p=place: m.faces[face].slip[p][1]) / self.scale[k]
+            found[k] = self.lexicon.read(both)
+        return found
+
+    def alone(self, face: int) -> int | None:
+        """The one coordinate along which a face slips; None if there are several."""
+        slip = self.slip(face)
+        return next(iter(slip)) if len(slip) == 1 else None
+
+    def friction(self, face: int) -> Polynomial:
+        """The friction along the slip: −µN against it, or an unknown."""
+        side = self.rough.get(face)
+        if side is None:
+            return NIL
+        if side == 0:
+            return symbol("f", face)
+        return (self.coefficient(face) * symbol("N", face)).scaled(float(-side))
+
+    def coefficient(self, face: int) -> Polynomial:
+        """µ of a face."""
+        return self.read(lambda m, _: m.faces[face].friction)
+
+    def _rubbing(self, k: int) -> list[Polynomial]:
+        found = [(self.friction(face), self.slip(face)) for face in self.rough]
+        return [force * slip[k] for force, slip in found if k in slip]
+
+    def normal(self, face: int) -> Row:
+        """Newton's law along the normal of a face, of what lies on it with all that this carries."""
+        inertia, forces = list[Polynomial](), [symbol("N", face)]
+        for number, body in enumerate(self.mechanism.bodies):
+            lift = self._sides[0][1].center(body.name).lift
+            if face not in lift or not body.mass:
+                continue
+            mass = self._masses[number]
+            for j in self.moved(body.name):
+                part = self.read(
+                    lambda _, f, b=body.name, j=j: product(f.center(b).lift[face], f.center(b).gradient[j])
+                )
+                inertia.append(mass * part * symbol("q", j))
+            down = self.read(lambda _, f, b=body.name: -float(f.center(b).lift[face][2]))
+            forces.append(mass * self.gravity * down)
+        for number, line in enumerate(self.mechanism.lines):
+            lifted = self.read(lambda m, f, n=number: sum(float(p.lift.get(face, 0.0)) for p in f.pieces(m.lines[n])))
+            if lifted:
+                forces.append((self.tension(number, line) * lifted).scaled(-1.0))
+        return Row("normal", face, total(forces), total(inertia))
+
+    def rolling(self, face: int) -> Row:
+        """That a body rolls without slipping."""
+        return Row("grip", face, NIL, total(part * symbol("q", k) for k, part in self.slip(face).items()))
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """What the engine has for the unknowns."""
+        found = self.segment.found
+        scaled = {f"q{k}": a * s.here for k, (a, s) in enumerate(zip(found.a, self.scale, strict=True))}
+        tension = {f"T{n}": value for n, value in enumerate(found.rows)}
+        normal = {f"N{n}": value for n, value in enumerate(found.normal)}
+        return {**scaled, **tension, **normal, **{f"f{n}": value for n, value in enumerate(found.friction)}}

@@ -1,0 +1,116 @@
+"""A rocket that burns its fuel: its engine, its mass, gravity, and when it begins to rise and has none left."""
+
+from collections.abc import Callable
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
+from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.unit_latex import KILOGRAMS, SECONDS
+
+
+class Burning(Way):
+    """The numbers of a rocket, and the times at which something changes, written as they are needed."""
+
+    @property
+    def newton(self) -> Newton:
+        """None is needed."""
+        raise UnsolvedError("a rocket has no law of constant mass")
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """None."""
+        raise UnsolvedError(f"no {kind} of {name}")
+
+    # ---- numbers
+
+    def _read(self, number: Callable[[Mechanism], float]) -> Polynomial:
+        return self.setting.lexicon.of(number)
+
+    @property
+    def burn(self) -> Burn:
+        """The engine."""
+        return self.setting.lexicon.mechanism.burns[0]
+
+    @cached_property
+    def rate_of_burning(self) -> Expression:
+        """µ."""
+        return self._read(lambda m: m.burns[0].rate).expression()
+
+    @cached_property
+    def exhaust(self) -> Expression:
+        """U."""
+        return self._read(lambda m: m.burns[0].exhaust).expression()
+
+    @cached_property
+    def first(self) -> Expression:
+        """The mass with all fuel."""
+        return self._read(lambda m: m.body[m.burns[0].body].mass).expression()
+
+    @cached_property
+    def dry(self) -> Expression:
+        """The mass without fuel."""
+        return self._read(lambda m: m.body[m.burns[0].body].mass - m.burns[0].rate * m.burns[0].until).expression()
+
+    @property
+    def gravity(self) -> Polynomial:
+        """Of the ground, or of the planet at its surface."""
+        return self._read(_pull)
+
+    # ---- the moment
+
+    @property
+    def waits(self) -> bool:
+        """Whether it stands on the ground until it is light enough."""
+        return self.setting.motion.segments[0].a[0] <= 0.0
+
+    @property
+    def out(self) -> bool:
+        """Whether its engine is off by then."""
+        return self.setting.time > self.burn.until * (1.0 + 1e-9) or isinstance(self.query, StretchQuery)
+
+    @cached_property
+    def full(self) -> Expression:
+        """The mass with which it begins to rise."""
+        if not self.waits:
+            return self.first
+        thrust = self.rate_of_burning * self.exhaust
+        said = "It stands on the ground till the thrust holds its weight, until its mass is"
+        return self.book.told("wait", said, self.book.fresh("m", "1"), thrust / self.gravity.expression(), KILOGRAMS)
+
+    def _risen(self, time: Expression) -> Expression:
+        """For how long it has risen by a time."""
+        return time - self._wait if self.waits else time
+
+    @cached_property
+    def _wait(self) -> Symbol:
+        formula = (self.first - self.full) / self.rate_of_burning
+        return self.book.told("wait", "So much fuel is burned after", self.book.fresh("t", "1"), formula, SECONDS)
+
+    @cached_property
+    def burned(self) -> Symbol:
+        """When the fuel is spent."""
+        formula = (self.first - self.dry) / self.rate_of_burning
+        base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
+        return self.book.told("time", "The fuel lasts for", base, formula, SECONDS)
+
+
+def _pull(mechanism: Mechanism) -> float:
+    """The acceleration of free fall along the rocket's way, at the start."""
+    axis = mechanism.coordinates[0].axis
+    found = -sum(a * b for a, b in zip(axis, mechanism.gravity, strict=True))
+    frames = start(mechanism)
+    for pull in mechanism.attractions:
+        found += _attracted(mechanism, pull, frames.center(pull.a).place, frames.center(pull.b).place)
+    return found
+
+
+def _attracted(mechanism: Mechanism, pull: Attraction, one: Vector, other: Vector) -> float:
+    apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
+    heavy = max(mechanism.body[pull.a].mass, mechanism.body[pull.b].mass)
+    return pull.constant * heavy / apart**pull.power

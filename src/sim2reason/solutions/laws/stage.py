@@ -1,0 +1,298 @@
+"""One segment of a motion at constant accelerations: how fast and how far after a time, after a distance, at rest."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.algebra.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    Quotient,
+    Symbol,
+    added,
+    multiplied,
+    ratio,
+)
+from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.laws.common_rates import STILL, Shared
+from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.subscripts import subscript
+from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
+
+HALF = Number(0.5)
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """What ends a stage: a known time, a distance that a coordinate has moved since it began, or its coming to rest."""
+
+    time: Symbol | None = None
+    coordinate: int = -1
+    distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
+    what: str = ""  # in words
+    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
+
+
+@dataclass
+class Stage:
+    """A segment with what it begins with; `speeds` and `places` by coordinate, in the coordinate's own sense."""
+
+    setting: Setting
+    book: Book
+    segment: Segment
+    span: float  # s, for signs alone
+    end: End
+    speeds: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
+    places: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
+    uniform: bool = False  # nothing is accelerated any more
+
+    def __post_init__(self) -> None:
+        """Nothing is written yet."""
+        self.dynamics = WrittenDynamics(self.setting, self.book, self.segment)
+        self.speeds = self._by_themselves(self.speeds)
+        self.places = self._by_themselves(self.places)
+        self._time: Symbol | None = self.end.time
+        self._velocity: dict[str, Polynomial] = {}
+        self._moved: dict[str, Polynomial] = {}
+
+    def _by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
+        """What is relative to carriers as that of the bodies themselves, where they are counted so."""
+        found = dict(relative)
+        for k, (j, sign) in self.dynamics.carried.items():
+            if k in found or j in found:
+                found[k] = found.get(k, NIL) + found.get(j, NIL).scaled(sign)
+        return found
+
+    def relative(self, kind: str, k: int) -> Polynomial:
+        """A rate or a way at the end, relative to what carries the body."""
+        of = {"v": self.velocity, "s": self.place}[kind]
+        if k not in self.dynamics.carried:
+            return of(k)
+        j, sign = self.dynamics.carried[k]
+        return of(k) - of(j).scaled(sign)
+
+    def reach(self, goals: Sequence[str]) -> None:
+        """Find accelerations and forces."""
+        if not self.uniform:
+            self.dynamics.reach(goals)
+
+    # ---- by coordinate
+
+    def acceleration(self, k: int) -> Polynomial:
+        """The second derivative of a coordinate."""
+        return NIL if self.uniform else self.dynamics.names[f"q{k}"]
+
+    def velocity(self, k: int) -> Polynomial:
+        """The rate of a coordinate at the end."""
+        if self.uniform:
+            return self.speeds.get(k, NIL)
+        shared = self._shared(k)
+        if shared is None:
+            return NIL if k in self.dynamics.frozen else self.speeds.get(k, NIL)
+        return self._at_end(shared).scaled(float(shared.sense[k]))
+
+    def place(self, k: int) -> Polynomial:
+        """How far a coordinate has come at the end."""
+        shared, before = self._shared(k), self.places.get(k, NIL)
+        if self.uniform:
+            return self._glided(k, before)
+        if shared is None:
+            if self.speeds.get(k, NIL) and k not in self.dynamics.frozen:
+                raise UnsolvedError("a coordinate that keeps its speed without a law")
+            return before
+        return before + self._travelled(shared).scaled(float(shared.sense[k]))
+
+    def gain(self, k: int) -> Polynomial:
+        """How far a coordinate has come in this stage alone."""
+        if self.uniform:
+            return self._glided(k, NIL)
+        shared = self._shared(k)
+        if shared is None and k == self.end.coordinate and self.end.distance is not None:
+            return self.end.distance
+        if shared is None and k not in self.dynamics.frozen:
+            raise UnsolvedError("a coordinate whose acceleration is not found")
+        return self._travelled(shared).scaled(float(shared.sense[k])) if shared is not None else NIL
+
+    def gained(self, k: int) -> Polynomial:
+        """The same, relative to what carries the body."""
+        if k not in self.dynamics.carried:
+            return self.gain(k)
+        j, sign = self.dynamics.carried[k]
+        return self.gain(k) - self.gain(j).scaled(sign)
+
+    def path(self, k: int) -> Expression:
+        """How far a coordinate has come to and fro, without a sign."""
+        shared = None if self.uniform else self._shared(k)
+        if shared is None or (self._ends(shared) and self.end.distance is not None):  # it ends on its way there
+            return self._size(self.gain(k).expression())
+        begun, late = self._begun(shared), self._value(shared, moved=False)
+        early = self.book.value(begun.expression())
+        if not early or early * late >= -STILL * abs(early):
+            return self._size(self._travelled(shared).expression())
+        step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+        formula = -Quotient(Power(begun.factored(), 2), multiplied(Number(2.0), shared.symbol))
+        step.say(f"It turns back where its velocity is zero, at {step.result(name, formula, METRES, law=True)}.")
+        step.close()
+        return added(self._size(name), self._size(self._travelled(shared).expression() - name))
+
+    def _size(self, held: Expression) -> Expression:
+        return held if self.book.value(held) >= 0.0 else -held
+
+    def _glided(self, k: int, before: Polynomial) -> Polynomial:
+        """How far it has come at a constant velocity."""
+        if not self.speeds.get(k, NIL):
+            return before
+        time = self.time
+        step, name = self.book.open("distance"), self.book.fresh("s")
+        formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
+        step.say(f"From then on the velocity is constant: {step.result(name, formula, METRES, law=True)}.")
+        step.close()
+        return Polynomial.of(name)
+
+    def _at_constant_velocity(self) -> Symbol:
+        """How long a distance takes at a constant velocity."""
+        k = self.end.coordinate
+        if self.end.distance is None or not self.speeds.get(k, NIL):
+            raise UnsolvedError("nothing ends a motion at constant velocity")
+        step, name = self.book.open("time"), self.book.fresh("t")
+        formula = ratio(self.end.distance.expression(), self.speeds[k].expression())
+        step.say(f"From then on the velocity is constant, so {step.result(name, formula, SECONDS, law=True)}.")
+        step.close()
+        return name
+
+    def _shared(self, k: int) -> Shared | None:
+        return next((shared for shared in self.dynamics.shared if k in shared.sense), None)
+
+    def _begun(self, shared: Shared) -> Polynomial:
+        """With which rate it begins, in its own sense."""
+        k, sense = next(iter(shared.sense.items()))
+        return self.speeds.get(k, NIL).scaled(float(sense))
+
+    def _ends(self, shared: Shared) -> bool:
+        return not self.end.slip and self.end.coordinate in shared.sense
+
+    def _value(self, shared: Shared, *, moved: bool) -> float:
+        """What the engine has at the end: the rate, or how far it has moved."""
+        k, sense = next(iter(shared.sense.items()))
+        scale = sense * self.dynamics.newton.scale[k].here
+        own = self.dynamics.own
+        v, a = scale * own(self.segment.v)[k], scale * own(self.segment.found.a)[k]
+        return v * self.span + 0.5 * a * self.span**2 if moved else v + a * self.span
+
+    # ---- written once
+
+    @property
+    def time(self) -> Symbol:
+        """How long it takes."""
+        if self._time is None:
+            self._time = self._lasting()
+        return self._time
+
+    def _mark(self, shared: Shared) -> str:
+        """The subscript of its acceleration."""
+        return subscript(shared.symbol.name)
+
+    def _rolling(self) -> Symbol:
+        """When the surfaces no longer slip: Σ factor (v + a t) = 0."""
+        begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
+        gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
+        step, name = self.book.open("time"), self.book.fresh("t")
+        law = step.law((begun + gained * Polynomial.of(name)).expression(), ZERO)
+        formula = ratio(-begun.expression(), gained.expression())
+        step.say(f"{self.end.what} {law}, so {step.result(name, formula, SECONDS)}.")
+        step.close()
+        return name
+
+    def _lasting(self) -> Symbol:
+        if self.uniform:
+            return self._at_constant_velocity()
+        if self.end.slip:
+            return self._rolling()
+        shared = self._shared(self.end.coordinate)
+        if shared is None:
+            raise UnsolvedError("what ends a stage does not move")
+        begun, a = self._begun(shared).factored(), shared.symbol
+        step, name = self.book.open("time"), self.book.fresh("t")
+        if self.end.distance is None:
+            law = step.law(added(begun, multiplied(a, name)), ZERO)
+            step.say(f"{self.end.what} {law}, so {step.result(name, Quotient(-begun, a), SECONDS)}.")
+        else:
+            distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
+            law = step.law(distance, _path(begun, a, name))
+            step.say(f"{self.end.what} {law}, so {step.result(name, self._root(shared, distance), SECONDS)}.")
+        step.close()
+        return name
+
+    def _root(self, shared: Shared, distance: Expression) -> Expression:
+        """The first positive time of d = v t + ½ a t²."""
+        begun, a = self._begun(shared).factored(), shared.symbol
+        if begun == ZERO:
+            return Root(Quotient(multiplied(Number(2.0), distance), a))
+        under = added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, distance)))
+        sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
+        return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
+
+    def _at_end(self, shared: Shared) -> Polynomial:
+        name = shared.symbol.name
+        if name not in self._velocity:
+            self._velocity[name] = self._speed(shared)
+        return self._velocity[name]
+
+    def _speed(self, shared: Shared) -> Polynomial:
+        """By v + a t, or by v² + 2 a d where a distance is known."""
+        if self._ends(shared) and self.end.distance is None and self.end.time is None:
+            return NIL
+        begun, a = self._begun(shared).factored(), shared.symbol
+        if self._ends(shared) and self.end.distance is not None:
+            return self._by_distance(shared, begun)
+        time = self.time
+        step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
+        formula = added(begun, multiplied(a, time))
+        step.say(f"{self._then()}{step.result(name, formula, SPEED, law=True)}.")
+        step.close()
+        return Polynomial.of(name)
+
+    def _then(self) -> str:
+        return "Then " if self._moved or self._velocity else "After this time, "
+
+    def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
+        assert self.end.distance is not None
+        distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
+        step, name = self.book.open("velocity"), self.book.fresh("v", self._mark(shared))
+        square = added(squares([begun]), multiplied(Number(2.0), multiplied(shared.symbol, distance)))
+        law = step.law(Power(name, 2), square)
+        sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
+        step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}.")
+        step.close()
+        return Polynomial.of(name)
+
+    def _travelled(self, shared: Shared) -> Polynomial:
+        name = shared.symbol.name
+        if name not in self._moved:
+            self._moved[name] = self._distance(shared)
+        return self._moved[name]
+
+    def _distance(self, shared: Shared) -> Polynomial:
+        """By v t + ½ a t², or by v²/2a where it comes to rest."""
+        if self._ends(shared) and self.end.distance is not None:
+            return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
+        begun, a = self._begun(shared).factored(), shared.symbol
+        if self._ends(shared) and self.end.time is None:
+            step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+            law = step.law(added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, name))), ZERO)
+            formula = -Quotient(Power(begun, 2), multiplied(Number(2.0), a))
+            step.say(f"{self.end.what} {law}, so {step.result(name, formula, METRES)}.")
+        else:
+            time = self.time
+            step, name = self.book.open("distance"), self.book.fresh("s", self._mark(shared))
+            step.say(f"{self._then()}{step.result(name, _path(begun, a, time), METRES, law=True)}.")
+        step.close()
+        return Polynomial.of(name)
+
+
+def _path(begun: Expression, a: Expression, time: Expression) -> Expression:
+    return added(multiplied(begun, time), multiplied(HALF, multiplied(a, Power(time, 2))))

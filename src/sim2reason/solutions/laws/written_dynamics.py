@@ -1,0 +1,282 @@
+"""The sentences about the laws that lead to an acceleration or a force, and the equations that they say."""
+
+from collections.abc import Iterable, Sequence
+
+from sim2reason.solutions.algebra.elimination import Elimination, Equation, solved
+from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, divided, total
+from sim2reason.solutions.laws.common_rates import Shared
+from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.newton import Row
+from sim2reason.solutions.laws.selection import needed
+from sim2reason.solutions.laws.sticking import verify_sticking
+from sim2reason.solutions.setting import capital
+from sim2reason.solutions.writing.steps import UnsolvedError, Writing
+
+
+class WrittenDynamics(Dynamics):
+    """The laws of an instant, from which whatever is asked for is worked out in writing."""
+
+    def reach(self, goals: Sequence[str]) -> None:
+        """Write the way to some unknowns, such as ``q3`` or ``T1``; their `names` are known then."""
+        goals = [goal for goal in dict.fromkeys(goals) if not (goal[0] == "q" and int(goal[1:]) in self.frozen)]
+        self.names |= {f"q{k}": NIL for k in self.frozen}
+        if not goals:
+            return
+        rows, unknowns = self.laws(goals)
+        givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
+        chosen = needed(rows, unknowns, {**givens, **self.values}, [goal for goal in goals if goal in unknowns])
+        self.share(chosen, goals, rows)
+        self.name(chosen, goals)
+        DynamicsWriter(self, chosen, goals).write()
+        verify_sticking(self)
+        for name, held in self.names.items():
+            for monomial, part in held.terms.items():
+                self.book.observed.setdefault(monomial[0][0].latex(), self.values[name] / part)
+
+
+class DynamicsWriter:
+    """The sentences about chosen laws, and the equations that they say."""
+
+    def __init__(self, dynamics: Dynamics, rows: Sequence[Row], goals: Sequence[str]) -> None:
+        """`rows` are the laws that were chosen, `goals` what they lead to."""
+        self.d, self.rows = dynamics, rows
+        self.names = dynamics.names
+        self.goals = [_name_of(dynamics.names[goal]) for goal in goals]
+        self._labels: list[str] = []
+        self.inline: dict[str, Polynomial] = {}  # normal forces that weights alone give
+        self.pressed: dict[str, Polynomial] = {}  # the others, in terms of accelerations
+        self.bound: dict[str, Polynomial] = {}  # accelerations by others
+
+    def _open(self, kind: str) -> Writing:
+        """Begin a step that is kept only if something rests on it."""
+        step = self.d.book.open(kind)
+        self._labels.append(f"{kind} {len(self.d.book.steps)}")
+        step.label(self._labels[-1])
+        return step
+
+    def write(self) -> None:
+        """Write everything."""
+        self._introduce()
+        equations = [*self._strings(), *self._faces()]
+        groups = self.d.groups
+        known = self.bound | self.pressed
+        rows = [self._equation(group, number, len(groups)) for number, group in enumerate(groups, start=1)]
+        self._tell(groups, rows)
+        light = [e for group, e in zip(groups, rows, strict=True) if not self._mass(group)]
+        known |= self._balanced(light, known)
+        heavy = [e.put(known).put(known) for e in rows if e not in light]
+        all_of_them = heavy + equations + [Equation(e.label, e.forces, e.inertia, NIL) for e in light]
+        unknowns = sorted({n for e in all_of_them for n in e.zero.names()} & self.d.units.keys())
+        Elimination(self.d.book, self.d.units, self._labels).solve(all_of_them, unknowns, self.goals)
+
+    # ---- what things are called
+
+    def _introduce(self) -> None:
+        step = self._open("names")
+        said = [f"${shared.symbol.name}$ {self._whose(shared)}" for shared in self.d.shared]
+        if len(said) == 1:
+            noun = f"$ be the {self.d.measure.noun} of"
+            step.say(f"Let {said[0].replace('$ of', noun, 1)}.")
+        elif said:
+            step.say(f"{capital(self.d.measure.noun)}s: {'; '.join(said)}.")
+        tensions = [f"${_name_of(self.names[n])}$ in {self._line(n)}" for n in self.names if n[0] == "T"]
+        if tensions:
+            step.say(f"Tension{'s' if len(tensions) > 1 else ''}: {'; '.join(tensions)}.")
+        step.say(*self._resting())
+        step.close()
+
+    def _resting(self) -> list[str]:
+        """Who does not move on what carries it, in words."""
+        found: list[str] = []
+        for k in sorted(self.d.frozen):
+            coordinate = self.d.mechanism.coordinates[k]
+            parent = self.d.mechanism.body[coordinate.body].parent
+            own = [self._body(row.number) for group in self.d.groups for row in group]
+            if parent is not None and self._carried(coordinate.body, own):
+                on = self.d.setting.called(parent)
+                found.append(f"{capital(self.d.setting.called(coordinate.body))} stays at rest relative to {on}.")
+        return found
+
+    def _line(self, name: str) -> str:
+        return self.d.setting.lines[self.d.newton.lines[int(name[1:])].name]
+
+    def _whose(self, shared: "Shared") -> str:
+        """Of block A downward and of block B up the slope."""
+        ways: dict[str, list[str]] = {}
+        turning: list[str] = []
+        for k, sense in shared.sense.items():
+            coordinate = self.d.mechanism.coordinates[k]
+            if coordinate.kind == "hinge":
+                turning.append(coordinate.body)
+                continue
+            parent = self.d.mechanism.body[coordinate.body].parent
+            way = self.d.moving(k, sense)
+            if parent is not None and self._moves(parent) and k not in self.d.carried:
+                way += f" relative to {self.d.setting.called(parent)}"
+            ways.setdefault(way, []).append(coordinate.body)
+        said = [f"of {self.d.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
+        return " and ".join([*said, *(f"of the rim of {self.d.setting.called(body)}" for body in turning)])
+
+    def _moves(self, body: str) -> bool:
+        return any(k not in self.d.frozen for k in self.d.newton.moved(body))
+
+    # ---- constraints
+
+    def _strings(self) -> list[Equation]:
+        """Strings that bind accelerations at other ratios than one."""
+        found: list[Equation] = []
+        step = self._open("constraint")
+        for row in self.rows:
+            if row.kind not in ("string", "grip"):
+                continue
+            zero = row.inertia.put(self.names)
+            if not zero:
+                continue
+            zero = zero.put(self.bound)
+            name = self._dependent(zero)
+            rest = solved(zero, name)
+            before = zero.coefficient(name).number
+            assert before is not None
+            self.bound[name] = zero.without((name,)).scaled(-1.0 / before)
+            self.bound = {n: p.put({name: self.bound[name]}) for n, p in self.bound.items()}
+            what = f"{capital(self._line(f'T{row.number}'))} does not stretch"
+            step.say(f"{what}: {step.law(Symbol(name), rest)}.")
+            found.append(Equation("", NIL, zero, NIL))
+        step.close()
+        return found
+
+    def _dependent(self, zero: Polynomial) -> str:
+        """The acceleration that is best expressed by the others: none that is asked for, and simply."""
+        names = [n for n in sorted(zero.names() & self.d.units.keys()) if zero.coefficient(n).number is not None]
+        if not names:
+            raise UnsolvedError("a string binds accelerations at a ratio that changes")
+        return min(names, key=lambda n: (n in self.goals, abs(zero.coefficient(n).number or 0.0) != 1.0, n))
+
+    # ---- faces
+
+    def _faces(self) -> list[Equation]:
+        """Normal forces that the weight alone gives are put in at once; others are told."""
+        found: list[Equation] = []
+        step = self._open("normal")
+        for row in self.rows:
+            if row.kind != "normal":
+                continue
+            name = f"N{row.number}"
+            symbol = _name_of(self.names[name])
+            pressed = (row.inertia - row.forces.without((name,))).put(self.names)
+            if symbol not in self.goals and not pressed.names() & self.d.units.keys():
+                self.inline[symbol] = pressed
+                continue
+            self.pressed[symbol] = pressed
+            body = self.d.setting.called(self.d.mechanism.faces[row.number].subject)
+            step.say(f"Perpendicular to its face, {body}: {step.law(Symbol(symbol), pressed.expression())}.")
+            found.append(Equation("", Polynomial.of(Symbol(symbol)), pressed, NIL))
+        step.close()
+        return found
+
+    # ---- rows
+
+    def _row(self, group: Sequence[Row]) -> Row:
+        """The sum of a group's laws, in the symbols of the book, along the sense in which it moves."""
+        sense = float(self.d.sense.get(group[0].number, 1))
+        row = self.d.added(group)
+        forces, inertia = (part.put(self.names).put(self.inline).scaled(sense) for part in (row.forces, row.inertia))
+        return Row("newton", group[0].number, forces, inertia)
+
+    def _equation(self, group: Sequence[Row], number: int, count: int) -> Equation:
+        row = self._row(group)
+        k = group[0].number
+        moves = self.names.get(f"q{k}", NIL)
+        if k in self.d.carried:  # what it carries along with it is in the law of its carrier
+            j, sign = self.d.carried[k]
+            moves = moves - self.names.get(f"q{j}", NIL).scaled(sign)
+        moves = moves.scaled(float(self.d.sense.get(k, 1)))
+        return Equation(f"({number})" if count > 1 else "", row.forces, row.inertia, moves)
+
+    def _tell(self, groups: Sequence[Sequence[Row]], equations: Sequence[Equation]) -> None:
+        step = self._open("newton")
+        for group, equation in zip(groups, equations, strict=True):
+            if not equation.inertia and not self._mass(group):
+                left, right = _balance(equation.forces)
+                who = capital(self.d.setting.called(self._body(group[0].number)))
+                step.say(f"{equation.label} {who}, which is light: {step.law(left, right)}.".strip())
+                continue
+            inertia = self._inertia(group, equation)
+            law = step.law(equation.forces.expression(), inertia)
+            step.say(f"{equation.label} {self._why(group)}: {law}.".strip())
+        step.close()
+
+    def _why(self, group: Sequence[Row]) -> str:
+        if self.d.measure.values:
+            return f"Along this line no outer force acts on {self._who(group)}; their centre of mass stays where it is"
+        return capital(self._who(group))
+
+    def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:
+        """Mass times acceleration, where all have the same."""
+        own = [row.inertia.put(self.names).scaled(float(self.d.sense.get(row.number, 1))) for row in group]
+        masses = [part.coefficient(n) for part in own for n in sorted(equation.moves.names()) if part]
+        accelerations = sorted(equation.inertia.names() & self.d.units.keys())
+        if masses and len(masses) == len(own) and len(masses[0].terms) == 1 and len(accelerations) > 1:
+            (monomial, part), *_ = masses[0].terms.items()
+            acceleration = divided(own[0], monomial, part)
+            if acceleration is not None and not (total(masses) * acceleration - equation.inertia):
+                return multiplied(total(masses).expression(), acceleration.expression())
+        return equation.inertia.collected(accelerations)
+
+    def _mass(self, group: Sequence[Row]) -> bool:
+        """Whether anything moves with a group that has a mass, or a moment of inertia."""
+        newton = self.d.newton
+        heavy = {k for b in self.d.mechanism.bodies if b.mass for k in newton.moved(b.name)}
+        return any(row.number in heavy or self.d.mechanism.coordinates[row.number].kind == "hinge" for row in group)
+
+    def _body(self, k: int) -> str:
+        return self.d.mechanism.coordinates[k].body
+
+    def _who(self, group: Sequence[Row]) -> str:
+        """Whose law it is, and along which direction."""
+        k = group[0].number
+        own = [self._body(row.number) for row in group]
+        if self.d.mechanism.coordinates[k].kind == "hinge":
+            return f"{self.d.setting.called(own[0])}, turning, at its rim"
+        said = {self.d.setting.called(body) for body in own}  # as of a pulley and its carrier
+        heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
+        riders = [body for body in heavy if self._carried(body, own) and self.d.setting.called(body) not in said]
+        who = self.d.setting.listed(own)
+        if riders:
+            who += f" with {self.d.setting.listed(riders)}"
+        return f"{who}{' together' if len(own) > 1 or riders else ''}, {self.d.moving(k, self.d.sense.get(k, 1))}"
+
+    def _carried(self, body: str, own: Iterable[str]) -> bool:
+        step = self.d.mechanism.body[body].parent
+        while step is not None:
+            if step in own:
+                return True
+            step = self.d.mechanism.body[step].parent
+        return False
+
+    def _balanced(self, light: Sequence[Equation], known: dict[str, Polynomial]) -> dict[str, Polynomial]:
+        """The tensions that balances at light pulleys give by others."""
+        found: dict[str, Polynomial] = {}
+        for equation in light:
+            zero = equation.forces.put(found)
+            names = [n for n in sorted(zero.names() & self.d.units.keys()) if n not in known]
+            plain = [n for n in names if abs(zero.coefficient(n).number or 0.0) == 1.0] or names
+            name = min(plain, key=lambda n: (n in self.goals, n))
+            before = zero.coefficient(name).number
+            if not before:
+                raise UnsolvedError("a light pulley balances at a ratio that changes")
+            found[name] = zero.without((name,)).scaled(-1.0 / before)
+            found = {n: p.put({name: found[name]}) for n, p in found.items()}
+        return found
+
+
+def _balance(forces: Polynomial) -> tuple[Expression, Expression]:
+    positive = Polynomial({m: part for m, part in forces.terms.items() if part > 0.0})
+    negative = Polynomial({m: -part for m, part in forces.terms.items() if part < 0.0})
+    return positive.expression(), negative.expression()
+
+
+def _name_of(held: Polynomial) -> str:
+    """The one symbol of a polynomial."""
+    return next(iter(held.names()), "")

@@ -1,0 +1,190 @@
+"""One harmonic oscillation about a place of balance: where it is, how fast, and when; written as it is needed."""
+
+from dataclasses import dataclass
+from math import atan2, cos, pi, sin, sqrt
+
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, KILOGRAMS, METRES, RADIANS, STIFFNESS
+
+HALF = Number(0.5)
+LITTLE = 1e-7  # of the amplitude
+
+
+@dataclass
+class Harmonic:
+    """x(t) = x₀ (1 − cos ωt) + (v₀/ω) sin ωt, `name` being x, of a system with one free coordinate."""
+
+    book: Book
+    motion: LinearMotion | RelativeMotion
+    name: Symbol
+    first: Polynomial  # v₀
+    like: "Harmonic | None" = None  # one with the same mass and stiffness, which is told already
+
+    @property
+    def _free(self) -> int:
+        return self.motion.free[0]
+
+    # ---- in numbers
+
+    @cached_property
+    def numbers(self) -> tuple[float, float, float]:
+        """ω, x₀ and v₀, as the engine has them."""
+        m, k = (float(self.motion.matrix(entry)[0, 0]) for entry in ("mass", "stiffness"))
+        at = self.motion.givens
+        if k <= 0.0:
+            raise UnsolvedError("nothing drives it back")
+        return sqrt(k / m), self.motion.load(self._free).value(at) / k, self.first.value(at)
+
+    def where(self, time: float) -> tuple[float, float]:
+        """The place and the speed at a time, s."""
+        omega, rest, fast = self.numbers
+        c, s = cos(omega * time), sin(omega * time)
+        return rest * (1.0 - c) + fast / omega * s, rest * omega * s + fast * c
+
+    @property
+    def size(self) -> float:
+        """The amplitude, m."""
+        omega, rest, fast = self.numbers
+        return sqrt(rest**2 + (fast / omega) ** 2)
+
+    def turns(self, time: float) -> bool:
+        """Whether it is at a turning point then."""
+        omega, _, _ = self.numbers
+        return abs(self.where(time)[1]) <= LITTLE * omega * self.size
+
+    def instants(self, until: float) -> list[float]:
+        """When it turns back, or passes the place of balance, up to a time."""
+        omega, rest, fast = self.numbers
+        begun = atan2(fast / omega, -rest)
+        found = [(begun + n * pi / 2.0) / omega for n in range(-4, int(2.0 * omega * until / pi) + 5)]
+        return [time for time in found if 0.0 < time <= until * (1.0 + LITTLE)]
+
+    # ---- in writing
+
+    @cached_property
+    def mass(self) -> Expression:
+        """What moves, as if all of it moved with the free coordinate."""
+        if self.like is not None:
+            return self.like.mass
+        held = self.motion.mass(self._free, self._free)
+        if len(held.terms) == 1:
+            return held.expression()
+        said = f"If all that moves moved as ${self.name.name}$ does, with the same kinetic energy, its mass would be"
+        return self.book.told("inertia", said, self._fresh("M"), held.factored(), KILOGRAMS)
+
+    @cached_property
+    def stiffness(self) -> Expression:
+        """How much harder it is driven back a metre farther on."""
+        if self.like is not None:
+            return self.like.stiffness
+        held = self.motion.stiffness(self._free, self._free)
+        if len(held.terms) == 1:
+            return held.expression()
+        said = "Together the springs act along it like one of the stiffness"
+        return self.book.told("stiffness", said, self._fresh("k"), held.factored(), STIFFNESS)
+
+    def _fresh(self, base: str) -> Symbol:
+        return self.book.fresh(base, r"\text{eff}")
+
+    @cached_property
+    def rate(self) -> Symbol:
+        """ω = √(k/M)."""
+        if self.like is not None:
+            return self.like.rate
+        formula = Root(self.stiffness / self.mass)
+        said = "It is driven back in proportion to how far it is from the place of balance, so it oscillates with"
+        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+
+    @cached_property
+    def rest(self) -> Expression:
+        """The place of balance; zero where it begins there."""
+        load = self.motion.load(self._free)
+        if not load:
+            return ZERO
+        name = self.book.fresh(self.name.name.partition("_")[0], "0")
+        step = self.book.open("balance")
+        law = step.law(self.stiffness * name, load.expression())
+        step.say(f"All forces balance at ${name.name}$, where {law},")
+        held = self.motion.stiffness(self._free, self._free)
+        formula = over(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
+        step.say(f"so {step.result(name, formula, METRES)}.")
+        step.close()
+        return name
+
+    @cached_property
+    def begun(self) -> Expression:
+        """v₀/ω."""
+        return self.first.expression() / self.rate if self.first else ZERO
+
+    @cached_property
+    def amplitude(self) -> Expression:
+        """How far it goes from the place of balance."""
+        if ZERO in (self.begun, self.rest):
+            only = self.rest if self.begun == ZERO else self.begun
+            return only if self.book.value(only) >= 0.0 else -only
+        formula = Root(Power(self.rest, 2) + Power(self.begun, 2))
+        return self.book.told("amplitude", "The amplitude is", self.book.fresh("A"), formula, METRES)
+
+    def turning(self, time: float) -> Expression:
+        """The place where it turns back at a time."""
+        beyond = self.where(time)[0] > self.numbers[1]
+        return self.rest + self.amplitude if beyond else self.rest - self.amplitude
+
+    def angle_of_turning(self, time: float) -> Expression:
+        """The phase ωt where it turns back."""
+        if ZERO in (self.begun, self.rest):
+            formula: Expression = ZERO
+            shift = 0.0 if self.begun == ZERO else 0.5
+        else:
+            formula, shift = Call("arctan", self.begun / -self.rest), 0.0
+        turns = round(self.numbers[0] * time / pi - shift - (self.book.value(formula) / pi))
+        return formula + Number(turns + shift) * PI if turns + shift else formula
+
+    def angle_of(self, place: Expression, time: float) -> Expression:
+        """The phase ωt at which it is at a place, at about a time."""
+        omega = self.numbers[0]
+        apart = place - self.rest
+        if self.rest == ZERO:
+            base: Expression = ZERO
+            plain: Expression = Call("arcsin", self._share(place, self.begun))
+            options = [(plain, 0.0, 1.0), (plain, 1.0, -1.0)]
+        elif self.begun == ZERO:
+            base, plain = ZERO, Call("arccos", ONE - self._share(place, self.rest))
+            options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
+        else:
+            level = abs(self.book.value(apart)) <= LITTLE * self.size
+            plain = HALF * PI if level else Call("arccos", apart / self.amplitude)
+            base = self._first_phase
+            options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
+        start = self.book.value(base) if base != ZERO else 0.0
+        best = (float("inf"), ZERO, 0.0)
+        for held, shift, sign in options:
+            value = start + sign * self.book.value(held) + shift * pi
+            rounds = round((omega * time - value) / (2.0 * pi))
+            off = abs(value + 2.0 * pi * rounds - omega * time)
+            if off < best[0]:
+                best = (off, held if sign > 0.0 else -held, 2.0 * rounds + shift)
+        found = base + best[1]
+        return found + Number(best[2]) * PI if best[2] else found
+
+    def _share(self, one: Expression, other: Expression) -> Expression:
+        """One over the other, with at most one sign."""
+        sizes = [part if self.book.value(part) >= 0.0 else -part for part in (one, other)]
+        held = sizes[0] / sizes[1]
+        return held if self.book.value(one) * self.book.value(other) >= 0.0 else -held
+
+    @cached_property
+    def _first_phase(self) -> Symbol:
+        """φ of x = x₀ + A cos(ωt − φ)."""
+        formula: Expression = Call("arctan", self.begun / -self.rest)
+        if self.numbers[1] > 0.0:
+            formula = formula + PI
+        said = "Counted from the place of balance it is $A\\cos(\\omega t - \\varphi)$ with"
+        return self.book.told("phase", said, self.book.fresh(r"\varphi"), formula, RADIANS)

@@ -1,0 +1,249 @@
+"""A motion whose equations are linear with constant coefficients: M ẍ + K x = Q, in the symbols of the text.
+
+x are how far some of the coordinates have come, the *free* ones; strings and grips bind the others to them at fixed
+ratios. By Lagrange's equations every term follows from those ratios and Newton's laws, in which tensions then cancel.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
+from dataclasses import replace
+
+import numpy as np
+
+from sim2reason.dsl.constancy import bending, changing
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.algebra.expressions import ZERO, Expression
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.laws.newton import Row, symbol
+from sim2reason.solutions.laws.springs import SpringLaws
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.lexicon import UnreadError
+from sim2reason.solutions.writing.steps import UnsolvedError
+
+STILL = 1e-9
+SOUND = 1e-7  # relative: how well the equations must agree with the engine's
+
+
+def nonlinear(mechanism: Mechanism) -> str:
+    """Why the equations are not linear with constant coefficients; empty if they are."""
+    frames = start(mechanism)
+    plain = replace(mechanism, lines=tuple(line for line in mechanism.lines if not isinstance(line.law, Elastic)))
+    found = changing(plain, frames)
+    if found and not _on_a_ring(mechanism):
+        return f"{found} makes the equations change"
+    springs = [line for line in mechanism.lines if isinstance(line.law, Elastic) and line.circle is None]
+    return next((f"{line.name} turns" for line in springs if bending(line, frames)), "")
+
+
+def fewest_free(mechanism: Mechanism) -> int:
+    """How many coordinates are free at least: where all strings are taut, and nothing slips."""
+    rough = [face for face in mechanism.faces if face.friction]
+    return len(mechanism.coordinates) - len(mechanism.constraints) - len(rough)
+
+
+def _on_a_ring(mechanism: Mechanism) -> bool:
+    """Whether all that moves are beads on one level circle, which only springs along it pull."""
+    level = all(c.kind == "hinge" and abs(c.axis[2]) > 1.0 - STILL for c in mechanism.coordinates)
+    alone = all(len(body.coordinates) == 1 and body.parent is None for body in mechanism.bodies)
+    return level and alone and not mechanism.faces and all(line.circle for line in mechanism.lines)
+
+
+class LinearMotion:
+    """The equations of one segment; `wanted` are the coordinates that are best free, the most important first."""
+
+    def __init__(self, setting: Setting, segment: Segment, wanted: Sequence[int]) -> None:
+        """UnsolvedError where the equations are of another kind; UnreadError where a number is."""
+        if reason := nonlinear(setting.mechanism):
+            raise UnsolvedError(reason)
+        self.setting, self.segment, self.mechanism = setting, segment, setting.mechanism
+        self.laws = SpringLaws(setting.lexicon, segment)
+        self.givens = {g.symbol: g.value for g in setting.lexicon.givens.values()}
+        self._wanted = [*wanted]
+        self.begin = NIL
+        self.free = self._free()
+        self._check()
+
+    @classmethod
+    def of(cls, setting: Setting, segment: Segment, wanted: tuple[int, ...]) -> "LinearMotion":
+        """The same for all questions about one motion that want the same coordinates free."""
+        if setting.scene is not setting.study.scene:
+            return cls(setting, segment, wanted)
+        key = "linear motion", setting.lexicon, segment.start, wanted
+        found = setting.study.once(key, lambda: _tried(lambda: cls(setting, segment, wanted)))
+        if isinstance(found, UnsolvedError | UnreadError):
+            raise found.with_traceback(None)
+        return found
+
+    def counted_from(self, begin: Expression, at: float) -> "LinearMotion":
+        """The same with the place of the only free coordinate counted from `begin`, a symbol or zero, `at` m off."""
+        found = copy(self)
+        found.begin = NIL if begin == ZERO else Polynomial.of(begin)
+        found.givens = self.givens | dict.fromkeys(begin.symbols(), at)
+        return found
+
+    # ---- constraints
+
+    @cached_property
+    def rows(self) -> list[Row]:
+        """What binds coordinates: taut strings, and grips."""
+        acting = self.segment.found.mode.acting
+        found = [self.laws.string(place) for place in range(len(self.laws.lines)) if acting[place]]
+        return found + [self.laws.rolling(face) for face, side in self.laws.rough.items() if side == 0]
+
+    def _matrix(self) -> Array:
+        """The rows in numbers; UnsolvedError where a ratio hangs on what the text says."""
+        size = len(self.mechanism.coordinates)
+        found = np.zeros((len(self.rows), size))
+        for number, row in enumerate(self.rows):
+            for k in range(size):
+                part = row.inertia.coefficient(f"q{k}").number
+                if part is None:
+                    raise UnsolvedError("a string binds motions at a ratio that is no plain number")
+                found[number, k] = part
+        return found
+
+    def _free(self) -> list[int]:
+        """The free coordinates, so that all others hang on them; also `ratios`."""
+        size, matrix = len(self.mechanism.coordinates), self._matrix()
+        order = [*dict.fromkeys(self._wanted), *(k for k in range(size) if k not in self._wanted)]
+        pivots: dict[int, int] = {}
+        for k in reversed(order):  # what is least wanted hangs on the others
+            left = [n for n in range(len(matrix)) if n not in pivots.values() and abs(matrix[n, k]) > STILL]
+            if not left:
+                continue
+            n = max(left, key=lambda n, k=k: abs(matrix[n, k]))
+            matrix[n] /= matrix[n, k]
+            for other in range(len(matrix)):
+                if other != n:
+                    matrix[other] -= matrix[other, k] * matrix[n]
+            pivots[k] = n
+        free = [k for k in order if k not in pivots]
+        self.ratios: dict[int, dict[int, float]] = {k: {k: 1.0} for k in free}
+        for k, n in pivots.items():
+            self.ratios[k] = {i: -float(matrix[n, i]) for i in free if abs(matrix[n, i]) > STILL}
+        return free
+
+    def ratio(self, k: int, i: int) -> float:
+        """How fast a coordinate changes as a free one does."""
+        return self.ratios[k].get(i, 0.0)
+
+    # ---- equations
+
+    def _bound(self) -> Mapping[str, Polynomial]:
+        """Accelerations in terms of those of the free coordinates."""
+        return {
+            f"q{k}": total(_unknown(i).scaled(part) for i, part in parts.items()) for k, parts in self.ratios.items()
+        }
+
+    @cached_property
+    def _sums(self) -> list[tuple[Polynomial, Polynomial]]:
+        """Forces and inertia along each free coordinate: Newton's laws times the ratios, so that tensions cancel."""
+        bound, found = self._bound(), list[tuple[Polynomial, Polynomial]]()
+        laws = {k: self.laws.newton(k) for k in self.ratios if self.ratios[k]}
+        normal = {f"N{face}": self._normal(face) for face, side in self.laws.rough.items() if side}
+        for i in self.free:
+            parts = [(row, self.ratio(k, i)) for k, row in laws.items() if self.ratio(k, i)]
+            forces = total(row.forces.put(normal).scaled(part) for row, part in parts)
+            inertia = total(row.inertia.put(bound).scaled(part) for row, part in parts)
+            if any(name[0] in "Tf" and name[1:].isdigit() for name in forces.names()):
+                raise UnsolvedError("a tension does not cancel")
+            found.append((forces, inertia))
+        return found
+
+    def _normal(self, face: int) -> Polynomial:
+        """What a face presses with, where weight alone says it."""
+        row = self.laws.normal(face)
+        found = row.inertia - row.forces.without((f"N{face}",))
+        if any(name[0] in "qTSN" and name[1:].isdigit() for name in found.names()):
+            raise UnsolvedError("a normal force that changes")
+        return found
+
+    def mass(self, i: int, j: int) -> Polynomial:
+        """Of the matrix M."""
+        return self._sums[self.free.index(i)][1].coefficient(_unknown_name(j))
+
+    @cached_property
+    def springs(self) -> list[int]:
+        """The numbers of the springs that anything stretches."""
+        return [n for n in self.laws.springs if any(self.drawn(n, i) for i in self.free)]
+
+    def drawn(self, number: int, i: int) -> float:
+        """How fast a line grows as a free coordinate changes; UnsolvedError where that is no plain number."""
+        found = 0.0
+        for k in self.ratios:
+            part = self.ratio(k, i)
+            if part and self.laws.changes(number, k).here:
+                plain = self.laws.stretch(number, k).number
+                if plain is None:
+                    raise UnsolvedError("a spring is stretched at a ratio that is no plain number")
+                found += part * plain
+        return found if abs(found) > STILL else 0.0
+
+    def stiffness(self, i: int, j: int) -> Polynomial:
+        """Of the matrix K."""
+        return self._matched("stiffness", i, j)
+
+    def damping(self, i: int, j: int) -> Polynomial:
+        """Of the matrix of the dashpots."""
+        return self._matched("damping", i, j)
+
+    def _matched(self, what: str, i: int, j: int) -> Polynomial:
+        of = {"stiffness": self.laws.stiffness, "damping": self.laws.damping}[what]
+        pairs = [(n, self.drawn(n, i) * self.drawn(n, j)) for n in self.springs]
+        return total(of(n).scaled(part) for n, part in pairs if part)
+
+    def steady(self, i: int) -> Polynomial:
+        """The forces along a free coordinate but those of springs."""
+        return self._sums[self.free.index(i)][0].without([f"S{n}" for n in self.laws.springs])
+
+    def load(self, i: int) -> Polynomial:
+        """Q: all forces along a free coordinate where places are counted from, by default at the start."""
+        pulls = [(n, self.drawn(n, i)) for n in self.springs]
+        found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
+        return found - self.stiffness(i, i) * self.begin if self.begin else found
+
+    @property
+    def damped(self) -> bool:
+        """Whether there are dashpots."""
+        return any(self.laws.damping(n) for n in self.springs)
+
+    # ---- in numbers
+
+    def matrix(self, entry: str) -> Array:
+        """``mass``, ``stiffness`` or ``damping``, (n, n)."""
+        of = getattr(self, entry)
+        return np.array([[of(i, j).value(self.givens) for j in self.free] for i in self.free])
+
+    def _check(self) -> None:
+        """That the segment begins as the engine's does."""
+        if not self.free:
+            return
+        mass, load = self.matrix("mass"), np.array([self.load(i).value(self.givens) for i in self.free])
+        if np.linalg.cond(mass) > 1.0 / STILL:
+            raise UnsolvedError("something without mass moves by itself")
+        scale = self.laws.scale
+        q, v = (np.array([part[i] * scale[i].here for i in self.free]) for part in (self.segment.q, self.segment.v))
+        a = np.linalg.solve(mass, load - self.matrix("stiffness") @ q - self.matrix("damping") @ v)
+        there = np.array([self.segment.a[i] * scale[i].here for i in self.free])
+        if np.abs(a - there).max() > SOUND * max(1.0, float(np.abs(there).max())):
+            raise UnsolvedError("the equations are not those of the motion")
+
+
+def _tried(make: Callable[[], LinearMotion]) -> "LinearMotion | UnsolvedError | UnreadError":
+    """What is made, or why it can't be."""
+    try:
+        return make()
+    except (UnsolvedError, UnreadError) as error:
+        return error
+
+
+def _unknown_name(i: int) -> str:
+    return f"x{i}"
+
+
+def _unknown(i: int) -> Polynomial:
+    return symbol("x", i)

@@ -1,0 +1,284 @@
+"""The way to one answer about a motion whose equations are linear: whatever moves, moves with the free coordinates."""
+
+from abc import abstractmethod
+
+from sim2reason.dsl.triples import product
+from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.algebra.elimination import solved
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.goals import Components
+from sim2reason.solutions.laws.newton import Newton, Row
+from sim2reason.solutions.laws.straight_way import STILL, Way
+from sim2reason.solutions.oscillations.greatest_value import greatest_target, time_of_greatest
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
+from sim2reason.solutions.oscillations.tension_work import tension_work
+from sim2reason.solutions.setting import Setting, capital, joined
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import IMPULSE, NEWTONS
+
+TIMES = {0.5: "half as far as", 2.0: "twice as far as", 1.0: "as far as"}
+
+
+class LinearWay(Way):
+    """Goals in terms of where the free coordinates are, and how fast they change."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Where a greatest value is asked for, `greatest` is the quantity whose value it is."""
+        super().__init__(setting, book)
+        self.greatest = greatest_target(setting)
+        self.target = self.greatest or self.target
+
+    @abstractmethod
+    def place(self, i: int) -> Polynomial:
+        """How far a free coordinate has come at the moment."""
+
+    @abstractmethod
+    def speed(self, i: int) -> Polynomial:
+        """How fast it changes."""
+
+    @abstractmethod
+    def acceleration(self, i: int) -> Polynomial:
+        """How fast that does."""
+
+    # ---- the motion
+
+    @cached_property
+    def segment(self) -> Segment:
+        """The only segment up to the moment, or to the greatest value; UnsolvedError where there are several."""
+        until = time_of_greatest(self.setting) if self.greatest else self.setting.time
+        held = [s for s in self.setting.motion.segments if s.start < until or s.start == 0.0]
+        if len(held) > 1:
+            raise UnsolvedError("something changes on the way")
+        return held[0]
+
+    @property
+    def motion(self) -> LinearMotion | RelativeMotion:
+        """What goals are answered from: all of it, or what is left where a momentum is kept."""
+        return self.linear
+
+    @cached_property
+    def linear(self) -> LinearMotion:
+        """Its equations; free is best what the question is about."""
+        moment = self.query.moment
+        names = [name for name in (moment.subjects if moment is not None else ()) if name in self.mechanism.body]
+        heavy = [k for body in self.mechanism.bodies if body.mass for k in self.moving([body.name])]
+        slides = [k for k in heavy if self.mechanism.coordinates[k].kind == "slide"]
+        mentioned = [k for k in slides if self.mechanism.coordinates[k].body in self.setting.words.mentions]
+        wanted = [*self.moving(names), *self.asked_coordinates(), *mentioned, *slides]
+        return LinearMotion.of(self.setting, self.segment, tuple(dict.fromkeys(wanted)))
+
+    @property
+    def newton(self) -> Newton:
+        """The laws, with the forces of springs."""
+        return self.motion.laws
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """By the free coordinates."""
+        of = {"a": self.acceleration, "v": self.speed, "s": self.place}[kind]
+        return total(of(i).scaled(part) for i, part in self.motion.ratios[k].items())
+
+    def first(self, i: int) -> Polynomial:
+        """The rate of a free coordinate at the start."""
+        return self.first_speeds.get(i, NIL)
+
+    def introduce(self, names: dict[int, Symbol]) -> None:
+        """Say what the free coordinates are called, and how far the others go."""
+        step = self.book.open("names")
+        step.say(f"Let {joined(self._moved(names))} since the start.")
+        bound: list[str] = []
+        for k, parts in self.motion.ratios.items():
+            if k in names or len(parts) != 1 or self.mechanism.coordinates[k].body not in self.setting.words.mentions:
+                continue
+            (i, part), *_ = parts.items()
+            size = TIMES.get(abs(part), f"{abs(part):g} times as far as")
+            bound.append(f"{self._who(k)} moves {size} {self._who(i)}")
+        step.say(f"{capital(joined(bound))}." if bound else "")
+        step.close()
+
+    def _moved(self, names: dict[int, Symbol]) -> list[str]:
+        """What each name is; those of bodies that move the same way in one clause."""
+        ways: dict[tuple[str, bool], list[int]] = {}
+        for i in names:
+            ways.setdefault((self.towards(i), self._turns_by_itself(i)), []).append(i)
+        said: list[str] = []
+        for (way, _), held in ways.items():
+            who = [self.mechanism.coordinates[i].body for i in held]
+            called = self.setting.listed(who) if len(held) > 1 else self._who(held[0])
+            has = "have" if len(held) > 1 else "has"
+            said.append(f"{joined([f'${names[i].name}$' for i in held])} be how far {called} {has} moved {way}")
+        return said
+
+    def _turns_by_itself(self, k: int) -> bool:
+        """Whether a coordinate is that of a rim."""
+        own = self.mechanism.coordinates[k]
+        return own.kind == "hinge" and not self.moving([own.body]).count(k)
+
+    def _who(self, k: int) -> str:
+        called = self.setting.called(self.mechanism.coordinates[k].body)
+        return f"the rim of {called}" if self._turns_by_itself(k) else called
+
+    def towards(self, k: int) -> str:
+        """The direction of a coordinate, in words."""
+        held = self.mechanism.coordinates[k]
+        if held.kind == "hinge":
+            return "anticlockwise" if held.axis[2] > STILL else "round its axis"
+        parent = self.mechanism.body[held.body].parent
+        return self.setting.towards(held.axis, on=parent)
+
+    # ---- bodies on a ring
+
+    def _ring(self, body: str) -> int | None:
+        """The hinge that leads a bead round."""
+        own = self.moving([body])
+        if len(own) == 1 and self.mechanism.coordinates[own[0]].kind == "hinge":
+            return own[0]
+        return None
+
+    def vector(self, kind: str, body: str) -> Components:
+        """On a ring along it; an acceleration has a part towards its centre, too."""
+        k = self._ring(body)
+        if k is None:
+            return Way.vector(self, kind, body)
+        along = self.first_speeds.get(k, NIL) if kind == "u" else self.rate(kind, k)
+        if kind == "a":
+            return along, self._inward(k), NIL
+        if kind == "s":
+            raise UnsolvedError("a displacement on a ring is a chord")
+        return along, NIL, NIL
+
+    def _inward(self, k: int) -> Polynomial:
+        """v²/r."""
+        radius = self.newton.read(lambda m, f: _radius(f.center(m.coordinates[k].body).gradient[k]))
+        fast = self.rate("v", k)
+        if len(fast.terms) != 1 or len(radius.terms) != 1:
+            raise UnsolvedError("a speed on a ring that has no name")
+        (below, part), *_ = radius.terms.items()
+        over = Polynomial({tuple((atom, -power) for atom, power in below): 1.0 / part})
+        return fast * fast * over
+
+    def component(self, kind: str, body: str, way: Vector) -> Polynomial:
+        """On a ring none."""
+        if self._ring(body) is not None:
+            raise UnsolvedError("a component on a ring")
+        return Way.component(self, kind, body, way)
+
+    # ---- springs
+
+    def _number(self, line: str) -> int:
+        return self.mechanism.lines.index(self.mechanism.line[line])
+
+    def growth(self, kind: str, line: str) -> Polynomial:
+        """By how much a line has grown, or how fast it does."""
+        number = self._number(line)
+        of = {"v": self.speed, "s": self.place}[kind]
+        parts = [(i, self.motion.drawn(number, i)) for i in self.motion.free]
+        return total(of(i).scaled(part) for i, part in parts if part)
+
+    def spring(self, what: str, line: str) -> Polynomial:
+        """A number of a spring."""
+        found: Polynomial = getattr(self.newton, what)(self._number(line))
+        return found
+
+    def stretching(self, line: str) -> list[int]:
+        """The coordinates with which the length of a line changes."""
+        gradient = set[int]()
+        for piece in self._start.pieces(self.mechanism.line[line]):
+            gradient |= {k for k, part in piece.along.items() if abs(float(part)) > STILL}
+        wheels = [self.mechanism.number[wheel.coordinate] for wheel in self.mechanism.line[line].wheels]
+        return sorted({*gradient, *wheels})
+
+    # ---- forces
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """From Newton's law of one body, once its acceleration is known."""
+        if self.target is None or self.goal is None:
+            raise UnsolvedError(f"no {kind} of {name}")
+        asked = self.goal.force(self.target, self.setting)
+        row = self._alone(asked, "TNf")
+        if row is None:
+            raise UnsolvedError("no law of a single body gives the force")
+        return self._from(row, asked, kind, name)
+
+    def _alone(self, asked: str, letters: str) -> Row | None:
+        """The shortest law with a force, and with no other one of such letters."""
+        rows = [self.newton.newton(k) for k in self.motion.ratios]
+        if asked.startswith("N"):
+            rows = [self.newton.normal(int(asked[1:]))]
+        for row in sorted(rows, key=lambda row: len(row.zero.terms)):
+            others = {n for n in row.zero.names() if n[0] in letters and n[1:].isdigit()} - {asked}
+            if asked in row.zero.names() and not others:
+                return row
+        return None
+
+    @cached_property
+    def _pulled(self) -> Row | None:
+        """Of a tension that is asked about over a time, the law of a body on which it acts with its weight alone."""
+        if self.target is None or self.goal is None or not self.goal.throughout:
+            return None
+        asked = self.goal.force(self.target, self.setting)
+        return self._alone(asked, "TNfS") if asked.startswith("T") else None
+
+    @property
+    def gaining(self) -> list[int]:
+        """The coordinates of that body."""
+        names = self._pulled.inertia.names() if self._pulled is not None else ()
+        return sorted(int(name[1:]) for name in names if name[0] == "q" and name[1:].isdigit())
+
+    def impulse(self, line: str) -> Symbol | None:
+        """Of a tension, by the momentum that a body gains from it and its weight."""
+        del line
+        row, target, goal = self._pulled, self.target, self.goal
+        if row is None or target is None or goal is None:
+            raise UnsolvedError("no law of a single body gives the impulse")
+        asked = goal.force(target, self.setting)
+        gained = {f"q{k}": self.rate("v", k) - self.first_speeds.get(k, NIL) for k in self.gaining}
+        weight = row.forces.put({asked: NIL})
+        found = Polynomial.of(self.book.fresh("J"))
+        pushed = (row.forces - weight).put({asked: found}) + weight * Polynomial.of(self.clock())
+        step, gain = self.book.open("impulse"), row.inertia.put(gained)
+        who = self.setting.called(self.mechanism.coordinates[row.number].body)
+        law = step.law(pushed.expression(), gain.expression())
+        assert found.symbol is not None
+        formula = solved(pushed - gain, found.symbol.name)
+        step.say(f"What pulls {who} gives it its momentum: {law}, so {step.result(found.symbol, formula, IMPULSE)}.")
+        step.close()
+        return found.symbol
+
+    def work(self, line: str, body: str) -> Symbol | None:
+        """Of a tension, by the kinetic energy that a body gains from all that acts on it."""
+        del line
+        return tension_work(self, self.motion.laws.springs, body)
+
+    def clock(self) -> Symbol:
+        """The time of the moment; by default nothing takes one."""
+        raise UnsolvedError("no way to what adds up over a time")
+
+    def _from(self, row: Row, asked: str, kind: str, name: str) -> Symbol:
+        known = {f"q{k}": self.rate("a", k) for k in self.motion.ratios}
+        for n in self.motion.laws.springs:
+            line = self.mechanism.lines[n].name
+            extension = self.spring("strain", line) + self.growth("s", line)
+            known[f"S{n}"] = self.spring("stiffness", line) * extension
+            if damping := self.spring("damping", line):
+                known[f"S{n}"] = known[f"S{n}"] + damping * self.growth("v", line)
+        found = self.book.fresh(kind, self.setting.mark(name) if name in self.mechanism.body else "")
+        bound = (row.forces - row.inertia).put(known)
+        turned = kind == "f" and self.book.value(solved(bound, asked)) < 0.0
+        named = {asked: Polynomial.of(found).scaled(-1.0 if turned else 1.0)}
+        forces, inertia = row.forces.put(known).put(named), row.inertia.put(known)
+        step = self.book.open("newton")
+        who = self.setting.called(self.mechanism.coordinates[row.number].body) if row.kind == "newton" else "it"
+        where = "" if row.kind == "newton" else "Perpendicular to its face: "
+        law = step.law(forces.expression(), inertia.expression())
+        formula = solved(forces - inertia, found.name)
+        step.say(f"{where}{capital(who)}: {law}, so {step.result(found, formula, NEWTONS)}.")
+        step.close()
+        return found
+
+
+def _radius(way: Vector) -> float:
+    return float(product(way, way)) ** 0.5

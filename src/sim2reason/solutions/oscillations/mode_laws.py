@@ -1,0 +1,184 @@
+"""Normal modes: the motions in which all parts oscillate with one frequency.
+
+(K − λM) a = 0 gives λ = ω² and the shape a of each. See Goldstein, Poole and Safko, Classical Mechanics, § 6.3.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.cramer import signed_permutations
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.mode import Mode
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.numeric_roots import told_root
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import PER_SECOND_SQUARED
+
+NONE = 1e-9  # of the largest λ: less drives nothing back
+FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
+
+
+class ModeLaws:
+    """The modes of a linear motion by Newton's laws, and the frequencies for which those hold."""
+
+    def __init__(self, book: Book, motion: LinearMotion, first: Sequence[Polynomial]) -> None:
+        """`first` are the rates of the free coordinates at the start. UnsolvedError where forces drive it away."""
+        self.book, self.motion, self.first = book, motion, list(first)
+        self.size = len(motion.free)
+        self.mass, self.stiffness = motion.matrix("mass"), motion.matrix("stiffness")
+        half = np.linalg.inv(np.linalg.cholesky(self.mass))  # makes M one, so that K stays symmetric
+        found = np.linalg.eigh(half @ self.stiffness @ half.T)
+        self.squares: Array = np.asarray(found[0], dtype=np.float64)
+        self.shapes: Array = half.T @ np.asarray(found[1], dtype=np.float64)
+        if self.squares[0] < -NONE * self.squares[-1]:
+            raise UnsolvedError("something is driven away")
+        self.load: Array = np.array([motion.load(i).value(motion.givens) for i in motion.free])
+        self.begun: Array = np.array([held.value(motion.givens) for held in first])
+
+    @property
+    def zeros(self) -> int:
+        """How many modes nothing drives back."""
+        return int((self.squares < NONE * self.squares[-1]).sum())
+
+    # ---- frequencies
+
+    def entry(self, i: int, j: int) -> tuple[Polynomial, Polynomial]:
+        """Of K and of M, by places among the free coordinates."""
+        free = self.motion.free
+        return self.motion.stiffness(free[i], free[j]), self.motion.mass(free[i], free[j])
+
+    @cached_property
+    def _powers(self) -> list[Polynomial]:
+        """The coefficients of det(K − λM) by the power of λ."""
+        found = [NIL] * (self.size + 1)
+        for sign, order in signed_permutations(self.size):
+            product = [Polynomial.of(sign)]
+            for i, j in enumerate(order):
+                stiff, mass = self.entry(i, j)
+                longer = [NIL] * (len(product) + 1)
+                for power, part in enumerate(product):
+                    longer[power] = longer[power] + part * stiff
+                    longer[power + 1] = longer[power + 1] - part * mass
+                product = longer
+            found = [a + b for a, b in zip(found, product, strict=True)]
+        return found
+
+    @cached_property
+    def modes(self) -> list[Mode]:
+        """All of them, the slowest first; their λ are told."""
+        powers = self._powers[self.zeros :]
+        if any(self._powers[: self.zeros]):
+            raise UnsolvedError("a mode that only these numbers leave free")
+        free = [Mode(n, ZERO) for n in range(self.zeros)]
+        if len(powers) == 2:
+            return [*free, self._only(powers)]
+        if len(powers) == 3:
+            return [*free, *self._two(powers)]
+        return [*free, *self._several(powers)]
+
+    def _only(self, powers: Sequence[Polynomial]) -> Mode:
+        """The root of a linear equation."""
+        mode = self._named(self.zeros)
+        self._root(mode, powers, over(powers[0].scaled(-1.0), powers[1]))
+        return mode
+
+    def _two(self, powers: Sequence[Polynomial]) -> list[Mode]:
+        """The roots of a quadratic equation."""
+        c, b, a = (held.expression() for held in powers)
+        found: list[Mode] = []
+        for n, sign in ((0, 1.0), (1, -1.0)):  # the coefficient of λ² and that of λ have opposite signs
+            mode = self._named(self.zeros + n)
+            turned = sign if self.book.value(a) > 0.0 else -sign
+            formula = (-b - Number(turned) * Root(Power(b, 2) - 4.0 * a * c)) / (2.0 * a)
+            self._root(mode, powers, self.book.worked(formula))
+            found.append(mode)
+        return found
+
+    def _several(self, powers: Sequence[Polynomial]) -> list[Mode]:
+        """The roots of an equation of higher degree, found numerically."""
+        found: list[Mode] = []
+        for n in range(len(powers) - 1):
+            mode = self._named(self.zeros + n)
+            assert isinstance(mode.square, Symbol)
+            self._root(mode, powers, None)
+            found.append(mode)
+        return found
+
+    def _vanishing(self, powers: Sequence[Polynomial], square: Symbol) -> Expression:
+        """The determinant, in numbers where all are known."""
+        held: Expression = ZERO
+        for power, part in enumerate(powers):
+            size = part.expression()
+            value = self.book.value(size)
+            if not self.book.is_hidden(size):
+                size = Worked(size if value > 0.0 else part.scaled(-1.0).expression(), abs(value))
+            elif value < 0.0:
+                size = part.scaled(-1.0).expression()
+            term = size if power == 0 else size * (square if power == 1 else Power(square, power))
+            held = held + term if value > 0.0 else held - term
+        return held
+
+    def _named(self, number: int) -> Mode:
+        """A mode with Newton's laws, by which its λ and its shape follow."""
+        numbers = self.shapes[:, number]
+        first = int(np.argmax(np.abs(numbers)))
+        mark = str(number + 1) if self.size - self.zeros > 1 else ""
+        mode = Mode(number, self.book.fresh(r"\lambda", mark), first=first)
+        self.tell_laws(mode)
+        return mode
+
+    def tell_laws(self, mode: Mode) -> None:
+        """Newton's laws of a mode, one for each free coordinate; one fewer where λ is known to be zero."""
+        numbers = self.shapes[:, mode.number] / self.shapes[mode.first, mode.number]
+        unknown = [i for i in range(self.size) if i != mode.first]
+        names = {i: self.book.fresh("a", f"{i + 1},{mode.number + 1}") for i in unknown}
+        mode.shape = [names.get(i, ONE) for i in range(self.size)]
+        self.book.observed |= {names[i].name: float(numbers[i]) for i in unknown}
+        driven = mode.square != ZERO
+        if isinstance(mode.square, Symbol):
+            self.book.observed[mode.square.name] = float(self.squares[mode.number])
+        step = self.book.open("mode laws")
+        step.label(f"mode {mode.number}")
+        rate, shares = f"$-{mode.square.latex()}$", ", ".join(f"${part.latex()}$" for part in mode.shape)
+        if names:
+            where = f"{rate} times those from balance" if driven else "zero"
+            step.say(f"In one mode displacements are as {shares}, accelerations {where}:")
+        else:
+            step.say(f"The acceleration is {f'{rate} times the displacement from balance' if driven else 'zero'}:")
+        said: list[str] = []
+        for i in range(self.size) if driven else unknown:
+            pulls, inertia = self.row(mode, i)
+            said.append(step.law(pulls.expression(), inertia.expression()))
+        step.say(f"{joined(said)}.")
+        step.close()
+
+    def row(self, mode: Mode, i: int) -> tuple[Polynomial, Polynomial]:
+        """Both sides of Newton's law of a mode along one free coordinate: stiffness and inertia."""
+        square = Polynomial.of(mode.square) if mode.square != ZERO else NIL
+        parts = [(self.entry(i, j), Polynomial.of(part if part != ONE else 1.0)) for j, part in enumerate(mode.shape)]
+        return total(stiff * a for (stiff, _), a in parts), total(square * mass * a for (_, mass), a in parts)
+
+    def _root(self, mode: Mode, powers: Sequence[Polynomial], formula: Expression | None) -> None:
+        assert isinstance(mode.square, Symbol)
+        step = self.book.open("modes")
+        step.rest_on(f"mode {mode.number}")
+        if len(powers) == 2 and formula is not None:
+            step.say(f"Together they hold for {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
+        else:
+            held = self._vanishing(powers, mode.square)
+            step.say(f"They hold where the determinant of their coefficients vanishes, {step.derived(held, ZERO)}.")
+            if formula is not None:
+                step.say(f"One root is {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
+            else:
+                near = float(self.squares[mode.number])
+                said = "Found numerically, one root is"
+                step.say(told_root(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
+        step.close()

@@ -1,0 +1,161 @@
+"""What the start of a motion excites of each of its normal modes.
+
+With x = Σ a ξ over the modes, each of the mass µ = aᵀM a and driven by q = aᵀQ at the start, µ ξ̈ = q − µ λ ξ. See
+Goldstein, Poole and Safko, Classical Mechanics, § 6.3.
+"""
+
+from collections.abc import Sequence
+from math import inf
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.solutions.algebra.cramer import cramer
+from sim2reason.solutions.algebra.elimination import solved
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.oscillations.mode import Mode
+from sim2reason.solutions.oscillations.mode_laws import ModeLaws
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.steps import Writing
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, KILOGRAMS, METRES, SPEED
+
+FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
+ACCELERATED = 2  # the order of an acceleration
+Form = tuple[Array, int]
+"""A sum of places, by the weight of each free coordinate (n,), and the order of its derivative."""
+
+
+class NormalModes(ModeLaws):
+    """All modes of a linear motion, written down as they are asked for."""
+
+    # ---- shapes
+
+    def _counts(self, n: int, forms: Sequence[Form]) -> bool:
+        """Whether a mode that the start excites shows in any of some sums of places, or derivatives of them."""
+        shape = self.shapes[:, n] / np.abs(self.shapes[:, n]).max()
+        last = self._last(n)
+        held = (parts for parts, order in forms if order <= last)
+        return any(abs(float(parts @ shape)) > FAINT * float(np.abs(parts).max()) for parts in held)
+
+    def _last(self, n: int) -> float:
+        """The order of the last derivative in which a mode shows that the start excites.
+
+        What nothing drives back goes on at a constant speed, or with a constant acceleration.
+        """
+        if n >= self.zeros:
+            return inf
+        return ACCELERATED if self._pushed(n) else ACCELERATED - 1
+
+    def _pushed(self, n: int) -> bool:
+        """Whether forces push a mode away from where it begins."""
+        shape = self.shapes[:, n]
+        return abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max())
+
+    def excited(self, forms: Sequence[Form]) -> list[Mode]:
+        """The modes in which the start leaves anything moving, with their shapes and what is excited.
+
+        `forms` are the sums of places, or derivatives of them, that are asked for; modes that change none are left out.
+        """
+        sizes: list[float] = []
+        for n in range(self.size):
+            shape = self.shapes[:, n]
+            heavy = float(shape @ self.mass @ shape)
+            rise, swing = float(shape @ self.load) / heavy, float(shape @ self.mass @ self.begun) / heavy
+            square = self.squares[n] if n >= self.zeros else 1.0
+            sizes.append(max(abs(rise) / square, abs(swing) / square**0.5) * float(np.abs(shape).max()))
+        found = [m for m in self.modes if sizes[m.number] > FAINT * max(sizes) and self._counts(m.number, forms)]
+        if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in found):
+            step = self.book.open("modes")
+            step.say("The motion that all share has no bearing on this, so displacements are counted apart from it.")
+            step.close()
+        for mode in found:
+            self._shaped(mode)
+            self._started(mode, alone=len(found) == 1)
+        return found
+
+    def _shaped(self, mode: Mode) -> None:
+        """How the free coordinates share in it: the one that moves the most has 1."""
+        if mode.square == ZERO:
+            mode.first = int(np.argmax(np.abs(self.shapes[:, mode.number])))
+            self.tell_laws(mode)
+        names = [part.name for part in mode.shape if isinstance(part, Symbol)]
+        if not names:
+            return
+        rows = [self.row(mode, i) for i in range(self.size) if i != mode.first]
+        step = self.book.open("shape")
+        step.rest_on(f"mode {mode.number}")
+        said = self._solve(step, [pulls - inertia for pulls, inertia in rows], names)
+        of = f"With ${mode.square.latex()}$," if mode.square != ZERO else "So"
+        step.say(f"{of} {joined(said)}.")
+        step.close()
+
+    def _solve(self, step: Writing, rows: list[Polynomial], names: list[str]) -> list[str]:
+        """One unknown after the other, where a law has only one; the rest by Cramer's rule."""
+        left, said = [*names], list[str]()
+        waiting = [*rows]
+        while left:
+            row = next((r for r in waiting if len(r.names() & {*left}) == 1), None)
+            if row is None:
+                return said + self._together(step, waiting, left)
+            waiting.remove(row)
+            (name,) = row.names() & {*left}
+            said.append(step.result(Symbol(name), solved(row, name), ""))
+            left.remove(name)
+        return said
+
+    def _together(self, step: Writing, rows: list[Polynomial], left: list[str]) -> list[str]:
+        """Several at once."""
+        said: list[str] = []
+        coefficients = [[row.coefficient(name) for name in left] for row in rows[: len(left)]]
+        rest = [row.without(left).scaled(-1.0) for row in rows[: len(left)]]
+        for name, formula in zip(left, cramer(coefficients, rest), strict=True):
+            said.append(step.result(Symbol(name), self.book.worked(formula), ""))
+        return said
+
+    # ---- what is excited
+
+    def _along(self, mode: Mode, of: Sequence[Polynomial]) -> Expression:
+        """Σ a · of."""
+        found: Expression = ZERO
+        for part, held in zip(mode.shape, of, strict=True):
+            found = found + part * held.expression() if held else found
+        return found
+
+    def _started(self, mode: Mode, *, alone: bool) -> None:
+        """The mode's own mass, how far it is from balance, and how fast it begins."""
+        free, n = self.motion.free, mode.number + 1
+        pushes = [self.motion.load(i) for i in free]
+        carried = [total(self.motion.mass(i, j) * self.first[b] for b, j in enumerate(free)) for i in free]
+        push, momentum = self._along(mode, pushes), self._along(mode, carried)
+        own = self._own_mass(mode, named=not alone)
+        if mode.square != ZERO:
+            mode.rate = self.book.fresh(r"\omega", str(n))
+            self.book.told("rate", "Its angular frequency is", mode.rate, Root(mode.square), ANGULAR_SPEED)
+        shape = self.shapes[:, mode.number]
+        if push != ZERO and self._pushed(mode.number):
+            below = own * mode.square if mode.square != ZERO else own
+            unit = METRES if mode.square != ZERO else ACCELERATION
+            said = "It balances at" if mode.square != ZERO else "It is accelerated by"
+            mode.rise = self.book.told("start", said, self.book.fresh("b", str(n)), push / below, unit)
+        carry = shape * (self.mass @ self.begun)
+        if momentum != ZERO and abs(float(carry.sum())) > FAINT * float(np.abs(carry).max()):
+            below = own * mode.rate if mode.rate is not None else own
+            unit = METRES if mode.rate is not None else SPEED
+            said = "The speed at the start makes it swing by" if mode.rate is not None else "It goes on at"
+            mode.swing = self.book.told("start", said, self.book.fresh("c", str(n)), momentum / below, unit)
+
+    def _own_mass(self, mode: Mode, *, named: bool) -> Expression:
+        """aᵀM a."""
+        found: Expression = ZERO
+        for i, one in enumerate(mode.shape):
+            for j, other in enumerate(mode.shape):
+                held = self.entry(i, j)[1]
+                if held and j >= i:
+                    pair = Power(one, 2) if i == j and one != ONE else one * other
+                    found = found + (held.scaled(1.0 if i == j else 2.0)).expression() * pair
+        if not named:
+            return found
+        name = self.book.fresh(r"\mu", str(mode.number + 1))
+        return self.book.told("modal mass", "Its mass is", name, found, KILOGRAMS)

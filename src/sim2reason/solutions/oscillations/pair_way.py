@@ -1,0 +1,123 @@
+"""Two free coordinates with a momentum that is kept, by which what both share follows from their relative motion."""
+
+from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.solutions.algebra.elimination import solved
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
+from sim2reason.solutions.oscillations.single_way import SingleWay
+from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SPEED
+
+
+class PairWay(SingleWay):
+    """A way for the relative motion, with what momentum says of the rest."""
+
+    @property
+    def motion(self) -> RelativeMotion:
+        """The relative motion."""
+        return self._relative
+
+    @cached_property
+    def _relative(self) -> RelativeMotion:
+        return RelativeMotion(self.linear, self.book)
+
+    def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
+        """Where the momentum is zero, the centre of mass stays, so that all moves in proportion."""
+        held = self._relative
+        if {*held.ratios[k]} == {*held.free}:
+            return super().share(k)
+        if self.kept:
+            return None
+        shared, both, _ = held.masses
+        own, other = held.ratio(k, held.free[0]), held.ratio(k, held.other)
+        found = shared.scaled(own) - both.scaled(other)
+        return (found, shared) if found.value(held.givens) > 0.0 else (found.scaled(-1.0), shared.scaled(-1.0))
+
+    def moved_to(self, moment: Moved) -> Expression:
+        """Told, where the momentum has a part in it."""
+        formula = super().moved_to(moment)
+        if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
+            return formula
+        said = "The momentum is zero, so the centre of mass stays where it is. So far the two have moved apart by"
+        return self.book.told("momentum", said, self.name, formula, METRES)
+
+    def first(self, i: int) -> Polynomial:
+        """The rate at the start: of the relative motion, or of what is shared."""
+        held = self._relative
+        mine = self.first_speeds.get(i, NIL)
+        if i == held.other:
+            return mine
+        return mine - self.first_speeds.get(held.other, NIL).scaled(held.shared)
+
+    def seen(self, row: Array) -> float:
+        """Of the relative motion."""
+        held, scale = self._relative, self.newton.scale
+        i, j = held.free[0], held.other
+        return scale[i].here * float(row[i]) - held.shared * scale[j].here * float(row[j])
+
+    def introduce(self, names: dict[int, Symbol]) -> None:
+        """What the relative motion is called."""
+        held, step = self._relative, self.book.open("names")
+        ((i, name),) = names.items()
+        who, other = (self.setting.called(self.mechanism.coordinates[k].body) for k in (i, held.other))
+        apart = f" relative to {other}" if held.shared or self.mechanism.coordinates[i].body else ""
+        step.say(f"Let ${name.name}$ be how far {who} has moved {self.towards(i)}{apart} since the start.")
+        step.close()
+
+    @property
+    def kept(self) -> Polynomial:
+        """The momentum."""
+        held = self._relative
+        return held.momentum({i: self.first(i) for i in (held.other, *held.free)})
+
+    # ---- what both share
+
+    def _balanced(self, kind: str, unit: str, total: Polynomial, said: str) -> Polynomial:
+        """From: mass times what is shared + mass times what is relative = a total."""
+        if kind in self._told:
+            return self._told[kind]
+        shared, both, _ = self._relative.masses
+        mark = self.setting.mark(self.mechanism.coordinates[self._relative.other].body)
+        step, name = self.book.open("momentum"), self.book.fresh(kind, mark)
+        left = shared * Polynomial.of(name) + both * self.along(kind)
+        law = step.law(left.collected([name.name]), total.expression())
+        step.say(f"{said} {law}, so {step.result(name, solved(left - total, name.name), unit)}.")
+        step.close()
+        self._told[kind] = Polynomial.of(name)
+        return self._told[kind]
+
+    @cached_property
+    def _told(self) -> dict[str, Polynomial]:
+        return {}
+
+    def _partner(self) -> str:
+        return self.setting.called(self.mechanism.coordinates[self._relative.other].body)
+
+    def place(self, i: int) -> Polynomial:
+        """Of the relative motion, or what is shared: where the centre of mass is."""
+        if i != self._relative.other:
+            return self.along("s")
+        total = self.kept
+        if total:
+            total = total * Polynomial.of(self.clock())
+        if not total and not self.along("s"):
+            return NIL
+        said = f"The centre of mass moves as the momentum that is kept says; with the displacement of {self._partner()}"
+        return self._balanced("s", METRES, total, said)
+
+    def speed(self, i: int) -> Polynomial:
+        """Of the relative motion, or what is shared."""
+        if i != self._relative.other:
+            return self.along("v")
+        if not self.kept and not self.along("v"):
+            return NIL
+        return self._balanced("v", SPEED, self.kept, f"Momentum is kept; with the velocity of {self._partner()}")
+
+    def acceleration(self, i: int) -> Polynomial:
+        """Of the relative motion, or what is shared."""
+        if i != self._relative.other:
+            return self.along("a")
+        said = f"The centre of mass is not accelerated; with the acceleration of {self._partner()}"
+        return self._balanced("a", ACCELERATION, NIL, said)

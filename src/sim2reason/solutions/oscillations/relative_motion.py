@@ -1,0 +1,118 @@
+"""Two free coordinates along one direction of which nothing pulls: momentum is kept, and one motion is left.
+
+Where a direction c has cᵀQ = 0 and cᵀK = 0, the momentum cᵀM ẋ is kept (Noether's theorem; Goldstein, Poole and Safko,
+Classical Mechanics, § 2.6). The kinetic energy is then p²/2M plus ½ µ u² of the relative motion, µ being its reduced
+mass.
+"""
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.laws.springs import SpringLaws
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import KILOGRAMS
+
+DIRECTIONS = ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -1.0))
+
+
+class RelativeMotion:
+    """As a linear motion with one free coordinate: how far `free` has come, apart from what it shares with `other`."""
+
+    def __init__(self, motion: LinearMotion, book: Book) -> None:
+        """UnsolvedError where nothing is kept, or where more than two coordinates are free."""
+        self.whole, self.book = motion, book
+        self.laws: SpringLaws = motion.laws
+        self.segment, self.givens, self.damped = motion.segment, motion.givens, motion.damped
+        if len(motion.free) != 2:
+            raise UnsolvedError("there are several modes" if len(motion.free) > 2 else "only one thing moves by itself")
+        found = [way for way in DIRECTIONS if self._kept(way)]
+        if len(found) != 1:
+            raise UnsolvedError("no momentum is kept")
+        self.way = found[0]
+        kept = 0 if self.way[0] else 1
+        self.other, own = motion.free[kept], motion.free[1 - kept]
+        self.free = [own]
+        share = self.way[1 - kept] if self.way[kept] else 0.0  # how fast the free one goes with the other
+        self.shared = share / self.way[kept]
+        self.ratios = {
+            k: {
+                i: part
+                for i, part in (
+                    (self.other, motion.ratio(k, self.other) + self.shared * motion.ratio(k, own)),
+                    (own, motion.ratio(k, own)),
+                )
+                if part
+            }
+            for k in motion.ratios
+        }
+
+    def _kept(self, way: tuple[float, float]) -> bool:
+        pairs = [*zip(self.whole.free, way, strict=True)]
+        if total(self.whole.load(i).scaled(part) for i, part in pairs if part):
+            return False
+        return not any(abs(sum(self.whole.drawn(n, i) * part for i, part in pairs)) > 0.0 for n in self.whole.springs)
+
+    def ratio(self, k: int, i: int) -> float:
+        """How fast a coordinate changes with one of the two."""
+        return self.ratios[k].get(i, 0.0)
+
+    @property
+    def springs(self) -> list[int]:
+        """Those that the relative motion stretches."""
+        return self.whole.springs
+
+    def drawn(self, number: int, i: int) -> float:
+        """How fast a line grows; what both share stretches none."""
+        return self.whole.drawn(number, i) if i == self.free[0] else 0.0
+
+    # ---- inertia
+
+    @cached_property
+    def masses(self) -> tuple[Polynomial, Polynomial, Polynomial]:
+        """Of what is shared, of both, and of the relative motion by itself."""
+        i, j, m = self.other, self.free[0], self.whole.mass
+        both = m(i, j) + m(j, j).scaled(self.shared)
+        shared = m(i, i) + m(i, j).scaled(2.0 * self.shared) + m(j, j).scaled(self.shared**2)
+        return shared, both, m(j, j)
+
+    @cached_property
+    def reduced(self) -> Symbol:
+        """µ, told."""
+        shared, both, own = self.masses
+        text = "As the momentum of all is kept along one direction, what moves relative to that has the reduced mass"
+        formula = over(own * shared - both * both, shared)
+        return self.book.told("inertia", text, self.book.fresh(r"\mu"), formula, KILOGRAMS)
+
+    def mass(self, i: int, j: int) -> Polynomial:
+        """µ."""
+        del i, j
+        return Polynomial.of(self.reduced)
+
+    def stiffness(self, i: int, j: int) -> Polynomial:
+        """Of the springs, along the relative motion."""
+        return self.whole.stiffness(i, j)
+
+    def steady(self, i: int) -> Polynomial:
+        """All other forces along it."""
+        return self.whole.steady(i)
+
+    def load(self, i: int) -> Polynomial:
+        """All forces along it at the start."""
+        return self.whole.load(i)
+
+    def matrix(self, entry: str) -> Array:
+        """In numbers, (1, 1)."""
+        if entry != "mass":
+            return np.array([[getattr(self, entry)(self.free[0], self.free[0]).value(self.givens)]])
+        shared, both, own = (part.value(self.givens) for part in self.masses)
+        return np.array([[own - both**2 / shared]])
+
+    def momentum(self, first: dict[int, Polynomial]) -> Polynomial:
+        """What is kept, by the rates at the start of the two."""
+        shared, both, _ = self.masses
+        return shared * first.get(self.other, NIL) + both * first.get(self.free[0], NIL)

@@ -1,0 +1,49 @@
+"""The work of a tension that changes all the while, by the kinetic energy of the body on which it acts."""
+
+from collections.abc import Collection
+
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Power, squares, summed
+from sim2reason.solutions.algebra.polynomials import NIL
+from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.unit_latex import JOULES
+
+HALF = Number(0.5)
+
+
+def tension_work(way: Way, springs: Collection[int], body: str) -> Symbol:
+    """Write it: the weight and springs with a fixed end do works that are known; UnsolvedError where more acts.
+
+    `springs` are the numbers of all lines that are some.
+    """
+    (k, *others), target, goal = way.moving([body]), way.target, way.goal
+    if others or target is None or goal is None:
+        raise UnsolvedError("the body moves along no line of its own")
+    row, asked = way.newton.newton(k), goal.force(target, way.setting)
+    pulling = [n for n in springs if f"S{n}" in row.forces.names()]
+    steady = row.forces.without([asked, *(f"S{n}" for n in pulling)])
+    unknown = any(name[0] in "TNf" and name[1:].isdigit() for name in steady.names())
+    if unknown or not all(_is_fixed(way, n) for n in pulling):
+        raise UnsolvedError("other forces than the tension change, too")
+    found, speed, before = way.book.fresh("W"), way.rate("v", k), way.first_speeds.get(k, NIL)
+    gained = (row.inertia.coefficient(f"q{k}") * (speed * speed - before * before)).scaled(0.5).expression()
+    rest = (steady * way.rate("s", k)).expression() + summed(_given_off(way, n) for n in pulling)
+    step, who = way.book.open("work"), way.setting.called(body)
+    law = step.law(found + rest, gained)
+    said = f"All that acts on {who} together gives it its kinetic energy: {law}, so"
+    step.say(f"{said} {step.result(found, gained - rest, JOULES)}.")
+    step.close()
+    return found
+
+
+def _is_fixed(way: Way, number: int) -> bool:
+    """Whether a spring is fixed at one end."""
+    return any(way.mechanism.site[site].body is None for site in way.mechanism.lines[number].through)
+
+
+def _given_off(way: Way, number: int) -> Expression:
+    """The energy that a spring has lost."""
+    line = way.mechanism.lines[number].name
+    strain, growth = way.spring("strain", line).expression(), way.growth("s", line).expression()
+    return HALF * way.spring("stiffness", line).expression() * (squares([strain]) - Power(strain + growth, 2))

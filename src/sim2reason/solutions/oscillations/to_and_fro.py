@@ -1,0 +1,31 @@
+"""A motion to and fro between the places where it turns back."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression
+from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.writing.steps import UnsolvedError
+
+EARLY = 1e-6  # of the stretch: what turns back at its end does not count
+
+
+@dataclass(frozen=True, slots=True)
+class Travelled(Stretch):
+    """A motion to and fro between places of a free coordinate, whatever acts on the way."""
+
+    way: LinearWay
+    places: Sequence[Expression]
+
+    def path(self, body: str) -> Expression:
+        """The sum of all ways without their signs."""
+        own, book, found = self.way.moving([body]), self.way.book, ZERO
+        if len(own) != 1 or len(self.way.motion.ratios[own[0]]) != 1:
+            raise UnsolvedError("its path is no line of its own")
+        (part,) = self.way.motion.ratios[own[0]].values()
+        for one, other in pairwise(self.places):
+            apart = other - one
+            found = found + (apart if book.value(apart) >= 0.0 else -apart)
+        return found * abs(part) if abs(part) != 1.0 else found

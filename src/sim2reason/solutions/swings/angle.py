@@ -1,0 +1,278 @@
+"""At which angle something that swings about a fixed axle is, at the moment that is asked about."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Collection, Mapping
+from math import pi
+from typing import ClassVar
+
+import numpy as np
+
+from sim2reason.lazy import cached_property
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.questions.moments.went_slack import WentSlack
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.swings.times import SwingTime
+from sim2reason.solutions.writing.letters import LETTERS
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
+
+MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
+EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is extreme at rest or where it is fastest
+    "greatest speed": ("velocity", "fastest"),
+    "greatest angular speed": ("angular velocity", "fastest"),
+    "greatest kinetic energy": ("kinetic energy", "fastest"),
+    "greatest tension": ("tension", "fastest"),
+    "greatest rod force": ("rod force", "fastest"),
+    "greatest acceleration": ("acceleration", "fastest"),
+    "least tension": ("tension", "slowest"),
+    "least speed": ("velocity", "slowest"),
+    "greatest deflection": ("deflection", "slowest"),
+    "greatest height": ("height", "slowest"),
+    "greatest displacement": ("displacement", "slowest"),
+}
+SLOW = 1e-5  # of its greatest speed: none
+STRAIGHT = 1e-6  # rad
+TWO = Number(2.0)
+UP = (0.0, 0.0, 1.0)
+SMALL = "Small swings would have the angular frequency"
+Way = tuple[str, str]  # the method that gives a formula, and what is said before it
+
+
+def quantity_of(setting: Setting) -> str:
+    """The quantity that is asked about."""
+    query = setting.query
+    if isinstance(query, StretchQuery):
+        return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional
+    return query.target.quantity if query.target is not None else ""
+
+
+def unasked(setting: Setting, quantities: Collection[str]) -> str:
+    """What of a query no way leads to; empty if one does."""
+    query = setting.query
+    if isinstance(query, StretchQuery):
+        if quantity_of(setting) not in quantities:
+            return f"no way to the {query.functional}"
+        if query.kind != "sum":
+            return ""
+    if not isinstance(query.moment, MOMENTS):
+        return "only integration gives the time"
+    return (
+        ""
+        if query.target is None or quantity_of(setting) in quantities
+        else f"no way to the quantity {quantity_of(setting)}"
+    )
+
+
+class SwingAngle(ABC):
+    """The angle from the downward vertical, positive on the side on which it begins, written as it is needed.
+
+    Who makes one sets `first`, the angle at the start, `began`, its value, `now` and `turning`, the angle at the moment
+    and its rate, `turned`, by how much it has turned, and `way`, the sign of the rate at first, all for signs alone.
+    `WAYS` has the way to each quantity.
+    """
+
+    first: Expression
+    began: float
+    now: float
+    turned: float
+    turning: float
+    way: float
+    WAYS: ClassVar[Mapping[str, Way]]
+    falls = True  # its centre of mass is on the side to which the angle is counted
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Nothing is written yet."""
+        self.setting, self.book = setting, book
+
+    @property
+    def extreme(self) -> str:
+        """Where a quantity is extreme, if that is asked: fastest or slowest; else empty."""
+        query = self.setting.query
+        found = EXTREMES.get(query.functional) if isinstance(query, StretchQuery) else None
+        return found[1] if found is not None else ""
+
+    @property
+    def still(self) -> bool:
+        """Whether it is at rest then, be it for an instant."""
+        moment = self.setting.query.moment
+        if self.extreme:
+            return self.extreme == "slowest" and not self.goes_round
+        return isinstance(moment, HighestPoint | LowestPoint | Stopped) and abs(self.turning) <= SLOW
+
+    @property
+    @abstractmethod
+    def goes_round(self) -> bool:
+        """Whether it has the energy for whole turns."""
+
+    # ---- times
+
+    @cached_property
+    @abstractmethod
+    def natural(self) -> Symbol:
+        """The angular frequency of small swings."""
+
+    @cached_property
+    @abstractmethod
+    def spin(self) -> Expression:
+        """The angular speed at the start."""
+
+    @cached_property
+    def times(self) -> SwingTime:
+        """Of the line to its centre of mass."""
+        first, way = (self.first, self.way) if self.falls else (added(PI, -self.first), -self.way)
+        return SwingTime(self.book, self.natural, first, self.spin, way)
+
+    def _when(self) -> Symbol:
+        """Write the time of the moment."""
+        time = self.setting.time
+        if isinstance(self.setting.query.moment, Deflected):
+            return self.times.reaches(self._stated, time)
+        if isinstance(self.setting.query.moment, TurnedThrough | WentSlack):
+            return self.times.reaches(self.angle if self.falls else added(PI, -self.angle), time)
+        return self.times.upright(time)
+
+    def _at_time(self, moment: AtTime) -> Expression:
+        name = self.book.fresh("t")
+        self.book.say_given(name.name, moment.after, SECONDS)
+        angle = self.times.angle(name)
+        return angle if self.falls else added(PI, -angle)
+
+    @cached_property
+    def angle(self) -> Expression:
+        """The angle at the moment."""
+        moment = self.setting.query.moment
+        if self.extreme:
+            return self._at_extreme()
+        if isinstance(moment, AtStart):
+            return self.first
+        if isinstance(moment, AtTime):
+            return self._at_time(moment)
+        if isinstance(moment, Deflected | TurnedThrough):
+            turns = isinstance(moment, TurnedThrough)
+            size = self._stated if turns or self.falls else PI - self._stated
+            signed = size if (self.turned > 0.0 if turns else self.now >= 0.0) else -size
+            return added(self.first, signed) if turns else signed
+        if isinstance(moment, WentSlack):
+            return self._slack()
+        return self._turned() if self.still else self._upright()
+
+    def _upright(self) -> Expression:
+        """Straight down or straight up."""
+        if abs(self.now) < STRAIGHT:
+            return ZERO
+        if abs(abs(self.now) - pi) > STRAIGHT:
+            raise UnsolvedError("the angle at that moment is not known")
+        return Number(pi)
+
+    def _at_extreme(self) -> Expression:
+        if self.extreme == "fastest":
+            return ZERO if self.falls else Number(pi)
+        if self.goes_round:
+            return Number(pi) if self.falls else ZERO
+        return self._turned()
+
+    @cached_property
+    def _stated(self) -> Symbol:
+        """The angle that the moment says: of the line to the centre of mass, or by how much it has turned."""
+        moment, name = self.setting.query.moment, self.book.fresh(r"\phi")
+        assert isinstance(moment, Deflected | TurnedThrough)
+        self.book.know(name.name, np.radians(moment.value), DEGREES)
+        self.book.stated[name.name] = rf"{moment.value:g}{DEGREES}"
+        return name
+
+    @abstractmethod
+    def _turned(self) -> Expression:
+        """Write where it turns back."""
+
+    @cached_property
+    def reach(self) -> Expression:
+        """How far from the vertical it turns back, of its size."""
+        found = self.first if self.spin == ZERO else self._turned()
+        return -found if found.latex().startswith("-") else found
+
+    def _slack(self) -> Expression:
+        """Write where a string goes slack."""
+        raise UnsolvedError("it hangs on no string")
+
+    # ---- sines and cosines
+
+    @property
+    def cosine_first(self) -> Expression:
+        """The cosine of the angle at the start."""
+        return Call("cos", self.first) if self.first != ZERO else ONE
+
+    @property
+    def cosine(self) -> Expression:
+        """The cosine of the angle at the moment."""
+        if self.angle == ZERO:
+            return ONE
+        if isinstance(self.angle, Number):
+            return Number(-1.0)
+        plain = -self.angle if self.angle.negative else self.angle
+        return Call("cos", plain)
+
+    @property
+    def sine(self) -> Expression:
+        """The sine of the angle, of its size."""
+        if isinstance(self.angle, Number):
+            return ZERO
+        negative = self.angle.negative
+        sine = Call("sin", -self.angle if negative else self.angle)
+        return sine if self.book.value(sine) >= 0.0 else -sine
+
+    @property
+    def between(self) -> Expression:
+        """The angle from the start, of its size."""
+        found = added(self.angle, -self.first)
+        return found if self.book.value(found) >= 0.0 else -found
+
+    def change(self, begun: Expression, speed: Expression) -> Expression:
+        """Of the velocity, from one speed along the arc to another: the third side of a triangle."""
+        if ZERO in (begun, speed):
+            return speed if begun == ZERO else begun
+        bent = self.cosine * self.cosine_first if self.sine == ZERO else Call("cos", self.between)
+        along = TWO * begun * speed * bent
+        along = along if self.way * self.turning > 0.0 else -along
+        return Root(Power(begun, 2) + Power(speed, 2) - along)
+
+    # ---- what is asked
+
+    def write(self) -> Symbol:
+        """What is asked for, by its quantity."""
+        quantity, target = quantity_of(self.setting), self.setting.query.target
+        if not quantity:
+            return self._when()
+        sense = target.sense if target is not None else None
+        if sense is not None and sense.vector != UP and any(sense.vector):
+            raise UnsolvedError("a component along a direction that is not vertical")
+        (kind, why), unit = self.WAYS[quantity], self.setting.unit
+        formula: Expression = getattr(self, kind)()
+        if sense is None and self.book.value(formula) < 0.0:
+            formula = -formula
+        if isinstance(formula, Symbol) and (unit != DEGREES or self.book.units[formula.name] == DEGREES):
+            return formula  # an angle that the text says is counted in radians
+        return self.book.told("answer", why or "So", self.book.fresh(LETTERS[quantity]), formula, unit)
+
+    @property
+    def vertical(self) -> bool:
+        """Whether the upward component is asked for."""
+        target = self.setting.query.target
+        return target is not None and target.sense is not None and target.sense.vector == UP
+
+    def _deflection(self) -> Expression:
+        if isinstance(self.angle, Number):
+            raise UnsolvedError("the angle is that of the lowest or highest point")
+        size = -self.angle if self.angle.negative else self.angle
+        return size if self.falls else PI - size
+
+    def _between(self) -> Expression:
+        return self.between

@@ -1,0 +1,217 @@
+"""A rigid body on a horizontal axle, made of pieces: where each is, and its moment of inertia, and those of all."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import atan2, hypot, pi
+
+import numpy as np
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.shape import Shape
+from sim2reason.dsl.triples import applied, minus, product
+from sim2reason.dsl.vectors import Vector
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.swings.mass_spread import candidates, mass_spread
+from sim2reason.solutions.writing.lexicon import UnreadError
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import INERTIA, METRES, latex
+
+SAME = 1e-9  # relative
+MOMENT = latex("kg m")
+
+
+def lone_axle(m: Mechanism) -> str:
+    """The body that turns about a fixed horizontal axle and carries all others, which are fixed to it; else empty."""
+    if len(m.coordinates) != 1 or m.coordinates[0].kind != "hinge" or abs(m.coordinates[0].axis[2]) > SAME:
+        return ""
+    other = m.lines or m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
+    carrier = m.coordinates[0].body
+    riding = all(carrier in (body.name, body.parent) for body in m.bodies)
+    return carrier if riding and m.body[carrier].parent is None and not other else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One body on the axle: its mass, and how far its centre of mass is from the axle, negative beyond it."""
+
+    body: str
+    mass: Expression
+    place: Expression
+    inertia: Expression  # about its own centre of mass
+
+
+class Arm:
+    """The pieces, in the symbols of the text, written as they are needed."""
+
+    def __init__(self, setting: Setting, book: Book, carrier: str = "") -> None:
+        """By default about the only axle there is. UnreadError where a number is no simple function of the text's."""
+        self.setting, self.book, self.carrier = setting, book, carrier or lone_axle(setting.mechanism)
+        self.axis: Vector = setting.mechanism.body[self.carrier].coordinates[0].axis
+        turning = [body for body in setting.mechanism.bodies if self.carrier in (body.name, body.parent)]
+        self.bodies = [body.name for body in turning if body.mass]
+        self._pieces: dict[str, Piece] = {}
+
+    def _read(self, number: Callable[[Mechanism], float]) -> Expression:
+        return self.setting.lexicon.of(number).expression()
+
+    # ---- where the arm points
+
+    def way(self, m: Mechanism) -> Vector:
+        """Along the arm at the start, to the side of the first piece."""
+        frames = start(m)
+        first = self.bodies[0]
+        apart = minus(frames[first].origin, frames[self.carrier].origin)
+        if hypot(*apart) < SAME:
+            apart = minus(frames.center(first).place, frames[self.carrier].origin)
+        x, y, z = (float(part) / hypot(*apart) for part in apart)
+        return x, y, z
+
+    def seen(self, time: float) -> tuple[float, float, float]:
+        """The angle from the downward vertical, positive on the side on which it begins, that from the start; its rate.
+
+        For signs alone.
+        """
+        m = self.setting.mechanism
+        state, number = (
+            self.setting.study.trace.sample(np.array([time])),
+            m.number[m.body[self.carrier].coordinates[0].name],
+        )
+        way = self.way(m)
+        side = 1.0 if way[0] >= 0.0 else -1.0
+        sense = -side * self.axis[1]  # about y, what points to the right goes down
+        turned = sense * float(state.q[0, number])
+        angle = side * atan2(way[0], -way[2]) + turned
+        return (angle + pi) % (2.0 * pi) - pi, turned, sense * float(state.v[0, number])
+
+    def _deflection(self, m: Mechanism) -> float:
+        x, _, z = self.way(m)
+        return abs(atan2(x, -z))
+
+    @cached_property
+    def first(self) -> Expression:
+        """The angle that it makes with the downward vertical at the start."""
+        return self._read(self._deflection)
+
+    @cached_property
+    def launch(self) -> Expression:
+        """The angular speed at the start."""
+        return self._read(lambda m: abs(m.body[self.carrier].coordinates[0].speed))
+
+    @cached_property
+    def gravity(self) -> Expression:
+        """The acceleration of free fall."""
+        return self._read(lambda m: -m.gravity[2])
+
+    # ---- one piece
+
+    def piece(self, body: str) -> Piece:
+        """What of a piece matters."""
+        if body not in self._pieces:
+            mass = self._read(lambda m: m.body[body].mass)
+            self._pieces[body] = Piece(body, mass, self._place(body), self._own(body, mass))
+        return self._pieces[body]
+
+    def _size(self, body: str) -> Callable[[str], Expression]:
+        """The symbols of the parameters of a body."""
+
+        def size(field: str) -> Expression:
+            given = self.setting.given(f"{body}.{field}")
+            if given is None:
+                raise UnreadError(f"the {field} of {body} is not said")
+            return Symbol(given.symbol)
+
+        return size
+
+    def _shape(self, body: str) -> Shape | None:
+        found = self.setting.scene.bodies.get(body)
+        return found if isinstance(found, Shape) else None
+
+    def _place(self, body: str) -> Expression:
+        """Along the arm, from the axle to its centre of mass."""
+
+        def origin(m: Mechanism) -> float:
+            frames = start(m)
+            return float(product(minus(frames[body].origin, frames[self.carrier].origin), self.way(m)))
+
+        def center(m: Mechanism) -> float:
+            frames = start(m)
+            return float(product(minus(frames.center(body).place, frames[self.carrier].origin), self.way(m)))
+
+        if not any(self.setting.mechanism.body[body].inertia):
+            return self._read(center)  # a small body at the end of a rod
+        plain = self._read(origin)
+        here, aside = center(self.setting.mechanism), center(self.setting.mechanism) - origin(self.setting.mechanism)
+        if abs(aside) <= SAME:
+            return plain
+        shape = self._shape(body)
+        spread = mass_spread(shape, self._size(body)) if shape is not None else None
+        if spread is None:
+            raise UnreadError(f"the centre of mass of {self.setting.called(body)} is in no table")
+        name = self.book.fresh("c", self.setting.mark(body))
+        said = f"The centre of mass of {self.setting.called(body)} is off the stated point by"
+        shift: Expression = self.book.told("table", said, name, spread.center, METRES)
+        shift = shift if aside * self.book.value(shift) > 0.0 else -shift
+        whole = self.book.fresh("r", self.setting.mark(body))
+        self.book.told("place", "From the axle it is", whole, plain + shift, METRES)
+        if abs(self.book.value(whole) - here) > SAME:
+            raise UnreadError(f"the centre of mass of {self.setting.called(body)} is beside the arm")
+        return whole
+
+    def _own(self, body: str, mass: Expression) -> Expression:
+        """The moment of inertia about a line through its centre of mass along the axle."""
+        held = self.setting.mechanism.body[body]
+        actual = float(product(self.axis, applied(held.inertia, self.axis)))
+        if actual <= 0.0:
+            return ZERO
+        shape = self._shape(body)
+        spread = mass_spread(shape, self._size(body)) if shape is not None else None
+        found = candidates(spread) if spread is not None else []
+        angles = [Symbol(given.symbol) for given in self.setting.lexicon.givens.values() if given.angle]
+        for angle in angles:
+            along, across = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
+            found += [found[0] * along + found[1] * across] if len(found) >= 2 else []
+        for formula in found:
+            if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
+                said = f"About its centre of mass, {self.setting.called(body)} has the moment of inertia"
+                name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
+                return self.book.told("table", said, name, mass * formula, INERTIA)
+        raise UnreadError(f"the moment of inertia of {self.setting.called(body)} is in no table")
+
+    # ---- all together
+
+    @cached_property
+    def inertia(self) -> Symbol:
+        """The moment of inertia about the axle: Steiner's theorem, piece by piece."""
+        total: Expression = ZERO
+        for body in self.bodies:
+            piece = self.piece(body)
+            total = total + piece.inertia + piece.mass * _squared(piece.place)
+        said = "About the axle, by the parallel-axis theorem, the moment of inertia is"
+        if len(self.bodies) == 1 and self.piece(self.bodies[0]).inertia != ZERO:  # the text has just told its own
+            said = "About the axle it is, by the parallel-axis theorem,"
+        return self.book.told("inertia", said, self.book.fresh("I"), total, INERTIA)
+
+    @cached_property
+    def moment(self) -> Expression:
+        """Σ m r: the torque of gravity is g sin φ times this."""
+        parts = [self.piece(body) for body in self.bodies]
+        total: Expression = ZERO
+        for piece in parts:
+            total = total + piece.mass * piece.place
+        if len(parts) == 1:
+            return total
+        said = "The masses times their distances from the axle, counted along the arm, add up to"
+        return self.book.told("moment", said, self.book.fresh("S"), total, MOMENT)
+
+    def noun(self) -> str:
+        """What turns, with a capital."""
+        lone = self.bodies[0] if len(self.bodies) == 1 else self.carrier
+        return capital(self.setting.called(lone if lone in self.setting.words.mentions else self.bodies[0]))
+
+
+def _squared(held: Expression) -> Expression:
+    return Power(-held if held.negative else held, 2)

@@ -1,0 +1,150 @@
+"""A carriage that slides along a level rail, with an arm that swings on it and strings along the rail that pull it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import copysign
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import ConstantTension, Coordinate, Inextensible, Line, Mechanism
+from sim2reason.dsl.triples import minus, product
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ZERO, Expression
+from sim2reason.solutions.algebra.functions import summed
+from sim2reason.solutions.setting import LEVEL, Setting, joined
+from sim2reason.solutions.swings.arm import Arm
+from sim2reason.solutions.writing.steps import Book
+
+
+@dataclass(frozen=True, slots=True)
+class Pull:
+    """A string that pulls the carriage along its axis, or against it: a hand's, or with a body hanging from it."""
+
+    line: str
+    side: float  # 1.0 along the axis, -1.0 against it
+    body: str = ""  # empty for a hand
+
+
+@dataclass(frozen=True, slots=True)
+class Riding:
+    """Which body is the carriage, what turns on it, and what pulls it."""
+
+    carriage: str
+    arm: str
+    pulls: tuple[Pull, ...]
+
+
+def riding(m: Mechanism) -> Riding | None:
+    """Whatever swings on a carriage that moves freely, all of it from rest; None if a mechanism is something else."""
+    hinges = [c for c in m.coordinates if c.kind == "hinge"]
+    other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
+    if len(hinges) != 1 or other or any(c.speed for c in m.coordinates):
+        return None
+    hinge, carriage = hinges[0], m.body[hinges[0].body].parent
+    slides = [c for c in m.coordinates if c.body == carriage]
+    if carriage is None or m.body[carriage].parent is not None or len(slides) != 1 or slides[0].kind != "slide":
+        return None
+    pulls = [_pull(m, line, slides[0]) for line in m.lines]
+    along = slides[0].axis
+    upright = abs(along[2]) < LEVEL and abs(hinge.axis[2]) < LEVEL and abs(product(along, hinge.axis)) < LEVEL
+    found = tuple(pull for pull in pulls if pull is not None)
+    known = {carriage, hinge.body, *(pull.body for pull in found if pull.body)}
+    whole = len(m.coordinates) == len(known) and all(body.name in known or body.parent in known for body in m.bodies)
+    return Riding(carriage, hinge.body, found) if upright and whole and len(found) == len(pulls) else None
+
+
+def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
+    """What a string does that runs along the rail from the carriage; None if it does something else."""
+    on = [place for place, site in enumerate(line.through) if m.site[site].body == rail.body]
+    if len(on) != 1 or on[0] not in (0, len(line.through) - 1) or line.wheels or line.circle:
+        return None
+    names = line.through if on[0] == 0 else line.through[::-1]
+    inner, outer = names[:-1], m.site[names[-1]]
+    frames = start(m)
+    way = minus(frames.site(names[1]).place, frames.site(names[0]).place)
+    fixed = all(m.site[site].body is None for site in inner[1:])
+    if not fixed or abs(abs(product(way, rail.axis)) - product(way, way) ** 0.5) > LEVEL:
+        return None
+    side = copysign(1.0, float(product(way, rail.axis)))
+    if isinstance(line.law, ConstantTension):
+        return Pull(line.name, side) if outer.body is None else None
+    plain = isinstance(line.law, Inextensible) and not line.law.slack and not line.law.reel
+    down = minus(frames.site(names[-1]).place, frames.site(names[-2]).place)
+    hangs = outer.body is not None and down[2] < 0.0 and abs(abs(down[2]) - product(down, down) ** 0.5) < LEVEL
+    own = m.body[outer.body].coordinates if outer.body is not None else ()
+    free = len(own) == 1 and own[0].kind == "slide" and abs(own[0].axis[2]) > 1.0 - LEVEL
+    return Pull(line.name, side, outer.body) if plain and hangs and free and outer.body else None
+
+
+class Carriage:
+    """Its masses and forces in the symbols of the text; forward is the side on which the arm begins."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError where a number is no simple function of those in the text."""
+        found = riding(setting.mechanism)
+        assert found is not None, "who asks has seen that something swings on it"
+        self.setting, self.riding = setting, found
+        self.arm = Arm(setting, book, found.arm)
+        rail = setting.mechanism.body[found.carriage].coordinates[0].axis
+        self.forward = copysign(1.0, float(product(rail, self.arm.way(setting.mechanism))))
+
+    def read(self, number: Callable[[Mechanism], float]) -> Expression:
+        """A number of the mechanism."""
+        return self.setting.lexicon.of(number).expression()
+
+    def mass(self, body: str) -> Expression:
+        """The mass of a body."""
+        return self.read(lambda m: m.body[body].mass)
+
+    @cached_property
+    def moving_along(self) -> list[str]:
+        """What moves as fast as the carriage: it and what hangs from its strings."""
+        return [self.riding.carriage, *(pull.body for pull in self.riding.pulls if pull.body)]
+
+    @cached_property
+    def sliding_mass(self) -> Expression:
+        """The mass of what moves as fast as the carriage."""
+        return summed(self.mass(body) for body in self.moving_along)
+
+    @cached_property
+    def swinging_mass(self) -> Expression:
+        """The mass of the arm and what is on it."""
+        return summed(self.arm.piece(body).mass for body in self.arm.bodies)
+
+    @cached_property
+    def total_mass(self) -> Expression:
+        """The mass of all."""
+        return self.sliding_mass + self.swinging_mass
+
+    @cached_property
+    def lone(self) -> bool:
+        """Whether a single small body swings."""
+        inertia = self.setting.mechanism.body[self.arm.bodies[0]].inertia
+        return len(self.arm.bodies) == 1 and not any(inertia)
+
+    def towards(self, line: str) -> float:
+        """1.0 if a string pulls it forward, -1.0 if it pulls it back."""
+        return next(self.forward * pull.side for pull in self.riding.pulls if pull.line == line)
+
+    @cached_property
+    def driving_force(self) -> Expression:
+        """What pulls it forward: hands, and the weight of what hangs from its strings."""
+        found: Expression = ZERO
+        for pull in sorted(self.riding.pulls, key=lambda pull: -self.towards(pull.line)):
+            size = self._weight(pull.body) if pull.body else self._hand(pull.line)
+            found = found + (size if self.towards(pull.line) > 0.0 else -size)
+        return found
+
+    def _weight(self, body: str) -> Expression:
+        return self.mass(body) * self.arm.gravity
+
+    def _hand(self, line: str) -> Expression:
+        def force(m: Mechanism) -> float:
+            law = m.line[line].law
+            assert isinstance(law, ConstantTension)
+            return law.force
+
+        return self.read(force)
+
+    def noun(self) -> str:
+        """The carriage, and what moves with it."""
+        return joined([self.setting.called(body) for body in self.moving_along])

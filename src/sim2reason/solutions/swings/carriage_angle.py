@@ -1,0 +1,176 @@
+"""Where a swing on a carriage is, at the moment that is asked about, and what of it never changes."""
+
+from sim2reason.lazy import cached_property
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Call, Power, squares
+from sim2reason.solutions.oscillations.greatest_value import time_of_greatest
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.swings.angle import STRAIGHT, SwingAngle
+from sim2reason.solutions.swings.carriage import Carriage
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES, METRES
+
+TWO = Number(2.0)
+REST = 1e-4  # rad/s, where the time is found by a search
+NEAR = 1e-3  # rad, likewise
+
+
+class CarriageAngle(SwingAngle):
+    """The angle of the arm, positive forward, on the side on which it begins, written as it is needed."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError where a number is no simple function of those in the text."""
+        super().__init__(setting, book)
+        self.carriage = Carriage(setting, book)
+        self.arm = self.carriage.arm
+        self.first, self.gravity = self.arm.first, self.arm.gravity
+        self.began = book.value(self.first)
+        query = setting.query
+        searched = isinstance(query, StretchQuery) and query.kind == "extremum"
+        moment = query.moment
+        when = time_of_greatest(setting) if searched else moment.side(setting.time) if moment is not None else 0.0
+        self.now, self.turned, self.turning = self.arm.seen(when)
+        self.way = -1.0
+        self.begins = isinstance(moment, AtStart) or when == 0.0
+
+    # ---- what SwingAngle asks
+
+    @property
+    def goes_round(self) -> bool:
+        """From rest it does not."""
+        return False
+
+    @property
+    def still(self) -> bool:
+        """Whether the arm does not turn then."""
+        return abs(self.turning) <= REST
+
+    @cached_property
+    def natural(self) -> Symbol:
+        """None that times hang on."""
+        raise UnsolvedError("only integration gives the time")
+
+    @cached_property
+    def spin(self) -> Expression:
+        """It begins at rest."""
+        return ZERO
+
+    @cached_property
+    def angle(self) -> Expression:
+        """The angle at the moment."""
+        moment = self.setting.query.moment
+        if self.begins:
+            return self.first
+        if isinstance(moment, Moved) and not self.extreme:
+            return self._where_moved(moment)
+        return super().angle
+
+    def _at_extreme(self) -> Expression:
+        if abs(self.now) < NEAR:
+            self._say(f"{self.swings} hangs straight down")
+            return ZERO
+        if not self.still:
+            raise UnsolvedError("the greatest value is taken somewhere on the way")
+        self._say(f"{self.swings} turns back")
+        return self._turned()
+
+    @property
+    def swings(self) -> str:
+        """What joins the axle to what hangs on it, in words."""
+        return "the rod" if self.arm.carrier in self.arm.bodies else self.setting.called(self.arm.carrier)
+
+    def _say(self, where: str) -> None:
+        step = self.book.open("extreme")
+        step.say(f"The extreme value is taken where {where}.")
+        step.close()
+
+    def _turned(self) -> Expression:
+        """As far on the other side of where its frame has gravity pull."""
+        if abs(self.now - self.began) < NEAR:
+            return self.first
+        if self.driving_force == ZERO:
+            return -self.first
+        tilt = self.book.fresh(r"\beta")
+        formula = Call("arctan", self.driving_force / (self.carriage.total_mass * self.gravity))
+        said = "Seen from a frame that the pull along the rail, shared by all, accelerates, gravity is tilted back by"
+        self.book.told("tilt", said, tilt, formula, DEGREES)
+        said, whole = (
+            f"About that direction {self.swings} swings to and fro, so that it turns back at",
+            self.first + TWO * tilt,
+        )
+        beyond = self.book.value(whole) > 0.0  # on the other side of the lowest point
+        name = self.book.told("turning", said, self.book.fresh(r"\phi"), whole if beyond else -whole, DEGREES)
+        return -name if beyond else name
+
+    def _where_moved(self, moment: Moved) -> Expression:
+        """At which angle the carriage has come so far."""
+        if moment.name not in self.carriage.moving_along:
+            raise UnsolvedError("only integration gives the time")
+        self.unloaded()
+        far, name = self.book.fresh("d"), self.book.fresh(r"\phi")
+        self.book.say_given(far.name, moment.value, METRES)
+        formula = Call("arcsin", self.sine_first - far * self.carriage.total_mass / self.moment)
+        step = self.book.open("place")
+        gone = self.moment * (self.sine_first - Call("sin", name))
+        law = step.law(self.carriage.total_mass * far, gone)
+        said = "The common centre of mass does not move along the rail, as nothing pulls there:"
+        step.say(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
+        step.close()
+        if abs(self.book.values[name.name] - self.now) > STRAIGHT:
+            raise UnsolvedError("the arm is above its axle")
+        return name
+
+    # ---- what does not change
+
+    @property
+    def driving_force(self) -> Expression:
+        """What pulls along the rail."""
+        return self.carriage.driving_force
+
+    def unloaded(self) -> None:
+        """UnsolvedError where a pull along the rail makes all hang on the time."""
+        if self.driving_force != ZERO:
+            raise UnsolvedError("how fast and how far the carriage moves takes the time")
+
+    @cached_property
+    def lone(self) -> bool:
+        """Whether one small body swings, for which the laws are shorter."""
+        return self.carriage.lone
+
+    @cached_property
+    def length(self) -> Expression:
+        """From the axle to that body."""
+        return self.arm.piece(self.arm.bodies[0]).place
+
+    @cached_property
+    def mass(self) -> Expression:
+        """Of what swings."""
+        return self.carriage.swinging_mass
+
+    @cached_property
+    def moment(self) -> Expression:
+        """Σ m r."""
+        return self.mass * self.length if self.lone else self.arm.moment
+
+    @property
+    def sine_first(self) -> Expression:
+        """The sine of the angle at the start."""
+        return Call("sin", self.first) if self.first != ZERO else ZERO
+
+    @property
+    def signed(self) -> Expression:
+        """The sine of the angle at the moment, with its sign."""
+        if self.sine == ZERO:
+            return ZERO
+        return self.sine if self.book.value(self.angle) >= 0.0 else -self.sine
+
+    @cached_property
+    def effective_inertia(self) -> Expression:
+        """By how much more than the carriage alone all resists: M + m sin² φ, or (M + m) I − S² cos² φ."""
+        across = squares([self.sine])
+        if self.lone:
+            return self.carriage.sliding_mass + self.mass * across
+        return self.carriage.total_mass * self.arm.inertia - Power(self.moment, 2) * Power(self.cosine, 2)

@@ -1,0 +1,184 @@
+"""A swing on a carriage: where it is, how fast it turns and moves, and how that changes.
+
+Momentum along the rail and energy give the motion, Newton's law the rest: see Morin, Introduction to Classical
+Mechanics, chapters 5 and 6, and Landau and Lifshitz, Mechanics, section 5, problem 2. A steady pull along the rail adds
+a uniform acceleration to all: in the frame that has it, momentum is kept, and inertial forces do work.
+"""
+
+from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.swings.carriage_angle import TWO, CarriageAngle
+from sim2reason.solutions.writing.unit_latex import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_SPEED,
+    METRES,
+    NEWTONS,
+    SPEED,
+)
+
+HALF = Number(0.5)
+
+
+class CarriageLaws(CarriageAngle):
+    """The laws, written as they are needed."""
+
+    # ---- the motion
+
+    @cached_property
+    def rate(self) -> Expression:
+        """How fast the arm turns, of its size."""
+        if self.begins or self.still:
+            return ZERO
+        return self._moving[0]
+
+    @cached_property
+    def speed(self) -> Expression:
+        """How fast the carriage moves, against the arm's own motion along the rail."""
+        if self.begins or self.still:
+            return ZERO
+        self.unloaded()
+        return self._moving[1]
+
+    @cached_property
+    def _moving(self) -> tuple[Symbol, Symbol]:
+        """Write momentum and energy, and what follows."""
+        c, book, there = self.carriage, self.book, self.cosine
+        drift = self._drift
+        step, turns, runs = book.open("energy"), book.fresh(r"\omega"), book.fresh("V")
+        fallen, ahead = there - self.cosine_first, self.signed - self.sine_first
+        work = self.moment * self.gravity * fallen
+        work = work - self.moment * drift * ahead
+        worth = self.gravity * fallen - drift * ahead
+        square = TWO * c.total_mass * worth / (self.length * self.effective_inertia)
+        if not self.lone:
+            square = TWO * self.moment * c.total_mass * worth / self.effective_inertia
+        momentum, energy = self._kept(turns, runs)
+        kept, held = step.law(*momentum), step.law(energy, work)
+        seen = "Seen from a frame with this acceleration, let" if drift != ZERO else "Let"
+        step.say(f"{seen} {self.swings} turn at ${turns.name}$ and {c.noun()} move at ${runs.name}$ against it.")
+        keeps = "and with the work of inertial forces energy is kept" if drift != ZERO else "and energy is kept"
+        step.say(f"Momentum along the rail stays zero, {kept}, {keeps}: {held}. Together")
+        solved = step.result(turns, Root(square), ANGULAR_SPEED)
+        formula = self.moment * turns * there / c.total_mass
+        if self.lone and self.sine == ZERO:
+            formula = self.mass * Root(TWO * self.length * worth / (c.total_mass * c.sliding_mass))
+        step.say(f"{solved} and {step.result(runs, formula, SPEED)}.")
+        step.close()
+        return turns, runs
+
+    def _kept(self, turns: Symbol, runs: Symbol) -> tuple[tuple[Expression, Expression], Expression]:
+        """Both sides of the conservation of momentum, and the kinetic energy."""
+        c, along = self.carriage, turns * self.cosine
+        if self.lone:
+            ahead = self.length * along - runs
+            squared = squares([ahead, self.length * turns * self.sine])
+            moving = HALF * c.sliding_mass * Power(runs, 2) + HALF * self.mass * squared
+            return (c.sliding_mass * runs, self.mass * ahead), moving
+        crossed = self.moment * along * runs
+        plain = HALF * c.total_mass * Power(runs, 2) + HALF * self.arm.inertia * Power(turns, 2)
+        return (c.total_mass * runs, self.moment * along), plain - crossed
+
+    @cached_property
+    def _drift(self) -> Expression:
+        """Write by how much a pull along the rail accelerates all."""
+        if self.driving_force == ZERO:
+            return ZERO
+        said, name = (
+            "The pull along the rail, shared by all masses, amounts to the acceleration",
+            self.book.fresh("a", "0"),
+        )
+        return self.book.told("frame", said, name, self.driving_force / self.carriage.total_mass, ACCELERATION)
+
+    @cached_property
+    def place(self) -> Expression:
+        """How far the carriage has come, forward."""
+        if self.begins:
+            return ZERO
+        self.unloaded()
+        over = self.sine_first - self.signed if self.angle != -self.first else TWO * self.sine_first
+        formula = self.moment * over / self.carriage.total_mass
+        said = "The common centre of mass does not move along the rail, so the carriage has come forward by"
+        return self.book.told("place", said, self.book.fresh("x"), formula, METRES)
+
+    # ---- how that changes
+
+    @cached_property
+    def radial_pull(self) -> Expression:
+        """Of a lone small body, over its mass: what weight and circle ask of the rod while the carriage stands."""
+        plain = self.gravity * self.cosine
+        return plain + self.length * squares([self.rate])
+
+    @cached_property
+    def rod(self) -> Symbol:
+        """The force in the rod of a lone small body."""
+        return self._pulled[0]
+
+    @cached_property
+    def _pulled(self) -> tuple[Symbol, Expression]:
+        """That force, and the acceleration of the carriage where the rod has a part in it."""
+        name, book, c = self.book.fresh("T"), self.book, self.carriage
+        pull, mass = self.radial_pull, self.mass
+        who = self.setting.called(self.arm.bodies[0])
+        if self.sine == ZERO:
+            said = f"The rod holds the weight of {who} and bends its path into a circle around the carriage:"
+            return book.told("rod", said, name, mass * pull, NEWTONS), ZERO
+        step, a = book.open("rod"), book.fresh("a", r"\text{c}")
+        pulled = self.driving_force + name * self.signed
+        along = step.law(name, mass * (pull - a * self.signed))
+        rail = step.law(c.sliding_mass * a, pulled)
+        step.say(f"Let ${name.name}$ be the force in the rod and ${a.name}$ the acceleration of {c.noun()} forward,")
+        step.say(f"which in its own frame pulls back. Along the rod, for {who}: {along}. Along the rail, for")
+        over = c.sliding_mass * pull - self.driving_force * self.signed
+        step.say(f"{c.noun()}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
+        step.say(f"and {step.result(a, pulled / c.sliding_mass, ACCELERATION)}.")
+        step.close()
+        return name, a
+
+    @cached_property
+    def carriage_acceleration(self) -> Expression:
+        """The acceleration of the carriage, forward."""
+        if self.sine == ZERO and self.driving_force == ZERO:
+            return ZERO
+        if not self.lone:
+            return self._turned_up[1]
+        if self.sine != ZERO:
+            return self._pulled[1]
+        said = "The rod does not pull along the rail, so the carriage is accelerated by"
+        name = self.book.fresh("a", r"\text{c}")
+        return self.book.told("newton", said, name, self.driving_force / self.carriage.sliding_mass, ACCELERATION)
+
+    @cached_property
+    def angular_acceleration(self) -> Expression:
+        """The angular acceleration of the arm, towards the lowest point if it is forward of that."""
+        if not self.lone:
+            return self._turned_up[0] if self.sine != ZERO or self.driving_force != ZERO else ZERO
+        a = self.carriage_acceleration
+        back = a * self.cosine
+        formula = (self.gravity * self.signed + back) / self.length
+        if self.book.value(formula) == 0.0:
+            return ZERO
+        said = "Along the circle weight and the inertial force pull:"
+        return self.book.told("growth", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+
+    @cached_property
+    def _turned_up(self) -> tuple[Symbol, Symbol]:
+        """Of an arm with a moment of inertia: its torque and Newton's law along the rail."""
+        c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
+        step, turns, a = book.open("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
+        bent = squares([self.rate]) * self.signed
+        held = self.driving_force + s * bent
+        weight = self.gravity * self.signed
+        rail = step.law(c.total_mass * a, self.driving_force + s * (turns * self.cosine + bent))
+        torque = step.law(inertia * turns, s * (weight + a * self.cosine))
+        step.say(
+            f"Let ${turns.name}$ be the angular acceleration of {self.swings}, back, and ${a.name}$ the acceleration"
+        )
+        step.say(f"of {c.noun()}, forward. Along the rail, for all: {rail}. About the axle, with the inertial")
+        over = s * (c.total_mass * weight + self.cosine * held)
+        step.say(f"force: {torque}. Together {step.result(turns, over / self.effective_inertia, ANGULAR_ACCELERATION)}")
+        formula = (held + s * turns * self.cosine) / c.total_mass
+        step.say(f"and {step.result(a, formula, ACCELERATION)}.")
+        step.close()
+        return turns, a

@@ -1,0 +1,154 @@
+"""A swing at one moment: at which angle, and how fast."""
+
+from math import atan2, cos, hypot
+
+import numpy as np
+
+from sim2reason.lazy import cached_property
+from sim2reason.questions.moments.at_start import AtStart
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
+from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.swings.angle import SMALL, SwingAngle
+from sim2reason.solutions.swings.pendulum import geometry, pivot, place
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, SPEED
+
+SAMPLES = 257  # of the way to the moment, which is a few turns at most
+
+
+class SwingState(SwingAngle):
+    """The angle and the speed of a swing at the moment that is asked about, written as they are needed.
+
+    Angles are counted from the downward vertical, positive on the side on which it begins.
+    """
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """UnreadError if its length or its start are no simple numbers."""
+        super().__init__(setting, book)
+        found = pivot(setting.mechanism)
+        assert found is not None
+        self.body, self.line, _ = found
+        lexicon = setting.lexicon
+        parts = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
+        self.length, self.first, self.launch = parts
+        self.gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
+        self.mass = lexicon.of(lambda m: m.body[self.body].mass).expression()
+        moment = setting.query.moment
+        assert moment is not None
+        when = moment.side(setting.time)
+        self.began, (self.now, self.turning) = geometry(lexicon.mechanism)[1], self._seen(when)
+        self.way = 1.0 if self._seen(0.0)[1] >= 0.0 else -1.0
+        self._when_seen = when
+
+    @cached_property
+    def turned(self) -> float:  # type: ignore[override]
+        """Whole turns included: it goes through less than half a turn from sample to sample."""
+        found = pivot(self.setting.mechanism)
+        assert found is not None
+        state = self.setting.study.trace.sample(np.linspace(0.0, self._when_seen, SAMPLES))
+        x, _, z = (part - found[2][n] for n, part in enumerate(state.frames.center(self.body).place))
+        side = 1.0 if place(self.setting.mechanism)[0] >= 0.0 else -1.0
+        angles = np.unwrap(np.arctan2(side * x, -z))
+        return float(angles[-1] - angles[0])
+
+    def _seen(self, time: float) -> tuple[float, float]:
+        """The angle and its rate at a time, for signs alone."""
+        state = self.setting.study.trace.sample(np.array([time]))
+        found = pivot(self.setting.mechanism)
+        assert found is not None
+        point = found[2]
+        center = state.frames.center(self.body)
+        apart = [float(np.ravel(part)[0]) - point[n] for n, part in enumerate(center.place)]
+        speed = [float(np.ravel(part)[0]) for part in center.velocity]
+        side = 1.0 if place(self.setting.mechanism)[0] >= 0.0 else -1.0
+        across = side * (speed[0] * -apart[2] + speed[2] * apart[0])
+        return atan2(side * apart[0], -apart[2]), across / hypot(*apart) ** 2
+
+    # ---- the angle and the speed
+
+    @cached_property
+    def natural(self) -> Symbol:
+        """ω₀² = g/ℓ."""
+        formula = Root(ratio(self.gravity, self.length))
+        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
+
+    @cached_property
+    def spin(self) -> Expression:
+        """v₀/ℓ."""
+        return ratio(self.launch, self.length)
+
+    @property
+    def goes_round(self) -> bool:
+        """Whether it is still moving at the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, the string being ignored."""
+        g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, self.launch))
+        return v**2 > 2.0 * g * ell * (1.0 + cos(self.began))
+
+    def _turned(self) -> Expression:
+        """Where it turns back: all energy is of height."""
+        name = self.book.fresh(r"\phi")
+        step = self.book.open("energy")
+        m, g, ell, v = self.mass, self.gravity, self.length, self.launch
+        high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -Call("cos", name)))
+        law = step.law(high, self._energy)
+        ratio_of = ratio(squares([v]), multiplied(Number(2.0), multiplied(g, ell)))
+        formula = Call("arccos", added(self.cosine_first, -ratio_of))
+        said = f"{capital(self.who)} turns back where all its energy is of height"
+        step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
+        step.close()
+        beyond = self.now < 0.0 if not self.extreme else True
+        return -name if beyond else name
+
+    def _slack(self) -> Expression:
+        """Where weight alone bends the path: m v²/ℓ = −m g cos φ, with the energy."""
+        name, fast = self.book.fresh(r"\phi"), self.book.fresh("v", r"\text{s}")
+        step, bent = self.book.open("slack"), Call("cos", name)
+        g, ell, v = self.gravity, self.length, self.launch
+        circle = step.law(ratio(Power(fast, 2), ell), -multiplied(g, bent))
+        gained = multiplied(multiplied(Number(2.0), multiplied(g, ell)), added(bent, -self.cosine_first))
+        energy = step.law(Power(fast, 2), added(squares([v]), gained))
+        over = ratio(squares([v]), multiplied(g, ell))
+        formula = Call("arccos", ratio(added(multiplied(Number(2.0), self.cosine_first), -over), Number(3.0)))
+        step.say(f"The string goes slack where weight alone bends the path: {circle}; by energy {energy}.")
+        step.say(f"Together, {step.result(name, formula, DEGREES)}")
+        step.say(f"and {step.result(fast, Root(-multiplied(multiplied(g, ell), bent)), SPEED)}.")
+        step.close()
+        return name if self.now >= 0.0 else -name
+
+    @property
+    def _energy(self) -> Expression:
+        """Of the start, above the lowest point."""
+        m, g, ell = self.mass, self.gravity, self.length
+        high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -self.cosine_first))
+        if self.launch == ZERO:
+            return high
+        return added(multiplied(Number(0.5), multiplied(m, Power(self.launch, 2))), high)
+
+    @cached_property
+    def squared(self) -> Expression:
+        """The square of the speed at the moment."""
+        moment = self.setting.query.moment
+        if isinstance(moment, AtStart):
+            return squares([self.launch])
+        if self.still:
+            return ZERO
+        there = self.cosine
+        step, name = self.book.open("energy"), self.book.fresh("v")
+        gained = multiplied(
+            multiplied(Number(2.0), multiplied(self.gravity, self.length)), added(there, -self.cosine_first)
+        )
+        square = added(squares([self.launch]), gained)
+        law = step.law(Power(name, 2), square)
+        step.say(f"The energy is kept: {law}, so {step.result(name, Root(square), SPEED)}.")
+        step.close()
+        return Power(name, 2)
+
+    @property
+    def speed(self) -> Expression:
+        """The speed itself."""
+        return self.squared.base if isinstance(self.squared, Power) else ZERO
+
+    @property
+    def who(self) -> str:
+        """Who swings."""
+        return self.setting.called(self.body)

@@ -1,0 +1,57 @@
+"""Through which angle something swings in all, to and fro, from one place where it turns back to the next."""
+
+from collections.abc import Callable
+from math import ceil, pi
+
+import numpy as np
+
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number
+from sim2reason.solutions.algebra.functions import PI
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.swings.angle import SwingAngle
+from sim2reason.solutions.writing.steps import UnsolvedError
+
+SAMPLES = 48  # of a period of small swings, at least
+SLOW = 1e-7  # of the fastest: the end of what comes to rest there
+
+Seen = Callable[[float], tuple[float, float]]
+
+
+def swept(swing: SwingAngle, seen: Seen) -> Expression:
+    """The sum of all angles; `seen` gives the angle and its rate at a time, for signs and numbers of turns alone."""
+    end = swing.setting.time
+    count = SAMPLES * max(1, ceil(end * swing.book.value(swing.natural) / (2.0 * pi)))
+    states = [seen(float(time)) for time in np.linspace(0.0, end, count + 1)]
+    rates = np.array([rate for _, rate in states])
+    kept = np.sign(rates[np.abs(rates) > SLOW * np.abs(rates).max()])
+    turns = int((kept[1:] != kept[:-1]).sum()) + swing.still
+    if swing.goes_round:
+        return _round(swing, float(np.unwrap([angle for angle, _ in states])[-1]))
+    if not swing.falls:
+        raise UnsolvedError("its centre of mass is on the other side of the axle")
+    if not turns:
+        return swing.between
+    way = float(kept[0])
+    reach, found = Polynomial.of(swing.reach), _place(swing.first).scaled(-way)
+    found = found + reach.scaled(2.0 * turns - 1.0)
+    if not swing.still:
+        found = found + reach - _place(swing.angle).scaled(way if turns % 2 else -way)
+    return found.factored()
+
+
+def _round(swing: SwingAngle, end: float) -> Expression:
+    """What goes round never turns back; straight up or down it is after whole half turns."""
+    halves = round(end / pi)
+    there = swing.angle
+    if there == ZERO or isinstance(there, Number):
+        there = Number(float(halves)) * PI if halves else ZERO
+    apart = there - swing.first
+    return apart if swing.book.value(apart) >= 0.0 else -apart
+
+
+def _place(held: Expression) -> Polynomial:
+    """An angle with its sign, as a term."""
+    if held == ZERO:
+        return Polynomial({})
+    negative = held.latex().startswith("-")
+    return Polynomial.of(-held).scaled(-1.0) if negative else Polynomial.of(held)

@@ -1,0 +1,234 @@
+"""Which symbol stands for which number of a mechanism, found by a *generic twin*.
+
+Every number that the text says gets another value, and the mechanism is built again: a number of the mechanism that is
+a mass in both, or the sine of an angle in both, is that mass or sine. Entities need not say what they do with numbers.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from itertools import combinations_with_replacement
+from math import comb
+from operator import mul
+
+import numpy as np
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.model import Parameter
+from sim2reason.dsl.scene import Scene
+from sim2reason.errors import SceneError
+from sim2reason.lazy import cached_property
+from sim2reason.prose.formula_numbers import factor
+from sim2reason.solutions.algebra.digits import EXACT, SIMPLE
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.functions import Call
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.writing.unit_latex import latex
+
+SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
+SAME = 1e-10  # relative: far less than two numbers can agree by chance
+TRIES = 4
+LARGEST = 10_000  # the largest numerator of a number that is no accident
+TERMS = 2500  # products of several numbers that are tried
+
+
+class UnreadError(Exception):
+    """A number of the mechanism that is no simple function of what the text says."""
+
+
+@dataclass(frozen=True, slots=True)
+class StatedNumber:
+    """A number that the text says: its symbol, its value and unit as said, and its value in the mechanism."""
+
+    symbol: str
+    parameter: Parameter
+    value: float  # as the mechanism counts: angles in radians
+
+    @property
+    def latex(self) -> str:
+        """The number as it is said, with its unit."""
+        measure, value = self.parameter.measure, self.parameter.value or 0.0
+        if self.value != value and not self.angle:  # in the units that formulas need
+            return f"{self.value:.12f}".rstrip("0").rstrip(".") + self.counted_unit
+        text = f"{value:.{measure.places(value)}f}"
+        if abs(float(text) - value) > EXACT * abs(value):
+            text = repr(value)
+        return text + self.unit
+
+    @property
+    def unit(self) -> str:
+        """Its unit, in LaTeX."""
+        return latex(self.parameter.measure.unit)
+
+    @property
+    def counted_unit(self) -> str:
+        """That in which formulas count it, in LaTeX: without the prefix that the text may use."""
+        unit = self.parameter.measure.unit
+        if self.scale == 1.0 or self.angle:
+            return self.unit
+        return latex("kg" if unit == "g" else unit[1:])
+
+    @property
+    def scale(self) -> float:
+        """By what a number of the text is multiplied where formulas count it."""
+        return factor(self.parameter.measure.unit)
+
+    @property
+    def angle(self) -> bool:
+        """Whether it is an angle in degrees."""
+        return self.parameter.measure.unit == "deg"
+
+
+@dataclass(frozen=True, slots=True)
+class Both:
+    """One number of a mechanism and of its twin."""
+
+    here: float
+    there: float
+
+    def __mul__(self, other: "Both") -> "Both":
+        """Both products."""
+        return Both(self.here * other.here, self.there * other.there)
+
+    def __truediv__(self, other: "Both") -> "Both":
+        """Both quotients."""
+        return Both(self.here / other.here, self.there / other.there)
+
+    def __sub__(self, other: "Both") -> "Both":
+        """Both differences."""
+        return Both(self.here - other.here, self.there - other.there)
+
+
+class Lexicon:
+    """A scene, its mechanism and its twin's, and what their numbers are called."""
+
+    def __init__(self, scene: Scene, symbols: Mapping[str, str]) -> None:
+        """`symbols` are those of the text, by address. UnreadError if no twin can be built."""
+        self.scene, self.mechanism = scene, scene.mechanism
+        self.givens = {
+            p.path: StatedNumber(symbols[p.path], p, _counted(p, p.value))
+            for p in scene.parameters
+            if p.value is not None and p.path in symbols
+        }
+        self._twin = self._built()
+        self._read: dict[Both, Polynomial] = {}
+
+    @property
+    def twin(self) -> Mechanism:
+        """The mechanism of the twin."""
+        return self._twin[0]
+
+    def _built(self) -> tuple[Mechanism, dict[str, float]]:
+        """The twin and its numbers, those of the mechanism's own count."""
+        for attempt in range(TRIES):
+            rng = np.random.default_rng(attempt)
+            side = -SHIFT if attempt % 2 == 0 else SHIFT
+            values = {
+                path: given.parameter.value * (1.0 + side * rng.uniform(0.2, 1.0))
+                for path, given in self.givens.items()
+                if given.parameter.value
+            }
+            try:
+                twin = self.scene.having_all(values).mechanism
+            except (SceneError, ValueError):
+                continue
+            if len(twin.coordinates) == len(self.mechanism.coordinates):
+                counted = {path: _counted(self.givens[path].parameter, value) for path, value in values.items()}
+                return twin, counted
+        raise UnreadError("no scene like this one, with other numbers, could be built")
+
+    @cached_property
+    def _atoms(self) -> list[tuple[Both, Polynomial]]:
+        found: list[tuple[Both, Polynomial]] = []
+        for path, there in self._twin[1].items():
+            given, symbol = self.givens[path], Symbol(self.givens[path].symbol)
+            if given.angle:
+                found.append((Both(math.sin(given.value), math.sin(there)), Polynomial.of(Call("sin", symbol))))
+                found.append((Both(math.cos(given.value), math.cos(there)), Polynomial.of(Call("cos", symbol))))
+            found.append((Both(given.value, there), Polynomial.of(symbol)))
+        return [*found, *self._attracting()]
+
+    def _attracting(self) -> list[tuple[Both, Polynomial]]:
+        """The constant of gravitation; with a planet's g the mass is g R²/G, so that it cancels."""
+        pulls = self.mechanism.attractions
+        if not pulls:
+            return []
+        size, name = pulls[0].constant, Symbol("G")
+        inverse = Both(1.0 / size, 1.0 / size), Polynomial({((name, -1),): 1.0})
+        return [(Both(size, size), Polynomial.of(name)), *([] if self.constant is not None else [inverse])]
+
+    @cached_property
+    def constant(self) -> float | None:
+        """The constant of gravitation, where the text says the masses of all that attracts."""
+        pulls, heavy = self.mechanism.attractions, [given.value for given in self.givens.values()]
+        return pulls[0].constant if pulls and self.mechanism.body[pulls[0].b].mass in heavy else None
+
+    def of(self, number: Callable[[Mechanism], float]) -> Polynomial:
+        """What a number of the mechanism is, as `read` has it."""
+        return self.read(Both(float(number(self.mechanism)), float(number(self.twin))))
+
+    def read(self, number: Both) -> Polynomial:
+        """What a number is: 0, a simple fraction, or one times something said, or a product of two or a sum of such."""
+        known = self._read.get(number)
+        if known is None:
+            known = self._read[number] = self._searched(number)
+        return known
+
+    def _searched(self, number: Both) -> Polynomial:
+        if any(number.here == number.there == pull.constant for pull in self.mechanism.attractions):
+            return Polynomial.of(Symbol("G"))  # far smaller, in the SI, than what rounding leaves of other numbers
+        if abs(number.here) < SAME and abs(number.there) < SAME:
+            return NIL
+        plain = _factor(number, Both(1.0, 1.0))
+        if plain is not None:
+            return Polynomial.of(plain)
+        for atom, name in self._atoms:
+            factor = _factor(number, atom)
+            if factor is not None:
+                return name.scaled(factor)
+        return self._of_two(number)
+
+    def _of_two(self, number: Both) -> Polynomial:
+        for (one, name), (two, other) in combinations_with_replacement(self._atoms, 2):
+            factor = _factor(number, one * two)
+            if factor is not None:
+                return (name * other).scaled(factor)
+        lengths = [(atom, name) for atom, name in self._atoms if name.symbol is not None]
+        for one, name in lengths:
+            for sign in (1.0, -1.0):
+                rest = number - Both(sign * one.here, sign * one.there)
+                for two, other in (*lengths, (Both(1.0, 1.0), None)):
+                    factor = _factor(rest, two)
+                    if factor is not None:
+                        return name.scaled(sign) + (other or Polynomial.of(1.0)).scaled(factor)
+        return self._of_several(number)
+
+    def _of_several(self, number: Both) -> Polynomial:
+        """A product of three or four, such as m g R² of a planet."""
+        for size in (3, 4):
+            if comb(len(self._atoms) + size - 1, size) > TERMS:
+                break
+            for held in combinations_with_replacement(self._atoms, size):
+                factor = _factor(number, reduce(mul, (atom for atom, _ in held)))
+                if factor is not None:
+                    return reduce(mul, (name for _, name in held)).scaled(factor)
+        raise UnreadError(f"{number.here:.6g} is no simple function of the numbers in the text")
+
+
+def _counted(parameter: Parameter, value: float) -> float:
+    """In the mechanism's own count: that of the text, but for degrees, kilometres and other such parts."""
+    return value * factor(parameter.measure.unit)
+
+
+def _factor(number: Both, atom: Both) -> float | None:
+    """By which simple fraction a number is an atom, in both mechanisms; None for none."""
+    if atom.here == 0.0 or atom.there == 0.0:
+        return None
+    here, there = number.here / atom.here, number.there / atom.there
+    if abs(here - there) > SAME * abs(here):
+        return None
+    fraction = Fraction(here).limit_denominator(SIMPLE)
+    simple = float(fraction) if abs(fraction.numerator) <= LARGEST else 0.0
+    return simple if simple and abs(simple - here) <= SAME * abs(here) else None

@@ -1,0 +1,28 @@
+"""Roots that are found numerically, told by their equations where those hang on what is unknown."""
+
+from collections.abc import Sequence
+
+from sim2reason.solutions.algebra.evaluated import ImplicitRoot, NumericRoot
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.steps import Book, Writing
+
+NamedRoot = tuple[Symbol, Expression, float]
+"""What a root is called, the formula that vanishes there, and a number near it."""
+
+
+def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, near: float, unit: str, said: str) -> str:
+    """What `said` announces: a name, and the number near one at which a formula of it vanishes.
+
+    Where the formula hangs on what is unknown, nothing: the equation, which was told, holds the name.
+    """
+    return told_roots(book, step, [(name, residual, near)], unit, said)
+
+
+def told_roots(book: Book, step: Writing, roots: Sequence[NamedRoot], unit: str, said: str) -> str:
+    """The same of several at once, one after the other."""
+    told, hidden = list[str](), False
+    for name, residual, near in roots:
+        hidden = hidden or not book.hidden.isdisjoint(residual.symbols())
+        told.append(step.result(name, (ImplicitRoot if hidden else NumericRoot)(residual, name.name, near), unit))
+    return "" if hidden else f"{said} {joined(told)}."

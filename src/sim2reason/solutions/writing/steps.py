@@ -1,0 +1,240 @@
+"""A book in which each name has one value, and into which a worked solution is written step by step."""
+
+from collections.abc import Mapping
+
+from sim2reason.dsl.units import SI, UnitSystem
+from sim2reason.grading.tokens import canonical
+from sim2reason.solutions.algebra.digits import DIGITS
+from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.solution import Relation, Step, with_unit
+from sim2reason.solutions.writing.subscripts import marked
+from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
+
+
+class UnsolvedError(Exception):
+    """A strategy found that it cannot answer after all; the message says why."""
+
+
+class Book:
+    """Names with their values, and steps as they are written."""
+
+    def __init__(
+        self, units: UnitSystem = SI, *, asks_time: bool = False, called: Mapping[str, str] | None = None
+    ) -> None:
+        """Nothing is known yet; results are in `units`. With `asks_time` the time that is said is what is asked for.
+
+        `called` makes it one in symbols: no number is written, and the question's own numbers are called as it has it,
+        by the name that they would have.
+        """
+        self._units, self._called = units, called
+        self.asks_time = asks_time
+        self.values: dict[str, float] = {}
+        self.units: dict[str, str] = {}
+        self.steps: list[Step] = []
+        self.observed: dict[str, float] = {}  # what the engine has for names that cancel, to check relations by
+        self.stated: dict[str, str] = {}  # numbers that the question says, as they are written
+        self.constants: dict[str, Expression] = {}  # those among them that are of nature
+        self.hidden: set[str] = set()  # names whose values hang on what is unknown
+        self.formulas: dict[str, Expression] = {}  # of those, in order
+        self.keen = 1.0  # relative: by how much what is given changes with what is unknown
+        self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
+        self._taken: set[str] = set()
+        self._source: dict[str, int] = {}
+
+    def copy(self) -> "Book":
+        """Another with the same names known, and no steps, for a draft."""
+        found = Book(self._units, asks_time=self.asks_time, called=self._called)
+        found.hidden, found.sought = {*self.hidden}, self.sought
+        found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
+        found._taken = {*self._taken}
+        return found
+
+    def reserve(self, *names: str) -> None:
+        """Keep names from being given to something else."""
+        self._taken.update(map(canonical, names))
+
+    def fresh(self, base: str, mark: str = "") -> Symbol:
+        """A name that nothing has yet: the base with a subscript, and a number where that is taken."""
+        name = marked(base, mark)
+        number = 1
+        while canonical(name) in self._taken:
+            name = marked(base, ",".join(part for part in (mark, str(number)) if part))
+            number += 1
+        self._taken.add(canonical(name))
+        return Symbol((self._called or {}).get(name, name))
+
+    @property
+    def last(self) -> str:
+        """The name that was given a value last."""
+        return next(reversed(self.values))
+
+    def know(self, name: str, value: float, unit: str = "") -> None:
+        """Give a name its value; a second one is a programmer's error."""
+        if name in self.values and self.values[name] != value:
+            raise ValueError(f"{name} has two values, {self.values[name]:g} and {value:g}")
+        self.values[name] = value
+        self.units[name] = unit
+
+    def say_given(self, name: str, value: float, unit: str) -> None:
+        """A number that the question itself says."""
+        is_time, unit = unit == SECONDS, self.unit_in_text(unit)
+        self.know(name, value, unit)
+        if self.asks_time and is_time and not self.sought:
+            self.sought = name
+            self.hidden.add(name)
+        else:
+            self.stated[name] = f"{value:g}{unit}"
+
+    def state(self, name: str, value: float, spelled: str) -> None:
+        """Make a name that was written one that is given, in the words of the question."""
+        self.hidden.discard(name)
+        self.values[name] = value
+        self.stated[name] = spelled
+
+    def refresh(self, name: str, value: float) -> None:
+        """Give the unknown a better value, and all that hangs on it."""
+        self.values[name] = value
+        for other, formula in self.formulas.items():
+            if other not in self.stated:
+                self.values[other] = self.value(formula)
+
+    def value(self, held: Expression) -> float:
+        """What a formula comes to; UnsolvedError where it has no value."""
+        try:
+            found = held.value(self.values)
+        except (ValueError, ArithmeticError) as error:  # the root of what is negative, a division by zero
+            raise UnsolvedError(f"{held.latex()} has no value") from error
+        assert not isinstance(found, complex)
+        return found
+
+    def unit_in_text(self, unit: str) -> str:
+        """A unit of the SI, in LaTeX, as the text of this scene has it."""
+        name = CANONICAL.get(unit)
+        if name is None or self._units == SI:
+            return unit
+        return latex(self._units.spell(name))
+
+    @property
+    def in_symbols(self) -> bool:
+        """Whether no number may be written."""
+        return self._called is not None
+
+    def is_hidden(self, held: Expression) -> bool:
+        """Whether the value of a formula may not be written: it hangs on what is unknown, or all is in symbols."""
+        return self.in_symbols or not self.hidden.isdisjoint(held.symbols())
+
+    def worked(self, formula: Expression) -> Expression:
+        """A formula of which the number alone is written, unless that hangs on what is unknown."""
+        return formula if self.is_hidden(formula) else Worked(formula, self.value(formula))
+
+    def open(self, kind: str) -> "Writing":
+        """Begin a step."""
+        return Writing(self, kind)
+
+    def told(self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "") -> Symbol:
+        """A step of one sentence that ends with a law by itself; gives back the name."""
+        step = self.open(kind)
+        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.close()
+        return name
+
+    def close(self, kind: str, text: str, relations: list[Relation], gives: list[str], rests: list[str]) -> Step:
+        """Keep a step."""
+        number = len(self.steps)
+        self._source.update(dict.fromkeys(gives, number))
+        worked = (relation for relation in relations if relation.role in ("result", "verified"))
+        names = {name for relation in worked for name in relation.symbols()} | {*rests}
+        names |= {name for relation in relations if relation.role == "law" and gives for name in relation.symbols()}
+        needs = sorted({self._source[name] for name in names if name in self._source} - {number})
+        step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs))
+        self.steps.append(step)
+        return step
+
+
+class Writing:
+    """A step in the making: sentences are said, and equations in them noted."""
+
+    def __init__(self, book: Book, kind: str) -> None:
+        """Nothing is said yet."""
+        self._book, self._kind = book, kind
+        self._said: list[str] = []
+        self._relations: list[Relation] = []
+        self._gives: list[str] = []
+        self._rests: list[str] = []
+
+    def label(self, name: str) -> None:
+        """Name an equation of this step, so that others can rest on it."""
+        self._gives.append(name)
+
+    def rest_on(self, label: str) -> None:
+        """Use an equation by its label."""
+        if label:
+            self._rests.append(label)
+
+    def say(self, *sentences: str) -> None:
+        """Add sentences."""
+        self._said.extend(sentence for sentence in sentences if sentence)
+
+    def law(self, left: Expression, right: Expression) -> str:
+        """A law that is told, in LaTeX with dollars."""
+        return self._noted(Relation(left, right, "law"))
+
+    def derived(self, left: Expression, right: Expression) -> str:
+        """What follows from what was told, in LaTeX with dollars."""
+        return self._noted(Relation(left, right, "derived"))
+
+    def result(self, name: Symbol, formula: Expression, unit: str, *, law: bool = False) -> str:
+        """A name and what it comes to; with `law`, the formula is a law by itself, as v = a t is."""
+        unit = self._book.unit_in_text(unit)
+        relation = Relation(name, formula, "law" if law else "result", unit)
+        self._relations.append(relation)
+        value = self._book.value(formula)
+        self._book.know(name.name, value, unit)
+        self._gives.append(name.name)
+        if not self._book.hidden.isdisjoint(formula.symbols()):
+            self._book.hidden.add(name.name)
+            self._book.formulas[name.name] = formula
+        return relation.latex(None if self._book.is_hidden(formula) else value)
+
+    def verified(self, what: Expression, formula: Expression, unit: str) -> str:
+        """What something comes to on which nothing rests, so that an assumption can be judged by it."""
+        relation = Relation(what, formula, "verified", self._book.unit_in_text(unit))
+        self._relations.append(relation)
+        return relation.latex(self._book.value(formula))
+
+    def integrated(self, name: Symbol, value: float, digits: int = DIGITS) -> str:
+        """A known name with the value that a numerical integration gives it."""
+        relation = Relation(name, Number(value), "integrated", self._book.units[name.name])
+        self._relations.append(relation)
+        self._gives.append(name.name)
+        return f"${name.latex()} = {with_unit(value, relation.unit, digits)}$"
+
+    def stated(self, formula: Expression, unit: str) -> str:
+        """What follows from what was told, in numbers: what something given comes to, or a name."""
+        value = self._book.value(formula)
+        if self._book.is_hidden(formula):
+            return f"${formula.latex()}$"
+        if isinstance(formula, Number):
+            return f"${with_unit(value, unit)}$"
+        self._noted(Relation(formula, Number(value), "derived", unit))
+        return f"${formula.latex()} = {with_unit(value, unit)}$"
+
+    def closed(self, name: Symbol, formula: Expression) -> str:
+        """What a symbol comes to whose value was unknown till now."""
+        unit = self._book.units[name.name]
+        relation = Relation(name, formula, "result", unit)
+        self._relations.append(relation)
+        self._book.hidden.discard(name.name)
+        self._gives.append(name.name)
+        return relation.latex(None if self._book.in_symbols else self._book.value(formula))
+
+    def _noted(self, relation: Relation) -> str:
+        self._relations.append(relation)
+        return relation.latex()
+
+    def close(self) -> None:
+        """Keep it, if it says anything."""
+        if self._said or self._relations:
+            text = " ".join(self._said)
+            self._book.close(self._kind, text, self._relations, self._gives, self._rests)

@@ -1,0 +1,196 @@
+"""Whether a worked solution is one: every relation holds, what is told determines the answer, and nothing is idle."""
+
+import re
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.solutions.algebra.digits import DIGITS, shortened
+from sim2reason.solutions.algebra.evaluated import gradient
+from sim2reason.solutions.algebra.expressions import Expression, Number, Sum, Symbol
+from sim2reason.solutions.collisions.long_chains import TIME
+from sim2reason.solutions.solution import WELL, Relation, Solution
+
+FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
+ROUNDING = 1e-13  # in SI units: what arithmetic leaves of numbers that cancel, as in a limiting case, where a = 0
+ASIDE, ROUNDS = 0.03, 6  # relative: how far what is free is followed; steps back onto the laws
+AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
+CARRIED = 5e-3  # relative: how far five digits may lead from the answer
+SEEN = {"threshold": 1e-7}  # by kind: an engine holds by friction what pulls by 1e-10 of the loads more than it can
+KNOWN = "given", "integrated"  # roles of what no law needs to determine
+WORDS = {"easy": 150, "medium": 300, "hard": 600}
+
+
+def words(text: str) -> int:
+    """How long a text is; a formula counts as a word."""
+    return len(re.sub(r"\$[^$]*\$", "x", text).split())
+
+
+def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]:
+    """All that is wrong with a solution, in words; `answer` is the engine's, in the unit of the question.
+
+    `within` is how well the engine knows it, relative, see `SEEN`, or what is given of it, where it is unknown.
+    """
+    if solution.answer is None:
+        return [f"no answer: {solution.reason}"]
+    found: list[str] = []
+    if abs(solution.answer - answer) > within / min(1.0, solution.keen or 1.0) * abs(answer):
+        found.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
+    found += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
+    found += undetermined(solution)
+    if not solution.derived:  # an integration carries all digits
+        return found
+    carried = by_digits(solution)
+    if not abs(carried - answer) <= CARRIED * abs(answer):  # also where it is not a number
+        found.append(f"with {DIGITS} digits it gives {carried:.6g}, not {answer:.6g}")
+    return found
+
+
+def holds(relation: Relation, values: Mapping[str, float]) -> bool:
+    """Whether both sides agree, compared with the largest of their terms."""
+    left, right = relation.left.value(values), relation.right.value(values)
+    size = max(_size(relation.left, values), _size(relation.right, values))
+    return abs(left - right) <= WELL * size + ROUNDING
+
+
+def _size(held: Expression, at: Mapping[str, float]) -> float:
+    terms = held.terms if isinstance(held, Sum) else (held,)
+    return max((abs(term.value(at)) for term in terms), default=0.0)
+
+
+def undetermined(solution: Solution) -> list[str]:
+    """Whether the laws that are told determine the answer, each of them is needed, and all else follows from them.
+
+    Of an integration, the accelerations, at the state to which it leads.
+    """
+    relations = [r for r in solution.relations if r.role not in (*KNOWN, "verified")]
+    known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
+    names = sorted({name for r in relations for name in r.symbols()} - known)
+    place = {name: number for number, name in enumerate(names)}
+    values = dict(solution.values)
+    goals = [solution.goal] if solution.derived else [r.left.latex() for r in relations if _is_number(r)]
+    if unknown := [name for name in goals if name not in place and name not in known]:
+        return [f"no relation speaks of {name}" for name in unknown]
+    rows = [_row(r, values, place) for r in relations]
+    laws = [number for number, r in enumerate(relations) if r.role == "law"]
+    found: list[str] = []
+    told = [rows[number] for number in laws]
+    sought = goals, _since_when(solution)
+    units, since = ([np.eye(len(names))[place[n]] for n in some if n in place] for some in sought)
+    if not all(_spanned(told, unit) for unit in units):
+        found.append("the laws that are told do not determine the answer")
+    else:
+        there = _elsewhere(solution)
+        others = [_row(r, there, place) for r in relations]
+
+        def are_enough(kept: list[int]) -> bool:
+            spanned = all(_spanned([e[k] for k in kept], unit) for e in (rows, others) for unit in [*units, *since])
+            return spanned and all(_spared([relations[k] for k in kept], values, place, unit) for unit in units)
+
+        idle = [n for n in laws if are_enough([k for k in laws if k != n])] if units else []
+        found += [f"superfluous: {relations[number].latex()}" for number in idle]
+    derived = (number for number, relation in enumerate(relations) if relation.role != "law")
+    strays = [relations[number].latex() for number in derived if not _spanned(told, rows[number])]
+    return found + [f"does not follow from what is told: {text}" for text in strays]
+
+
+def _since_when(solution: Solution) -> list[str]:
+    """By what something is verified, and the times since when it is so, or since when something flies freely.
+
+    What tells them is not idle, even if the answer is the same whenever they are: as two boards that stick to each
+    other move by their common momentum, whatever the friction was between them, but only from when they stick; and
+    as free fall changes a velocity by as much before an impact as after it.
+    """
+    verified = [relation for relation in solution.relations if relation.role == "verified"]
+    told = (r for step in solution.steps if step.kind == "time" and verified for r in step.relations)
+    flown = [relation for step in solution.steps if step.kind == TIME for relation in step.relations]
+    times = [relation.left.latex() for relation in (*(r for r in told if r.role == "result"), *flown)]
+    return times + [name for relation in verified for name in relation.right.symbols()]
+
+
+def _is_number(relation: Relation) -> bool:
+    """Whether it says what a name comes to."""
+    return isinstance(relation.left, Symbol) and isinstance(relation.right, Number)
+
+
+def _elsewhere(solution: Solution) -> dict[str, float]:
+    """The values at other givens: where equal masses only exchange their velocities, a law would seem idle."""
+    values = dict(solution.values)
+    known: set[str] = set()
+    for number, relation in enumerate(solution.relations):
+        if not isinstance(relation.left, Symbol):
+            continue
+        name = relation.left.name
+        if relation.role in KNOWN:
+            values[name] *= 1.0 + AWAY * (1.0 + number % 7) / 7.0
+        elif name not in known and all(other in known for other in relation.right.symbols()):
+            values[name] = float(relation.right.value(values).real)
+        else:
+            continue
+        known.add(name)
+    return values
+
+
+def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str, int], goal: Array) -> bool:
+    """Whether laws determine the goal also away from where one that they lack holds.
+
+    Where that one says when something is greatest, the goal does not change at first as it is given up: so follow what
+    the laws leave free for a short way, back onto them by Newton's method, and look again there.
+    """
+    matrix = np.array([_row(law, values, place) for law in laws])
+    if not len(matrix):
+        return True
+    sizes = _sizes(values, place)
+    _, spread, ways = np.linalg.svd(matrix * sizes)
+    free = ways[int((spread > FAINT * spread.max(initial=0.0)).sum()) :]
+    way = free.sum(axis=0)
+    away = values | {name: values[name] + ASIDE * sizes[k] * float(way[k]) for name, k in place.items()}
+    for _ in range(ROUNDS):
+        jacobian = np.array([_row(law, away, place, scaled=False) for law in laws]) * sizes
+        off = np.array([complex(law.left.value(away) - law.right.value(away)).real for law in laws], dtype=np.float64)
+        step: Array = np.asarray(np.linalg.lstsq(jacobian, off, rcond=1e-12)[0], dtype=np.float64) * sizes
+        away |= {name: away[name] - float(step[k]) for name, k in place.items()}
+    return _spanned([_row(law, away, place) for law in laws], goal)
+
+
+def _row(relation: Relation, values: dict[str, float], place: dict[str, int], *, scaled: bool = True) -> Array:
+    left, right = gradient(relation.left, values, place), gradient(relation.right, values, place)
+    row = np.array(left) - np.array(right)
+    if scaled:  # by relative changes: what is large and what is small weigh alike
+        row = row * _sizes(values, place)
+    scale = np.abs(row).max(initial=0.0)
+    return row / scale if scaled and scale else row
+
+
+def _sizes(values: Mapping[str, float], place: Mapping[str, int]) -> Array:
+    """Of the values of names, in SI units; 1 for what is zero but for rounding."""
+    return np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in place])
+
+
+def _spanned(rows: Sequence[Array], goal: Array) -> bool:
+    """Whether a row is a combination of others."""
+    size = float(np.abs(goal).max(initial=0.0))
+    if not rows or not size:
+        return not size
+    matrix = np.array(rows).T
+    weights, *_ = np.linalg.lstsq(matrix, goal, rcond=1e-12)
+    return bool(np.abs(matrix @ weights - goal).max() <= FAINT * size)
+
+
+def by_digits(solution: Solution, digits: int = DIGITS) -> float:
+    """The answer, worked out by whoever carries so many digits from line to line; NaN where that ends early."""
+    values: dict[str, float] = {}
+    for relation in solution.relations:
+        if not isinstance(relation.left, Symbol):
+            continue
+        name = relation.left.name
+        if relation.role == "given":
+            values[name] = solution.values[name]
+        elif name not in values and all(other in values for other in relation.right.symbols()):
+            try:
+                values[name] = shortened(float(relation.right.value(values, digits).real), digits)
+            except (ValueError, ArithmeticError):  # such as the arccosine of what rounding has made more than 1
+                return float("nan")
+    found = values.get(solution.goal, float("nan"))
+    return solution.said(found)

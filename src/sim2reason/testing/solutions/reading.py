@@ -1,0 +1,222 @@
+"""A worked solution read by whoever has only its text: its equalities, by the parser that grades answers."""
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from itertools import pairwise
+
+from sim2reason.dsl.units import parse_unit
+from sim2reason.grading import arithmetic
+from sim2reason.grading.arithmetic import Node
+from sim2reason.grading.parser import parse
+from sim2reason.grading.score import Outcome, Refused
+from sim2reason.grading.tokens import Token, canonical, tokenize
+from sim2reason.solutions.writing.unit_latex import DEGREES, unit_of
+from sim2reason.testing.solutions.label_sums import LabelSum, label_sums
+
+FORMULA = re.compile(r"\$((?:(?!\\boxed)[^$])*=(?:(?!\\boxed)[^$])*)\$")
+DEEP = 12  # braces within braces
+BRACED = reduce(lambda inside, _: rf"(?:[^{{}}$]|\{{{inside}\}})*", range(DEEP), "[^{}$]*")
+ANSWER = re.compile(
+    r"\$(?P<goal>[^$=]*?)(?: = (?P<number>[^$=]*?))? (?P<sign>\\approx|=) "
+    rf"\\boxed\{{(?P<boxed>{BRACED})\}}(?P<unit>[^$]*)\$"
+)
+BOX = r"\boxed{"
+BOXED = 6e-3  # relative: what three digits leave
+CLOSE = 6e-5  # relative: what five digits leave of a number, at most
+STEP = 1e-6  # relative, of a derivative
+SIGNS = ("plus", "minus", "dash")
+
+
+@dataclass(frozen=True, slots=True)
+class Equality:
+    """Two sides that the text says are equal, as written, and as functions of the symbols."""
+
+    text: str
+    sides: tuple[Node, Node]
+    terms: tuple[Node, ...]  # by whose size they are compared
+    symbols: frozenset[str]
+    close: float = CLOSE
+
+    def excess(self, values: Mapping[str, float]) -> float | None:
+        """Left less right; None where a side has no value."""
+        left, right = (arithmetic.value(side, values) for side in self.sides)
+        return None if left is None or right is None else left - right
+
+    def sizes(self, values: Mapping[str, float]) -> float:
+        """The sum of the sizes of all terms."""
+        found = (arithmetic.value(term, values) for term in self.terms)
+        return sum(abs(size) for size in found if size is not None)
+
+    def rounding(self, values: Mapping[str, float], excess: float) -> float:
+        """By what the excess would change if each term, and each number, changed by as much as itself."""
+        sizes = [self.sizes(values)]
+        for name in self.symbols:
+            moved = self.excess({**values, name: values[name] * (1.0 + STEP)})
+            sizes.append(abs(moved - excess) / STEP if moved is not None else 0.0)
+        return sum(sizes)
+
+    def holds(self, values: Mapping[str, float]) -> bool:
+        """Whether both sides agree as well as numbers of five digits can."""
+        excess = self.excess(values)
+        return excess is not None and abs(excess) <= self.close * self.rounding(values, excess)
+
+
+@dataclass(frozen=True, slots=True)
+class ReadText:
+    """What a text says: equalities, formulas that could not be read, and the values of its symbols.
+
+    `values` are the numbers that it says, and those that follow for what cancels, such as tensions.
+    """
+
+    equalities: tuple[Equality, ...]
+    unread: tuple[str, ...]
+    values: Mapping[str, float]
+    sums: tuple[LabelSum, ...] = ()
+
+    @property
+    def broken(self) -> list[str]:
+        """The equalities that do not hold, or speak of what the text does not determine."""
+        wrong = [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
+        return wrong + [held.text for held in self.sums if not held.holds(self.values)]
+
+
+def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
+    """All equalities of a text; a symbol has the number that it is first said to equal.
+
+    Where a problem is in symbols, `known` has their values.
+    """
+    equalities: list[Equality] = []
+    unread: list[str] = []
+    known = {canonical(name): value for name, value in (known or {}).items()}
+    values = dict(known)
+    chains = [match[1] for match in FORMULA.finditer(text)]
+    table = _table(chains)
+    for chain in chains:
+        try:
+            sides = [_side(part, table) for part in chain.split("=")]
+        except Refused as refused:
+            unread.append(f"{chain}: {refused}")
+            continue
+        name, last = _name(chain, table), sides[-1]
+        if name and name not in values and not last[2] and (number := arithmetic.value(last[0], {})) is not None:
+            values[name] = number
+        for one, other in pairwise(sides):
+            both = (one[0], other[0])
+            equalities.append(Equality(chain, both, (*one[1], *other[1]), one[2] | other[2]))
+    _follow(equalities, values)
+    endings = [*ANSWER.finditer(text)]
+    unread += [text.rpartition("\n")[2]] if text.count(BOX) > len(endings) else []
+    for match in endings:
+        try:
+            equalities += [*_ending(match, table)]
+        except Refused as refused:
+            unread.append(f"{match[0]}: {refused}")
+    given = text.partition("\n")[0] if text.startswith("Given") else ""
+    told = [*known, *(name for chain in FORMULA.findall(given) if (name := _name(chain, table)))]
+    sums = label_sums(text, lambda formula: _excess(formula, table), told, sorted(values))
+    return ReadText(tuple(equalities), tuple(unread), values, tuple(sums))
+
+
+def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
+    """What the line with the box says: that a symbol is a number of three digits, or a formula.
+
+    In other units than the rest, the number is there in both.
+    """
+    boxed = match["boxed"] + (match["unit"] if match["unit"] == DEGREES else "")
+    sides = [_side(part, table) for part in (match["goal"], match["number"], boxed) if part is not None]
+    close = BOXED if match["sign"] != "=" else CLOSE
+    for one, other in pairwise(sides):
+        both, names = (one[0], other[0]), one[2] | other[2]
+        if other is sides[-1] and match["number"] is not None:
+            factor = parse_unit(unit_of(match["number"])).factor_to(parse_unit(unit_of(match["unit"])))
+            both = arithmetic.product([(one[0], False), (arithmetic.constant(factor or 0.0), False)]), other[0]
+        yield Equality(match[0], both, (both[1], *other[1]), names, close if other is sides[-1] else CLOSE)
+
+
+def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float]], float | None] | None:
+    """Left less right of an equation; None if it can not be read."""
+    try:
+        left, right, *_ = [_side(part, table) for part in formula.split("=")]
+    except Refused:
+        return None
+    held = Equality(formula, (left[0], right[0]), (), left[2] | right[2])
+    return lambda values: held.excess(values) if held.symbols <= values.keys() else None
+
+
+def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
+    """Give values to what the text says no number of, where an equality has it alone and linearly.
+
+    Of several such equalities that one tells which magnifies the rounding of its terms and numbers least.
+    """
+    for _ in equalities:
+        found = [each for equality in equalities if (each := _solved(equality, values)) is not None]
+        if not found:
+            return
+        _, name, value = min(found)
+        values[name] = value
+
+
+def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str, float] | None:
+    """How much an equality magnifies, the only symbol without a value, and that; None unless it is linear in it."""
+    missing = [*(equality.symbols - values.keys())]
+    if len(missing) != 1:
+        return None
+    name = missing[0]
+    found = [equality.excess({**values, name: x}) for x in (0.0, 1.0, 2.0)]
+    if None in found:
+        return None
+    zero, one, two = (float(x or 0.0) for x in found)
+    if one == zero or abs(two - 2.0 * one + zero) > 1e-6 * abs(one - zero):
+        return None
+    value = -zero / (one - zero)
+    sizes = equality.rounding({**values, name: value}, 0.0)
+    return sizes / abs(one - zero) / abs(value) if value else sizes, name, value
+
+
+def _table(chains: list[str]) -> frozenset[str]:
+    """The symbols of the text: e is one of them where it is said to equal something."""
+    found: set[str] = {"e"} if any(chain.strip().startswith("e =") for chain in chains) else set()
+    for side in (side for chain in chains for side in chain.split("=")):
+        try:
+            found |= {token.text for token in tokenize(side, None) if token.kind == "symbol"}
+        except Refused:
+            continue
+    return frozenset(found)
+
+
+def _side(text: str, table: frozenset[str]) -> tuple[Node, tuple[Node, ...], frozenset[str]]:
+    """The value of one side, a unit behind it left out; its terms; its symbols."""
+    tokens = tokenize(text.strip(), table)
+    upright = next((n for n, token in enumerate(tokens) if token.kind == "word" and token.upright), len(tokens))
+    if upright < len(tokens) and tokens[upright - 1].kind == "open":
+        upright -= 1
+    used = tokens[:upright]
+    node, taken, refusal = parse(used, unit_follows=False)
+    if taken < len(used):
+        raise refusal or Refused(Outcome.UNREADABLE, f"{text!r} is not all a value")
+    terms = tuple(parse(part, unit_follows=False)[0] for part in _terms(used))
+    return node, terms, frozenset(token.text for token in used if token.kind == "symbol")
+
+
+def _terms(tokens: list[Token]) -> Iterator[list[Token]]:
+    """The tokens between plus and minus signs outside of all brackets and bars; bars within bars stand in brackets."""
+    depth, in_bars, part = 0, False, list[Token]()
+    for token in tokens:
+        depth += (token.kind == "open") - (token.kind == "close")
+        in_bars ^= depth == 0 and token.kind == "bar"
+        if depth == 0 and not in_bars and token.kind in SIGNS:
+            if part:
+                yield part
+            part = []
+        else:
+            part.append(token)
+    if part:
+        yield part
+
+
+def _name(chain: str, table: frozenset[str]) -> str:
+    """The symbol that is said to equal the rest; empty if it is a formula."""
+    tokens = tokenize(chain.partition("=")[0].strip(), table)
+    return tokens[0].text if len(tokens) == 1 and tokens[0].kind == "symbol" else ""

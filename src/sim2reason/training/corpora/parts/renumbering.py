@@ -1,0 +1,90 @@
+"""The same problem with other numbers, worked out by the formulas of its solution, without any simulation.
+
+Such a problem is not certified, and no filter has seen it: it is for those who learn arithmetic, not for a test. Every
+name keeps the sign that it had, so that a formula for what goes up is not used for what comes down.
+"""
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from math import copysign, degrees, isclose, isfinite, log, radians
+from typing import Final
+
+import numpy as np
+
+from sim2reason.solutions.solution import Solution
+from sim2reason.training.corpora.parts.operations import definitions, given
+
+__all__ = ["renumbered"]
+
+WIDEST: Final = log(2.5)  # of the factor by which a number changes
+STEEPEST: Final = 85.0  # degrees
+TRIES: Final = 6
+KEPT: Final = frozenset({"g", "G"})  # constants of nature, which no problem changes
+Place = tuple[tuple[int, int], str]
+"""Where a number stands in a text, and how."""
+_NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w]*[.,]?\d)")
+
+
+def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, Solution] | None:
+    """A prompt and its solution with other numbers; None where none are found that keep all signs.
+
+    A number is changed where the prompt says it once, in the digits of the problem; others stay.
+    """
+    for _ in range(TRIES):
+        text, numbers = _changed(prompt, solution, rng)
+        values = _values(solution, numbers)
+        if values is not None:
+            assert solution.answer is not None
+            answer = values[solution.goal] * solution.answer / solution.values[solution.goal]
+            return text, replace(solution, values=values, answer=answer)
+    return None
+
+
+def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, dict[str, float]]:
+    """The prompt with other numbers, and what is given then."""
+    places = [(found.span(), found.group()) for found in _NUMBER.finditer(prompt)]
+    numbers, changes = dict(given(solution)), list[Place]()
+    for name, value in numbers.items():
+        said, found = abs(value), _said(places, abs(value))
+        if angle := not found:
+            said = degrees(said)
+            found = _said(places, said)
+        if name in KEPT or len(found) != 1 or not value:
+            continue
+        span, text = found[0]
+        new = _like(text, said * float(np.exp(rng.uniform(-WIDEST, WIDEST))))
+        if float(new) == 0.0 or (angle and float(new) > STEEPEST):
+            continue
+        changes.append((span, new))
+        numbers[name] = copysign(radians(float(new)) if angle else float(new), value)
+    for (start, end), new in sorted(changes, reverse=True):
+        prompt = prompt[:start] + new + prompt[end:]
+    return prompt, numbers
+
+
+def _said(places: list[Place], value: float) -> list[Place]:
+    """Where a number stands."""
+    return [(span, text) for span, text in places if isclose(float(text), value, rel_tol=1e-9)]
+
+
+def _like(text: str, value: float) -> str:
+    """A number with as many significant digits as a text has."""
+    digits = len(text.replace(".", "").lstrip("0")) or 1
+    rounded = float(f"{value:.{digits - 1}e}")
+    decimals = max(0, digits - 1 - int(np.floor(np.log10(rounded))))
+    return f"{rounded:.{decimals}f}"
+
+
+def _values(solution: Solution, numbers: Mapping[str, float]) -> dict[str, float] | None:
+    """What follows from the numbers; None if a sign changes, or a formula has no value."""
+    values = dict(numbers)
+    for name, formula in definitions(solution).items():
+        try:
+            found = formula.value(values)
+        except (ArithmeticError, ValueError):
+            return None
+        if isinstance(found, complex) or not isfinite(found) or found * solution.values[name] <= 0.0:
+            return None
+        values[name] = found
+    return values if solution.goal in values else None

@@ -1,0 +1,97 @@
+"""Formulas: their values, their derivatives, how they are written, and that what is written means the same."""
+
+from math import cos, pi, sin, sqrt
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from sim2reason.grading import arithmetic
+from sim2reason.grading.parser import parse
+from sim2reason.grading.tokens import tokenize
+from sim2reason.solutions.algebra.digits import rounded, shortened
+from sim2reason.solutions.algebra.evaluated import NumericRoot, Worked, gradient
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
+
+M, A, THETA = Symbol("m_A"), Symbol("a"), Symbol(r"\theta")
+AT = {"m_A": 2.5, "a": 1.25, r"\theta": 0.6}
+
+
+def formulas() -> st.SearchStrategy[Expression]:
+    leaves = st.sampled_from([M, A, Call("sin", THETA), Call("cos", THETA), Number(2.0), Number(0.5), Number(-3.0)])
+    pairs = st.tuples
+    return st.recursive(
+        leaves,
+        lambda inner: st.one_of(
+            pairs(inner, inner).map(lambda p: added(*p)),
+            pairs(inner, inner).map(lambda p: multiplied(*p)),
+            inner.map(lambda e: -e),
+            inner.map(lambda e: Power(e, 2)),
+            inner.map(lambda e: Root(added(Power(e, 2), Number(1.0)))),
+            pairs(inner, inner).map(lambda p: ratio(p[0], added(Power(p[1], 2), Number(1.0)))),
+        ),
+        max_leaves=6,
+    )
+
+
+@given(formulas())
+def test_a_minus_sign_in_front_is_known_before_it_is_written(held: Expression) -> None:
+    assert held.negative == held.latex().startswith("-")
+
+
+@given(formulas())
+@example(multiplied(Number(4.0), ratio(Number(2.0), added(Power(Number(2.0), 2), Number(1.0)))))  # no 4 and 2/5
+def test_the_grader_reads_what_is_written(held: Expression) -> None:
+    table = {"m_A", "a", "theta"}
+    node, *_ = parse(tokenize(held.latex(), table), unit_follows=False)
+    found = arithmetic.value(node, {"m_A": 2.5, "a": 1.25, "theta": 0.6})
+    assert found == pytest.approx(held.value(AT), rel=1e-9, abs=1e-9)
+
+
+@given(formulas())
+def test_derivatives_are_those_of_small_steps(held: Expression) -> None:
+    (slope,) = gradient(held, AT, {"a": 0})
+    step = 1e-6
+    ends = [held.value({**AT, "a": AT["a"] + side * step}).real for side in (1.0, -1.0)]
+    assert slope == pytest.approx((ends[0] - ends[1]) / (2.0 * step), rel=1e-5, abs=1e-5 * max(1.0, abs(ends[0])))
+
+
+def test_a_root_is_refined_and_follows_its_coefficients() -> None:
+    held = NumericRoot(added(Power(Symbol("x"), 2), -A), "x", 1.1)
+    assert held.value(AT) == pytest.approx(sqrt(1.25), rel=1e-14)
+    assert gradient(held, AT, {"a": 0}) == pytest.approx([0.5 / sqrt(1.25)])
+
+
+def test_numbers_have_five_digits() -> None:
+    assert [rounded(x) for x in (34.8, 0.0, 1.0 / 3.0, -1234567.0)] == [
+        "34.800",
+        "0",
+        "0.33333",
+        r"-1.2346 \times 10^{6}",
+    ]
+    assert Worked(Number(1.0 / 3.0), 1.0 / 3.0).value({}, 5) == shortened(1.0 / 3.0) == 0.33333
+
+
+def test_sines_and_cosines_of_one_angle_make_one() -> None:
+    s, c = (Polynomial.of(Call(name, THETA)) for name in ("sin", "cos"))
+    assert (s * s + c * c).number == 1.0
+    assert ((s + c) * (s + c) - (s * c).scaled(2.0)).number == 1.0
+
+
+def test_sines_and_cosines_of_two_angles_make_one() -> None:
+    s, c = (Polynomial.of(Call(name, THETA)) for name in ("sin", "cos"))
+    z, w = (Polynomial.of(Call(name, A)) for name in ("sin", "cos"))
+    assert ((s * s + c * c) * (z * z + w * w)).number == 1.0
+    assert total([s * s * z * z, s * s * w * w, c * c * z * z, c * c * w * w]).number == 1.0
+
+
+@given(st.floats(0.1, pi / 2 - 0.1))
+def test_what_all_terms_share_stands_in_front(angle: float) -> None:
+    m, g = Polynomial.of(M), Polynomial.of(Symbol("g"))
+    sine, cosine, mu = (Polynomial.of(x) for x in (Call("sin", THETA), Call("cos", THETA), Symbol(r"\mu")))
+    held = (m * g * (sine - mu * cosine)).factored()
+    assert held.latex() == r"m_A g \left(\sin\theta - \mu \cos\theta\right)"
+    at = {"m_A": 2.0, "g": 9.8, r"\theta": angle, r"\mu": 0.3}
+    assert held.value(at) == pytest.approx(2.0 * 9.8 * (sin(angle) - 0.3 * cos(angle)))

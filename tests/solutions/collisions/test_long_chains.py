@@ -1,0 +1,71 @@
+"""Texts of long chains of hits: what is told in rows is told in full, and after what it hangs on."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from sim2reason.datasets.item_search import ItemSearch
+from sim2reason.datasets.plan import Request
+from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.collisions.long_chains import LONG, ROWS, TIME, VELOCITY, in_rows
+from sim2reason.solutions.reverse import forward
+from sim2reason.solutions.solution import Relation, Step
+from sim2reason.solutions.writing.merging import merged
+from sim2reason.testing.solutions.faults import WORDS, faults, words
+from sim2reason.testing.solutions.reading import read
+
+
+def velocity(number: int, *needs: int) -> Step:
+    name = f"v_{number}"
+    relation = Relation(Symbol(name), Number(2.0), "law")
+    text = f"Then the velocity of ball A is {relation.latex()}."
+    return Step(number, VELOCITY, text, (relation,), (name,), needs)
+
+
+def test_few_sentences_stay_as_they_are() -> None:
+    steps = [velocity(number) for number in range(LONG - 1)]
+    assert in_rows(steps) == steps
+
+
+def test_a_row_holds_what_follows_from_what_was_told() -> None:
+    """The eleventh rests on a law between, so that it comes later."""
+    law = Step(LONG, "law", "A law.", (), ("x",), (0,))
+    steps = [*(velocity(number) for number in range(LONG)), law, velocity(LONG + 1, LONG), velocity(LONG + 2, 3)]
+    row, between, last = in_rows(steps)
+    assert row.text.startswith("Velocities: $v_0 = 2$, ")
+    assert row.gives == (*(f"v_{number}" for number in range(LONG)), f"v_{LONG + 2}")
+    assert len(row.relations) == LONG + 1
+    assert (row.needs, between.needs, last.needs) == ((), (0,), (LONG,))
+    assert last.text == "Velocity: $v_7 = 2$."
+
+
+def test_each_row_has_steps_of_its_own_kind_only() -> None:
+    steps = [velocity(number) for number in range(LONG)]
+    other = Step(LONG, TIME, "That is at $t = 1$.", (), ("t",), ())
+    assert [step.kind for step in in_rows([*steps, other])] == [VELOCITY, TIME]
+
+
+def test_sentences_that_rest_on_one_step_are_one_sentence_and_so_are_those_that_rest_on_it() -> None:
+    """As along x and y after one impact."""
+    steps = [velocity(0), velocity(1), velocity(2, 0), velocity(3, 1)]
+    assert [step.gives for step in merged(steps)] == [("v_0", "v_1"), ("v_2", "v_3")]
+
+
+def in_long_chains(difficulty: str, count: int) -> Iterator[tuple[Setting, Solution]]:
+    """Drawn collisions whose solutions have rows."""
+    for index in range(count):
+        found = ItemSearch(Request("collision", difficulty, "reverse", 804, index)).found()
+        solution = solve(found.setting) if found is not None else None
+        if found is not None and solution is not None and any(head in solution.text for head in ROWS[TIME]):
+            yield found.setting, solution
+
+
+@pytest.mark.parametrize("difficulty", ["medium", "hard"])
+def test_long_chains_are_told_in_few_words(difficulty: str) -> None:
+    setting, solution = next(in_long_chains(difficulty, 80))
+    answer = forward(setting).answer
+    assert answer is not None
+    assert not faults(solution, answer)
+    assert not read(solution.text).broken
+    assert words(solution.text) <= WORDS[difficulty]
