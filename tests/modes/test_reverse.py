@@ -1,6 +1,6 @@
 """Numbers that follow from a result, by formulas from textbooks; and results from which they do not."""
 
-from math import asin, cos, degrees, radians, sin, sqrt, tan
+from math import asin, cos, degrees, pi, radians, sin, sqrt, tan
 from types import SimpleNamespace
 
 import numpy as np
@@ -32,6 +32,7 @@ from sim2reason.questions.targets import targets
 from sim2reason.questions.unknown import range_of
 from sim2reason.recipes import RECIPES
 from sim2reason.simulation.scenes import simulate
+from spring_slopes import spring_slope
 
 G = 9.8
 SPEED = Target("velocity", "ramp.blocks.0")
@@ -414,3 +415,38 @@ def test_narrow_stretches_of_other_values_are_seen(
     found = unfixed(question, Study(study, simulate(study)))
     assert found.endswith(" m is not excluded")
     assert low < float(found.split()[1]) < high
+
+
+INERT = 2.3 + 4.7 + 1.7 / 2.0  # kg: block, load, and the pulley's disc at its rim
+LIFTED = (4.7 - 2.3 * sin(radians(18.0))) * G  # N: the spring's force in equilibrium
+
+
+@pytest.mark.parametrize("kind", ["period", "equilibrium"])
+def test_a_period_or_an_equilibrium_fixes_a_stiffness(kind: str) -> None:
+    """From ω² = k/(m_A + m_B + M/2), and k x = (m_B − m_A sin θ) g at rest; the prompt alone leads there, too."""
+    scene = spring_slope(stiffness=120.0)
+    seen, description = study(scene), describe(scene)
+    words = words_of(description)
+    drawn = (MODES["reverse"].ask(seen, words, kind, np.random.default_rng(seed)) for seed in range(60))
+    asked = [question for question in drawn if question is not None and question.unknown.endswith("stiffness")]
+    given = {question.query: question.given.value for question in asked if question.given is not None}
+    expected = {
+        ("period", ""): lambda value: INERT * (2.0 * pi / value) ** 2,
+        ("frequency", ""): lambda value: INERT * (2.0 * pi * value) ** 2,
+        ("angular frequency", ""): lambda value: INERT * value**2,
+        ("", "spring length"): lambda value: LIFTED / (value - 0.45),
+        ("", "extension"): lambda value: LIFTED / value,
+        ("", "displacement"): lambda value: LIFTED / (value + 0.2 - 0.45),
+        ("", "spring energy"): lambda value: LIFTED**2 / (2.0 * value),
+    }
+    tried = 0
+    for question in asked:
+        query = question.query
+        key = getattr(query, "measure", ""), query.target.quantity if query.target is not None else ""
+        if key in expected:
+            tried += 1
+            assert question.answer == pytest.approx(expected[key](given[query]), rel=1e-7), question.text
+            read = MODES["reverse"].parsed(question.text, seen, words)
+            assert read is not None
+            assert (read.query, read.given) == (query, question.given)
+    assert tried > 3

@@ -25,6 +25,7 @@ from sim2reason.prose.description import describe
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.given import StatedResult
+from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
@@ -180,7 +181,7 @@ def test_where_a_block_on_springs_starts_matters_only_to_what_is_measured_from_t
     table = SpringBlock(block=Block(mass=2.0), springs=springs, x=0.1, y=0.2)
     scene = Scene(entities=(Named(name="table", entity=table),))
     held, beside = (
-        asked(Query("equilibrium", Target(*pair)))
+        asked(EquilibriumQuery("equilibrium", Target(*pair)))
         for pair in (("spring length", "table.springs.0"), ("displacement", "table.block"))
     )
     assert "start" in irrelevant(held, study(scene))

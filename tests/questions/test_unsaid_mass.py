@@ -59,7 +59,7 @@ def asked(scene: Scene) -> set[str]:
     study, words = search.study, search.words
     drawn = (MODES["numeric"].ask(study, words, "", np.random.default_rng(seed)) for seed in range(60))
     found = (Candidate(study, question, question.text, words=words) for question in drawn if question is not None)
-    return {candidate.question.text for candidate in found if not FILTERS["unsaid"].reason(candidate)}
+    return {candidate.question.text for candidate in found if not FILTERS["hidden numbers"].reason(candidate)}
 
 
 def test_no_question_needs_a_mass_that_is_not_said() -> None:

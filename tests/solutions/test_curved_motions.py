@@ -31,6 +31,7 @@ from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.entities.spring_block import Launch, SpringBlock
 from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, StatedResult, Target
+from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.at_start import AtStart
@@ -366,7 +367,7 @@ CORNERS = tuple((round(0.3 + 0.6 * cos(radians(a)), 2), round(0.2 + 0.6 * sin(ra
 
 def test_springs_at_the_corners_of_a_triangle_balance_near_its_centre() -> None:
     """Where all are 0.6 m long, but for the rounding of the places to centimetres."""
-    query = Query("equilibrium", Target("extension", "springs.springs.0"))
+    query = EquilibriumQuery("equilibrium", Target("extension", "springs.springs.0"))
     assert held(CORNERS, 0.4, query) == pytest.approx(0.2, rel=2e-2)
 
 
@@ -390,7 +391,7 @@ def test_a_reverse_question_about_an_equilibrium_finds_the_natural_length() -> N
     scene = Scene(
         entities=(Named(name="springs", entity=SpringBlock(block=Block(mass=MASS), springs=springs, x=0.2, y=0.1)),)
     )
-    setting = asked(scene, Query("equilibrium", Target("spring force", "springs.springs.0")))
+    setting = asked(scene, EquilibriumQuery("equilibrium", Target("spring force", "springs.springs.0")))
     assert setting.answer is not None
     stated = StatedResult(repr(setting.answer), "N")
     reverse = replace(setting, unknown="springs.springs.1.length", stated=stated)

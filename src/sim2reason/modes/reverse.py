@@ -107,7 +107,7 @@ class Reverse(QuestionMode):
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
         for unknown in words.unknowns:
-            dependence = Dependence(asked.query, study, unknown.path, ENOUGH)
+            dependence = Dependence(asked.query, study, unknown.path, ENOUGH, roomy(study.scene))
             found = roots(dependence, range_of(study.scene, unknown.path), asked.given.value)
             return found[0] if len(found) == 1 else None
         return None

@@ -162,7 +162,8 @@ class Dependence:
         """
         moment, end = self._query.moment, scene.horizon
         if moment is None:
-            return [(end,)]
+            timeless = self._times and not any(self._times.values())
+            return [(SHORTEST * end if timeless else end,)]
         if known := self._ends(moment):
             return [(max(BEYOND * known[0], SHORTEST * end),)]
         near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0

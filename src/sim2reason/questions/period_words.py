@@ -10,7 +10,6 @@ from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.query import Query
 from sim2reason.questions.words import Words
-from sim2reason.simulation.rest.equilibrium import equilibrium
 
 COUNTS = {2: "two", 3: "three"}
 SPEEDS = {2: ("slower", "faster"), 3: ("slowest", "fastest")}
@@ -22,7 +21,8 @@ LENGTHS = {2: ("longer", "shorter"), 3: ("longest", "shortest")}
 class PeriodQuery(Query):
     """The period of the motion of one body, or of small oscillations, of one body, of two against each other, of all.
 
-    `rank` counts modes of small oscillations by their frequency, from the slowest, of `modes` that there are.
+    `rank` counts modes of small oscillations by their frequency, from the slowest, of `modes` that there are. Of a
+    `stable` equilibrium the text says so, since there may be others.
     """
 
     measure: str = "period"
@@ -30,6 +30,7 @@ class PeriodQuery(Query):
     of: tuple[str, ...] = ()
     rank: int = 0
     modes: int = 1
+    stable: bool = False
 
     @property
     def subject(self) -> str:
@@ -42,18 +43,50 @@ def movers(words: Words) -> dict[str, str]:
     return {**words.called(Bodies()), **words.called(TurningBodies())}
 
 
+def noun_of(query: PeriodQuery, words: Words) -> str:
+    """As in: the period of small oscillations of the block about the position of equilibrium."""
+    if not query.small:
+        return _noun_of_motion(query, words)
+    about = f"about {_place(query)}"
+    if query.modes > 1:
+        speed = SPEEDS[query.modes][query.rank > 0]
+        return f"the {query.measure} of the {speed} of the {COUNTS[query.modes]} normal modes of oscillation {about}"
+    return f"the {query.measure} of small oscillations {_of(query, words)}"
+
+
 def sentences(query: PeriodQuery, words: Words) -> tuple[str, ...]:
     """All that ask for it, the most usual first."""
     if not query.small:
-        return _of_motion(query, words)
-    place = f"the position of {rest_called(words.mechanism)}"
-    return _of_modes(query, place) if query.modes > 1 else _of_small(query, words, place)
+        others = _of_motion(query, words)
+    else:
+        others = _of_modes(query) if query.modes > 1 else _of_small(query, words)
+    return (*_plainly(noun_of(query, words)), *others)
 
 
-def rest_called(mechanism: Mechanism) -> str:
-    """How a text calls the equilibrium: the stable one where loads are such that there may be others, too."""
-    rest = equilibrium(mechanism)
-    return "equilibrium" if rest is None or rest.linear else "stable equilibrium"
+def _place(query: PeriodQuery) -> str:
+    return f"the position of {equilibrium_called(stable=query.stable)}"
+
+
+def _of(query: PeriodQuery, words: Words) -> str:
+    """Of what small oscillations in one mode are, and about what."""
+    said = [movers(words)[name] for name in query.of]
+    if len(said) > 1:
+        return f"of {pair(*said)} relative to each other"
+    return f"of {said[0]} about {_place(query)}" if said else f"about {_place(query)}"
+
+
+def equilibrium_called(*, stable: bool) -> str:
+    """How a text calls it."""
+    return "stable equilibrium" if stable else "equilibrium"
+
+
+def _noun_of_motion(query: PeriodQuery, words: Words) -> str:
+    name, said = query.of[0], movers(words)[query.of[0]]
+    if attracted_by(words.mechanism, name) in words.mentions:
+        return f"the orbital {query.measure} of {said}"
+    if _revolves(words.mechanism, name):
+        return f"the {query.measure} of revolution of {said}"
+    return f"the {query.measure} of the motion of {said}"
 
 
 def _of_motion(query: PeriodQuery, words: Words) -> tuple[str, ...]:
@@ -64,16 +97,14 @@ def _of_motion(query: PeriodQuery, words: Words) -> tuple[str, ...]:
         return _of_orbit(measure, said, words.mentions[center])
     if _revolves(mechanism, name):
         return _of_revolution(measure, said)
-    plain = _plainly(f"the {measure} of the motion of {said}")
     if not (path.straight or (words.released and path.swings)):
         again = (f"how long does it take until the motion of {said} repeats itself?",) if measure == "period" else ()
-        return (*plain, f"with what {measure} does the motion of {said} repeat itself?", *again)
+        return (f"with what {measure} does the motion of {said} repeat itself?", *again)
     does = "oscillate" if path.straight else "rock to and fro" if name in mechanism.contacts else "swing to and fro"
     first, _, rest = does.partition(" ")
     verb = f"{first}s {rest}".rstrip()
     takes = (f"how long does {said} take for one complete oscillation?",) if measure == "period" else ()
     return (
-        *plain,
         f"with what {measure} does {said} {does}?",
         f"determine the {measure} with which {said} {verb}.",
         *takes,
@@ -82,7 +113,6 @@ def _of_motion(query: PeriodQuery, words: Words) -> tuple[str, ...]:
 
 def _of_orbit(measure: str, said: str, center: str) -> tuple[str, ...]:
     return (
-        *_plainly(f"the orbital {measure} of {said}"),
         f"with what {measure} does {said} go round {center}?",
         f"determine the {measure} of the motion of {said} about {center}.",
         f"what is the {measure} with which {said} goes round {center}?",
@@ -90,9 +120,8 @@ def _of_orbit(measure: str, said: str, center: str) -> tuple[str, ...]:
 
 
 def _of_revolution(measure: str, said: str) -> tuple[str, ...]:
-    takes = f"how long does one revolution of {said} take?" if measure == "period" else ""
-    plain = (f"with what {measure} does {said} go round its circle?", takes)
-    return tuple(shape for shape in (*_plainly(f"the {measure} of revolution of {said}"), *plain) if shape)
+    takes = (f"how long does one revolution of {said} take?",) if measure == "period" else ()
+    return (f"with what {measure} does {said} go round its circle?", *takes)
 
 
 def _revolves(mechanism: Mechanism, name: str) -> bool:
@@ -107,39 +136,34 @@ def _plainly(noun: str) -> tuple[str, ...]:
     return (f"what is {noun}?", f"find {noun}.", f"determine {noun}.", f"calculate {noun}.")
 
 
-def _of_small(query: PeriodQuery, words: Words, place: str) -> tuple[str, ...]:
-    said, measure = [movers(words)[name] for name in query.of], query.measure
+def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
+    said, measure, place = [movers(words)[name] for name in query.of], query.measure, _place(query)
     own = place.replace("the", "its", 1)
     if len(said) == 1:
-        of = f"of {said[0]} about {place}"
         told = (
             f"disturbed slightly from {own}, with what {measure} does {said[0]} oscillate?",
             f"with what {measure} does {said[0]} oscillate if slightly disturbed from {own}?",
         )
     elif said:
-        of = f"of {pair(*said)} relative to each other"
         told = (
             f"with what {measure} do {pair(*said)} vibrate against each other when the amplitude is small?",
             f"with what {measure} would {pair(*said)} oscillate relative to each other after a slight disturbance?",
         )
     else:
-        of = f"about {place}"
         told = (
             f"if all is at rest in {place} and is slightly disturbed, what is the {measure} of the oscillations?",
             f"with what {measure} does everything oscillate if it is slightly disturbed from {place}?",
         )
-    takes = (f"how long does one small oscillation {of} take?",) if measure == "period" else ()
-    return (*_plainly(f"the {measure} of small oscillations {of}"), *told, *takes)
+    takes = (f"how long does one small oscillation {_of(query, words)} take?",) if measure == "period" else ()
+    return (*told, *takes)
 
 
-def _of_modes(query: PeriodQuery, place: str) -> tuple[str, ...]:
+def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
     """Of several modes; the slowest has the longest period."""
-    count, last = query.modes, query.rank > 0
+    count, last, place = query.modes, query.rank > 0, _place(query)
     plural = {"period": "natural periods"}.get(query.measure, f"natural {query.measure[:-1]}ies")
     which = (LENGTHS if query.measure == "period" else SIZES)[count][last]
-    mode = f"the {SPEEDS[count][last]} of the {COUNTS[count]} normal modes of oscillation about {place}"
     return (
-        *_plainly(f"the {query.measure} of {mode}"),
         f"oscillations about {place} have {COUNTS[count]} {plural}; what is the {which} of them?",
         f"of the {COUNTS[count]} {plural} of oscillations about {place}, find the {which}.",
     )

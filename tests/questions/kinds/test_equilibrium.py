@@ -13,6 +13,7 @@ from sim2reason.dsl.mechanism import GRAVITY, Mechanism, X, Z
 from sim2reason.errors import SceneError
 from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, Query, Study, Target, Words
+from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
@@ -79,7 +80,7 @@ def test_what_has_no_equilibrium_has_no_answer() -> None:
     scene = atwood()
     study, words = Study(scene, simulate_scene(scene)), words_of(describe(scene))
     assert drawn(study, words) == set()
-    query = Query("equilibrium", Target("displacement", "one.system.blocks.0"))
+    query = EquilibriumQuery("equilibrium", Target("displacement", "one.system.blocks.0"))
     assert KIND.answer(query, study) is None
     assert KIND.doubt(query, study, None)
 

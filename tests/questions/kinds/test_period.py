@@ -159,11 +159,14 @@ def test_how_far_a_spring_is_pulled_is_of_no_matter_by_nature() -> None:
     assert not KINDS["state"].indifferent(query, study, spring_block(0.25).told()[0])
 
 
-def test_an_equilibrium_is_called_stable_where_there_may_be_another() -> None:
+@pytest.mark.parametrize(("recipe", "stable"), [("rotation", True), ("chain", False)])
+def test_an_equilibrium_is_called_stable_where_there_may_be_another(recipe: str, *, stable: bool) -> None:
     """What swings could also stand upright; carts on springs have one place of rest."""
-    for mechanism, stable in ((slider(), True), (two_between_walls(), False)):
-        words = Words(mechanism, {body.name: f"the {body.name}" for body in mechanism.bodies}, released=True)
-        for query in (PeriodQuery("period", None, None, small=True, modes=n) for n in (1, 2)):
-            shapes = KIND.shapes(query, words, None)
-            assert shapes
-            assert all(("stable equilibrium" in shape) is stable for shape in shapes)
+    seen = 0
+    for index in range(5):
+        scene = RECIPES[recipe]("medium", generator(recipe, "medium", "numeric", 11, index, 0))
+        study, words = Study(scene, simulate_scene(scene)), words_of(describe(scene))
+        for query in filter(lambda query: query.small, drawn(study, words)):
+            assert all(("stable equilibrium" in shape) is stable for shape in KIND.shapes(query, words, None))
+            seen += 1
+    assert seen

@@ -16,6 +16,7 @@ from sim2reason.dsl.mechanism import GRAVITY, ZERO, Mechanism, X, Y, Z
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, neighbour
+from spring_slopes import spring_slope
 
 G = GRAVITY
 SEEDS = range(4)
@@ -265,3 +266,13 @@ def test_a_neighbour_keeps_every_string_as_long_as_it_was() -> None:
     for side, number in ((-1.0, 1), (1.0, 2)):
         gone = hypot(side - x, 1.0) - sqrt(2.0)
         assert places[number] == pytest.approx(gone)
+
+
+def test_a_place_far_away_to_which_a_wheel_turns_many_times() -> None:
+    """x = (m_B − m_A sin θ) g/k from where the spring is relaxed: here 1.15 m over a wheel that turns by 27 rad."""
+    scene = spring_slope(stiffness=34.0)
+    rest = equilibrium(scene.mechanism)
+    assert rest is not None
+    pulled = (4.7 - 2.3 * sin(radians(18.0))) * 9.8 / 34.0
+    assert float(np.abs(rest.coordinates[0])) == pytest.approx(0.45 + pulled - 0.2, rel=1e-9)
+    assert float(np.abs(rest.coordinates).max()) > 20.0

@@ -18,6 +18,7 @@ from sim2reason.entities.parts.mass_systems import Hanging
 from sim2reason.entities.spring_mass_incline import SpringMassIncline
 from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, StatedResult, Target
+from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.at_start import AtStart
 from sim2reason.questions.moments.at_time import AtTime
@@ -107,7 +108,7 @@ def test_on_a_slope_it_oscillates_about_where_weight_and_spring_balance() -> Non
     query = StretchQuery("extremum", None, AtTime(1.5), "greatest displacement", cart(scene))
     answer = found(scene, query, "oscillation", "energy")
     assert answer == pytest.approx(MASS * G / STIFFNESS, rel=1e-9)
-    rest = Query("equilibrium", Target("displacement", cart(scene)))
+    rest = EquilibriumQuery("equilibrium", Target("displacement", cart(scene)))
     assert abs(found(scene, rest, "statics")) == pytest.approx(0.5 * MASS * G / STIFFNESS, rel=1e-9)
 
 

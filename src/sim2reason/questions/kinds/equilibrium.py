@@ -1,6 +1,7 @@
 """What is the quantity in the position of equilibrium?"""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -8,7 +9,7 @@ from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import pick
 from sim2reason.questions.kinds import SAME, Kind, kind
-from sim2reason.questions.period_words import rest_called
+from sim2reason.questions.period_words import equilibrium_called
 from sim2reason.questions.phrasing import asking
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
@@ -22,6 +23,13 @@ from sim2reason.simulation.rest.witness import unrest
 
 WHEN = ("in the position of {}", "at the position of {}", "in the {} position")
 STILL = 1e-6  # m or rad
+
+
+@dataclass(frozen=True, slots=True)
+class EquilibriumQuery(Query):
+    """A quantity in equilibrium; of a `stable` one the text says so, since there may be others."""
+
+    stable: bool = False
 
 
 @kind
@@ -59,7 +67,9 @@ class EquilibriumKind(Kind):
             return all(abs(value - other) > SAME * abs(value) for other in told)
 
         target = pick([target for target in targets if not target.signed], rng, differs)
-        return Query(self.name, target) if target is not None and lone_equilibrium(mechanism) is not None else None
+        if target is None or lone_equilibrium(mechanism) is None:
+            return None
+        return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
     def answer(self, query: Query, study: Study) -> float | None:
         """The quantity there."""
@@ -90,17 +100,32 @@ class EquilibriumKind(Kind):
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: in the position of equilibrium, what is the length of the spring?"""
+        del words
         assert query.target is not None
         assert noun is not None
-        called = rest_called(words.mechanism)
-        shapes = (shape for when in WHEN for shape in asking(query.target, noun, when.format(called)))
+        shapes = (shape for when in _whens(query) for shape in asking(query.target, noun, when))
         return tuple(dict.fromkeys(shapes))
+
+    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: the length of the spring in the position of equilibrium."""
+        del words
+        assert noun is not None
+        return tuple(f"{noun.phrase} {when}" for when in _whens(query))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every quantity that is named."""
         del study, words
         if "equilibrium" in text:
-            yield from (Query(self.name, target) for target in targets)
+            yield from (
+                EquilibriumQuery(self.name, target, stable=stable) for target in targets for stable in (False, True)
+            )
+
+
+def _whens(query: Query) -> tuple[str, ...]:
+    """Phrases for where that is."""
+    assert isinstance(query, EquilibriumQuery)
+    called = equilibrium_called(stable=query.stable)
+    return tuple(when.format(called) for when in WHEN)
 
 
 def _worth(mechanism: Mechanism) -> bool:

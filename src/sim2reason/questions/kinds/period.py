@@ -1,6 +1,7 @@
 """What is the period, or the frequency, of a motion that repeats, or of small oscillations about the equilibrium?"""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations
 from math import pi
 
@@ -11,7 +12,7 @@ from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.quantities.subjects.paths import is_pulley_wheel
 from sim2reason.quantities.subjects.turners import TurningBodies
 from sim2reason.questions.kinds import Kind, Measured, kind
-from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, sentences
+from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import Repetition
 from sim2reason.questions.study import Study
@@ -72,7 +73,9 @@ class PeriodKind(Kind):
         if of is None or not plain or (count > 1 and float(gaps.min()) < APART) or lone_equilibrium(mechanism) is None:
             return None
         rank = int(rng.integers(2)) * (count - 1)
-        return PeriodQuery(self.name, None, None, _measure(words, rng), small=True, of=of, rank=rank, modes=count)
+        stable = not rest.linear and len(of) < 2  # of two against each other no place is told
+        small = PeriodQuery(self.name, None, None, _measure(words, rng), small=True, stable=stable)
+        return replace(small, of=of, rank=rank, modes=count)
 
     def _repeating(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
         """The motion of any body that comes round again, unless it is nearly that of small oscillations."""
@@ -140,6 +143,12 @@ class PeriodKind(Kind):
         assert isinstance(query, PeriodQuery)
         return sentences(query, words)
 
+    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: the period of small oscillations of the block about the position of equilibrium."""
+        del noun
+        assert isinstance(query, PeriodQuery)
+        return (noun_of(query, words),)
+
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every measure of every mode, of everything that is named."""
         del study, targets
@@ -151,11 +160,10 @@ class PeriodKind(Kind):
         groups: list[tuple[str, ...]] = [(), *((name,) for name in named), *pairs]
         for measure in MEASURES:
             yield from (PeriodQuery(self.name, None, None, measure, of=(name,)) for name in named)
-            for of in groups:
-                yield PeriodQuery(self.name, None, None, measure, small=True, of=of)
-            for count in COUNTS:
-                for rank in (0, count - 1):
-                    yield PeriodQuery(self.name, None, None, measure, small=True, rank=rank, modes=count)
+            for stable in (False, True):
+                small = PeriodQuery(self.name, None, None, measure, small=True, stable=stable)
+                yield from (replace(small, of=of) for of in groups)
+                yield from (replace(small, rank=rank, modes=n) for n in COUNTS for rank in (0, n - 1))
 
 
 def _modes(mechanism: Mechanism) -> Oscillations | None:

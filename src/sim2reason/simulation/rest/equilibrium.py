@@ -21,7 +21,7 @@ from sim2reason.dsl.state import State
 from sim2reason.errors import UnsupportedError
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.rest.balance import Balance
-from sim2reason.simulation.rest.loads import EXACT, LITTLE, RestingLoads, Vector, symmetric, ways
+from sim2reason.simulation.rest.loads import EXACT, LITTLE, Loads, RestingLoads, Vector, symmetric, ways
 
 STEPS = 40
 PATIENCE = 6  # steps in which a force where nothing restores must cease
@@ -184,8 +184,7 @@ class _Descent:
             free = ways(loads.along[active], self.size)
             forces = self.loads.forces(loads, active)
             down = free.T @ loads.force
-            lacking = float(np.abs(loads.spare[active]).max(initial=0.0))
-            if max(float(np.abs(down).max(initial=0.0)) / self.scale, lacking) <= EXACT:
+            if self._balanced(loads, down, active):
                 return places, forces
             tight = self.loads.tightening(loads, active)
             stiffness = free.T @ self.loads.stiffness(places, forces, active)
@@ -198,8 +197,20 @@ class _Descent:
                 return None
             part = np.where(firm, along / np.where(firm, np.abs(sizes), 1.0), np.where(pushed, np.sign(along), 0.0))
             step = tight + free @ (axes @ part)
-            places = places + step * min(1.0, float((most / np.maximum(np.abs(step), 1e-300)).min()))
+            share = min(1.0, float((most / np.maximum(np.abs(step), 1e-300)).min()))
+            if share < 1.0 and self._is_rest(places + step, active):  # far away, but the loads are linear
+                share = 1.0
+            places = places + share * step
         return None
+
+    def _balanced(self, loads: Loads, down: Vector, active: list[int]) -> bool:
+        """Whether no force is left along the motions that the rows allow, and all rows are kept."""
+        lacking = float(np.abs(loads.spare[active]).max(initial=0.0))
+        return max(float(np.abs(down).max(initial=0.0)) / self.scale, lacking) <= EXACT
+
+    def _is_rest(self, places: Vector, active: list[int]) -> bool:
+        loads = self.loads.at(places)
+        return self._balanced(loads, ways(loads.along[active], self.size).T @ loads.force, active)
 
     def _checked(self, places: Vector, active: list[int], forces: Vector) -> Rest | None:
         """The equilibrium, if everything holds that must, and nothing drives away from it."""
