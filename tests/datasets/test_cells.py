@@ -10,6 +10,7 @@ from sim2reason.cli import main
 from sim2reason.datasets.cells import FALSE_ALARM, LEAST_KEPT, Cell, empty, enough, table
 from sim2reason.datasets.manifest import Manifest, load
 from sim2reason.datasets.verify import verify
+from sim2reason.questions import KINDS
 
 Make = Callable[..., Manifest]
 
@@ -75,3 +76,16 @@ def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> Non
     ]
     few = CliRunner().invoke(main, ["generate", str(tmp_path / "few"), "--items", "20", *usual])
     assert few.exit_code == 0
+
+
+def test_a_dataset_of_which_nothing_could_be_made_is_an_error(tmp_path: Path) -> None:
+    """No period is ever asked about a throw: no kind was offered, so that no cell was asked for."""
+    options = ["-n", "2", "--recipe", "projectile", "--difficulty", "easy", "--weights", _only("period")]
+    told = CliRunner().invoke(main, ["generate", str(tmp_path / "data"), *options])
+    assert told.exit_code == 1
+    assert "no problem at all: none of 2 could be made" in told.output
+    assert not verify(tmp_path / "data").faults[:-1]
+
+
+def _only(kind: str) -> str:
+    return ",".join(f"{name}={float(name == kind):g}" for name in KINDS)

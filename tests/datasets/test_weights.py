@@ -59,6 +59,8 @@ def test_the_first_that_can_be_had_is_drawn_by_its_weight() -> None:
         ("nowhere.sum", 1.0, "weights: nowhere.sum: 'nowhere' is no recipe, mode, or recipe and mode; write KIND"),
         ("numeric.box.sum", 1.0, "weights: numeric.box.sum: 'numeric.box' is no recipe"),
         ("a.box.numeric.sum", 1.0, "'a.box.numeric' is no recipe"),
+        ("symbolic.count", 1.0, "weights: symbolic.count: the mode symbolic has no 'count'; it has: "),
+        ("box.reverse.threshold", 0.5, "weights: box.reverse.threshold: the mode reverse has no 'threshold'"),
         ("sum", -1.0, "weights: sum: -1.0 is no weight; give a number that is not negative"),
         ("sum", float("nan"), "weights: sum: nan is no weight"),
     ],
@@ -67,6 +69,12 @@ def test_a_wrong_weight_is_told_with_its_place_and_remedy(name: str, size: float
     with pytest.raises(DatasetError, match="weights: ") as error:
         check({name: size}, ("numeric",), ("box",))
     assert says in str(error.value)
+
+
+def test_a_kind_that_a_mode_has_not_may_have_the_weight_0() -> None:
+    check({"symbolic.count": 0.0}, ("numeric",), ("box",))
+    with pytest.raises(DatasetError, match=r"weights: box\.symbolic: all kinds have the weight 0"):
+        check(dict.fromkeys(KINDS, 0.0) | {"count": 1.0}, ("numeric", "symbolic"), ("box",))
 
 
 def test_one_kind_must_be_left_in_every_mode_and_recipe() -> None:

@@ -7,7 +7,6 @@ import click
 
 from sim2reason.cli import console, options
 from sim2reason.datasets.build import Work, build, build_part
-from sim2reason.datasets.cells import empty
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.generate import ITEMS, Order, configured
 from sim2reason.datasets.manifest import Manifest
@@ -102,7 +101,7 @@ def command(
         console.as_json(manifest.model_dump(mode="json"))
     else:
         _tell(out, manifest)
-    for line in (lines := list(empty(manifest.cells))):
+    for line in (lines := list(manifest.empty_cells())):
         console.explain(f"an empty cell: {line}")
     return 1 if lines else 0
 

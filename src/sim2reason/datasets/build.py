@@ -8,7 +8,7 @@ from typing import TypedDict, Unpack
 
 from sim2reason.datasets import shard_files
 from sim2reason.datasets.atomic_files import LOCK, locked
-from sim2reason.datasets.cells import empty, table
+from sim2reason.datasets.cells import table
 from sim2reason.datasets.contamination import Benchmarks, Overlap
 from sim2reason.datasets.distinct import marks
 from sim2reason.datasets.finish import finish
@@ -100,7 +100,7 @@ def _standing(out: Path, config: Config) -> Manifest | None:
     except DatasetError:
         return None
     same = RunPlan(config=manifest.config, versions=manifest.versions) == RunPlan.of(config)
-    return manifest if same and set(verify(out).faults) <= set(empty(manifest.cells)) else None
+    return manifest if same and set(verify(out).faults) <= set(manifest.empty_cells()) else None
 
 
 def _folder(out: Path | str, config: Config) -> Path:

@@ -10,7 +10,7 @@ from typing import Literal, get_args
 from pydantic import Field, ValidationError
 
 from sim2reason.datasets.atomic_files import canonical
-from sim2reason.datasets.cells import Cell
+from sim2reason.datasets.cells import Cell, empty
 from sim2reason.datasets.histograms import Counted
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.plan import Config, Request
@@ -139,6 +139,13 @@ class Manifest(Record):
         """The same with its seal set."""
         bare = self.model_copy(update={"seal": ""}).text()
         return self.model_copy(update={"seal": sha256(bare.encode()).hexdigest()})
+
+    def empty_cells(self) -> Iterator[str]:
+        """A line for each mode, kind and recipe that is empty though it should not be; one if nothing could be made."""
+        yield from empty(self.cells)
+        unfilled = self.refused["unfilled"].total if "unfilled" in self.refused else 0
+        if not self.rows and unfilled:
+            yield f"no problem at all: none of {unfilled} could be made; order other recipes, modes, kinds or weights"
 
     def text(self) -> str:
         """The bytes of ``manifest.json``, as text."""

@@ -5,7 +5,6 @@ from pathlib import Path
 
 from sim2reason.datasets import store
 from sim2reason.datasets.atomic_files import checksum
-from sim2reason.datasets.cells import empty
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.journal import FOLDER
@@ -40,7 +39,7 @@ def verify(dataset: Dataset | Path | str) -> Findings:
         manifest = load(out)
     except DatasetError as error:
         return Findings(rows=0, shards=0, faults=(str(error),))
-    faults = *_manifest(out, manifest), *_files(out, manifest), *_shards(out, manifest), *empty(manifest.cells)
+    faults = *_manifest(out, manifest), *_files(out, manifest), *_shards(out, manifest), *manifest.empty_cells()
     return Findings(rows=manifest.rows, shards=manifest.shards, faults=faults)
 
 

@@ -26,12 +26,12 @@ def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> f
 
 
 def in_drawn_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Generator) -> list[str]:
-    """All kinds but those of weight 0, each the next one by its weight among those that are left.
+    """All kinds of a mode but those of weight 0, each the next one by its weight among those that are left.
 
     Where the first one that can be had is taken, each is by its weight among those that can be had.
     """
     given = dict(ordered)
-    found = {kind: weight(kind, mode, recipe, given) for kind in KINDS}
+    found = {kind: weight(kind, mode, recipe, given) for kind in _kinds(mode)}
     kinds = [kind for kind, size in found.items() if size > 0.0]
     sizes = np.array([found[kind] for kind in kinds])
     order: list[int] = rng.choice(len(kinds), size=len(kinds), replace=False, p=sizes / sizes.sum()).tolist()
@@ -47,12 +47,19 @@ def check(weights: Mapping[str, float], modes: tuple[str, ...], recipes: tuple[s
         if kind not in KINDS:
             raise _error(name, f"there is no kind {kind!r}", f"there are: {', '.join(KINDS)}; {REMEDY}")
         known = (RECIPES, MODES) if len(before) > 1 else (RECIPES if before and before[0] in RECIPES else MODES,)
+        asking = next((MODES[part] for part in before if part in MODES), None)
+        if asking is not None and size > 0.0 and kind not in asking.kinds:
+            raise _error(name, f"the mode {asking.name} has no {kind!r}", f"it has: {', '.join(_kinds(asking.name))}")
         if len(before) > 2 or any(part not in found for part, found in zip(before, known, strict=False)):
             raise _error(name, f"{'.'.join(before)!r} is no recipe, mode, or recipe and mode", REMEDY)
     for mode in dict.fromkeys(modes):
         for recipe in dict.fromkeys(recipes):
-            if not any(weight(kind, mode, recipe, weights) > 0.0 for kind in KINDS):
+            if not any(weight(kind, mode, recipe, weights) > 0.0 for kind in _kinds(mode)):
                 raise _error(f"{recipe}.{mode}", "all kinds have the weight 0", "leave one that can be asked")
+
+
+def _kinds(mode: str) -> list[str]:
+    return [kind for kind in KINDS if kind in MODES[mode].kinds]
 
 
 def _error(name: str, problem: str, remedy: str) -> DatasetError:
