@@ -44,8 +44,10 @@ def _fill(found: list[Effect], enough: int, offered: Iterator[Effect], candidate
 
 def _add(effect: Effect, candidate: Candidate, found: list[Effect]) -> None:
     """One more, if somebody could give this answer, would be wrong, and it is not there yet."""
-    value = effect.answer
-    if value is None or effect.close or not SMALLEST < abs(value / candidate.question.answer) < LARGEST:
+    value, question = effect.answer, candidate.question
+    if value is None or effect.close or not SMALLEST < abs(value / question.answer) < LARGEST:
+        return
+    if value < 0.0 and not question.sign:  # nobody gives a size that is negative
         return
     if all(other.answer is not None and abs(value - other.answer) > APART * abs(value) for other in found):
         found.append(effect)

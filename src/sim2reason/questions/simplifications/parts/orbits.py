@@ -9,8 +9,10 @@ import numpy as np
 from sim2reason.dsl.frames import start
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.dsl.triples import minus, product
 from sim2reason.simulation.trace import Trace
 
+SQUARE = 1e-9  # cosine of a right angle
 SPEEDS = {"velocity", "momentum", "kinetic energy", "greatest speed", "least speed"}
 ACCELERATIONS = {"acceleration", "net force", "greatest acceleration", "least acceleration"}
 """What is asked for that hangs on the speed, or on the acceleration, by name."""
@@ -70,13 +72,15 @@ def orbits(mechanism: Mechanism) -> list[Orbit]:
         coordinates = mechanism.body[planet].coordinates
         if mechanism.body[star].coordinates:
             continue
-        if [(c.kind, c.axis) for c in coordinates] != [("slide", (1.0, 0.0, 0.0)), ("slide", (0.0, 1.0, 0.0))]:
+        axes = [c.axis for c in coordinates if c.kind == "slide"]
+        if len(coordinates) != 2 or len(axes) != 2 or abs(product(*axes)) > SQUARE:
             return []
-        (x, y, _), (x0, y0, _) = frames.center(planet).place, frames.center(star).place
+        away = minus(frames.center(planet).place, frames.center(star).place)
+        x, y = (float(product(away, axis)) for axis in axes)
         one, other = (mechanism.number[c.name] for c in coordinates)
         velocity = coordinates[0].speed, coordinates[1].speed
         strength = pull.constant * mechanism.body[star].mass
-        found.append(Orbit((one, other), strength, (float(x - x0), float(y - y0)), velocity))
+        found.append(Orbit((one, other), strength, (x, y), velocity))
     return found if 2 * len(found) == len(mechanism.coordinates) else []
 
 
