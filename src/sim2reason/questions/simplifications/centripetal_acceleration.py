@@ -6,7 +6,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_name
-from sim2reason.questions.simplifications.parts.orbits import ACCELERATIONS, Orbit, orbits, with_accelerations
+from sim2reason.questions.simplifications.parts.orbits import ACCELERATIONS, PlanetOrbit, orbits, with_accelerations
 from sim2reason.questions.study import Study
 
 
@@ -27,6 +27,6 @@ class CentripetalAcceleration(OtherReading):
         return Study(study.scene, with_accelerations(study.trace, _towards_the_star))
 
 
-def _towards_the_star(orbit: Orbit, place: Array, velocity: Array) -> Array:
+def _towards_the_star(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
     del orbit
     return -place * (velocity**2).sum(axis=1, keepdims=True) / (place**2).sum(axis=1, keepdims=True)

@@ -8,7 +8,7 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
-from sim2reason.questions.simplifications.parts.orbits import Motion, Orbit, gone, orbits
+from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, gone, orbits
 from sim2reason.questions.study import Study
 
 
@@ -31,7 +31,7 @@ class CircularOrbit(OtherReading):
         return Study(study.scene, gone(study.trace, circles))
 
 
-def _circle(orbit: Orbit, times: Array) -> Motion:
+def _circle(orbit: PlanetOrbit, times: Array) -> Motion:
     r = orbit.distance
     rate = orbit.sense * sqrt(orbit.attraction / r**3)
     angle = np.arctan2(orbit.place[1], orbit.place[0]) + rate * times

@@ -8,7 +8,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_name
-from sim2reason.questions.simplifications.parts.orbits import SPEEDS, Orbit, orbits, with_velocities
+from sim2reason.questions.simplifications.parts.orbits import SPEEDS, PlanetOrbit, orbits, with_velocities
 from sim2reason.questions.study import Study
 
 
@@ -29,6 +29,6 @@ class CircularOrbitSpeed(OtherReading):
         return Study(study.scene, with_velocities(study.trace, _as_on_a_circle))
 
 
-def _as_on_a_circle(orbit: Orbit, place: Array, velocity: Array) -> Array:
+def _as_on_a_circle(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
     distance, speed = (np.linalg.norm(vector, axis=1, keepdims=True) for vector in (place, velocity))
     return velocity * np.sqrt(orbit.attraction / distance) / speed

@@ -9,7 +9,7 @@ from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_name
-from sim2reason.questions.simplifications.parts.orbits import SPEEDS, Orbit, orbits, with_velocities
+from sim2reason.questions.simplifications.parts.orbits import SPEEDS, PlanetOrbit, orbits, with_velocities
 from sim2reason.questions.study import Study
 
 
@@ -30,6 +30,6 @@ class ConstantOrbitalSpeed(OtherReading):
         return Study(study.scene, with_velocities(study.trace, _as_at_first))
 
 
-def _as_at_first(orbit: Orbit, place: Array, velocity: Array) -> Array:
+def _as_at_first(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
     del place
     return velocity * hypot(*orbit.velocity) / np.linalg.norm(velocity, axis=1, keepdims=True)

@@ -8,7 +8,7 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
-from sim2reason.questions.simplifications.parts.orbits import Motion, Orbit, gone, orbits
+from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, gone, orbits
 from sim2reason.questions.study import Study
 
 
@@ -32,7 +32,7 @@ class UniformAngularSpeed(OtherReading):
         return Study(study.scene, gone(study.trace, ellipses))
 
 
-def _turned(orbit: Orbit, times: Array) -> Motion:
+def _turned(orbit: PlanetOrbit, times: Array) -> Motion:
     """With r = p/(1 + e cos ν), ṙ = r² e sin ν ω/p and r̈ = (2ṙ²/r + r² e cos ν ω²/p)."""
     assert orbit.period is not None
     rate, p, (ex, ey) = orbit.sense * 2.0 * pi / orbit.period, orbit.parameter, orbit.pull

@@ -14,7 +14,7 @@ PLAIN = Inextensible()
 
 
 @dataclass(frozen=True, slots=True)
-class Hanging:
+class HangingLoad:
     """A body that strings hold from above, with what hangs from it in turn."""
 
     body: str
@@ -23,7 +23,7 @@ class Hanging:
     mass: float  # kg, of all of it
 
 
-def hanging(mechanism: Mechanism) -> dict[str, Hanging]:
+def hanging(mechanism: Mechanism) -> dict[str, HangingLoad]:
     """By name, what can only move straight up and down, and has strings to hold it and nothing else."""
     holding = _Holding(mechanism)
     found = ((body.name, holding.hanging(body.name)) for body in mechanism.bodies)
@@ -61,7 +61,7 @@ class _Holding:
         self._mechanism = mechanism
         self._runs = list(_runs(mechanism, start(mechanism)))
 
-    def hanging(self, name: str, seen: frozenset[str] = frozenset()) -> Hanging | None:
+    def hanging(self, name: str, seen: frozenset[str] = frozenset()) -> HangingLoad | None:
         """A body with what hangs from it."""
         mechanism = self._mechanism
         body = mechanism.body[name]
@@ -76,7 +76,7 @@ class _Holding:
             if held is None:
                 return None
             mass += held.mass
-        return Hanging(name, tuple(dict.fromkeys(line.name for line in above)), len(above), mass)
+        return HangingLoad(name, tuple(dict.fromkeys(line.name for line in above)), len(above), mass)
 
 
 def _runs(mechanism: Mechanism, frames: Frames) -> Iterator[tuple[Line, str | None, str | None]]:

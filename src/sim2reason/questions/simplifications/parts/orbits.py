@@ -18,12 +18,12 @@ ACCELERATIONS = {"acceleration", "net force", "greatest acceleration", "least ac
 """What is asked for that hangs on the speed, or on the acceleration, by name."""
 Motion = tuple[Array, Array, Array]
 """Places from the star on, velocities and accelerations, (n, 2) each."""
-Told = Callable[["Orbit", Array, Array], Array]
+Told = Callable[["PlanetOrbit", Array, Array], Array]
 """What is taken for the velocity or the acceleration on an orbit, from places and velocities, (n, 2) each."""
 
 
 @dataclass(frozen=True, slots=True)
-class Orbit:
+class PlanetOrbit:
     """A planet by where it starts, in the plane of its two coordinates, whose numbers are `numbers`."""
 
     numbers: tuple[int, int]
@@ -62,11 +62,11 @@ class Orbit:
         return 2.0 * pi * sqrt((self.parameter / left) ** 3 / self.attraction) if left > 0.0 else None
 
 
-def orbits(mechanism: Mechanism) -> list[Orbit]:
+def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
     """Those of all that a fixed body attracts, where nothing else but what so moves is there; none otherwise."""
     if len({pull.power for pull in mechanism.attractions} | {2.0}) > 1 or mechanism.burns or mechanism.lines:
         return []
-    frames, found = start(mechanism), list[Orbit]()
+    frames, found = start(mechanism), list[PlanetOrbit]()
     for pull in mechanism.attractions:
         star, planet = sorted((pull.a, pull.b), key=lambda name: len(mechanism.body[name].coordinates))
         coordinates = mechanism.body[planet].coordinates
@@ -80,11 +80,11 @@ def orbits(mechanism: Mechanism) -> list[Orbit]:
         one, other = (mechanism.number[c.name] for c in coordinates)
         velocity = coordinates[0].speed, coordinates[1].speed
         strength = pull.constant * mechanism.body[star].mass
-        found.append(Orbit((one, other), strength, (x, y), velocity))
+        found.append(PlanetOrbit((one, other), strength, (x, y), velocity))
     return found if 2 * len(found) == len(mechanism.coordinates) else []
 
 
-def gone(trace: Trace, formulas: Mapping[Orbit, Callable[[Array], Motion]]) -> Trace:
+def gone(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Motion]]) -> Trace:
     """A motion in which planets go as formulas of the time (n,) say."""
 
     def sample(times: Array) -> State:
@@ -130,7 +130,7 @@ def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
     return replace(_read(trace, sample), knots=trace.knots)
 
 
-def _told(state: State, found: Iterable[Orbit], told: Told) -> Array:
+def _told(state: State, found: Iterable[PlanetOrbit], told: Told) -> Array:
     values = np.zeros_like(state.q)
     for orbit in found:
         columns = list(orbit.numbers)
