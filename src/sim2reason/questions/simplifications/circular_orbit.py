@@ -1,6 +1,7 @@
 """An orbit is taken as a circle."""
 
 from collections.abc import Iterable
+from functools import partial
 from math import sqrt
 
 import numpy as np
@@ -27,7 +28,7 @@ class CircularOrbit(OtherReading):
 
     def read(self, study: Study) -> Study:
         """On circles, with ω² = GM/r³."""
-        circles = {orbit: lambda times, orbit=orbit: _circle(orbit, times) for orbit in orbits(study.mechanism)}
+        circles = {orbit: partial(_circle, orbit) for orbit in orbits(study.mechanism)}
         return Study(study.scene, gone(study.trace, circles))
 
 

@@ -1,6 +1,7 @@
 """A planet is taken to sweep out equal angles in equal times."""
 
 from collections.abc import Iterable
+from functools import partial
 from math import pi
 
 import numpy as np
@@ -28,7 +29,7 @@ class UniformAngularSpeed(OtherReading):
 
     def read(self, study: Study) -> Study:
         """On their ellipses about the star alone, in the periods that they have there."""
-        ellipses = {orbit: lambda times, orbit=orbit: _turned(orbit, times) for orbit in orbits(study.mechanism)}
+        ellipses = {orbit: partial(_turned, orbit) for orbit in orbits(study.mechanism)}
         return Study(study.scene, gone(study.trace, ellipses))
 
 
