@@ -1,29 +1,62 @@
 """Wrong answers that an item carries, and what of its scene it marks as having no bearing."""
 
+from collections.abc import Iterator
+
 from sim2reason.datasets.item import Distractor
 from sim2reason.dsl.entity import Part
 from sim2reason.filters import Candidate
-from sim2reason.filters.parts.effects import Effect, effects
+from sim2reason.filters.parts.effects import Effect, effects, far_effects, unfiltered_effects
 from sim2reason.filters.parts.numbers import elasticities, matters
 from sim2reason.prose.description import Description
 
 APART = 1e-2  # relative: wrong answers that differ by less are one
 SMALLEST, LARGEST = 1e-2, 1e3  # times the right answer: nobody would believe less or more
+FEW = 1  # wrong answers: where there are fewer, time is spent on others
+ENOUGH = 4  # of them, as many as stand beside the right one of five
 
 
 def distractors(candidate: Candidate, description: Description) -> tuple[Distractor, ...]:
-    """What the slips lead to that change the answer beyond the tolerance, each value once, the nearest first."""
-    answer = candidate.question.answer
-    found: list[Distractor] = []
-    every = [*effects(candidate, part=False), *effects(candidate, part=True)]
-    for effect in sorted((e for e in every if _misleads(e, answer)), key=lambda e: (e.change, e.simplification.name)):
-        value = effect.answer
-        assert value is not None
-        if all(abs(value - other.value) > APART * abs(value) for other in found):
-            found.append(
-                Distractor(value=value, simplification=effect.simplification.name, reason=_reason(effect, description))
-            )
-    return tuple(found)
+    """What the slips lead to that change the answer beyond the tolerance, each value once, the nearest first.
+
+    Where those that filters look at lead to few, others are made; then parts are forgotten that nobody forgets easily;
+    at last answers are looked for that are far from the right one.
+    """
+    found = list[Effect]()
+    heard = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
+    for effect in (e for e in heard if e.simplification.misleads):
+        _add(effect, candidate, found)
+    _fill(found, FEW, unfiltered_effects(candidate), candidate)
+    _fill(found, ENOUGH, (e for e in heard if not e.simplification.misleads), candidate)
+    _fill(found, FEW, far_effects(candidate), candidate)
+    return tuple(_told(effect, description) for effect in sorted(found, key=_place))
+
+
+def _place(effect: Effect) -> tuple[float, str]:
+    """By what wrong answers are put in order."""
+    return effect.change, effect.simplification.name
+
+
+def _fill(found: list[Effect], enough: int, offered: Iterator[Effect], candidate: Candidate) -> None:
+    """As many more as are missing, if so many are offered; no more are looked at."""
+    while len(found) < enough and (effect := next(offered, None)) is not None:
+        _add(effect, candidate, found)
+
+
+def _add(effect: Effect, candidate: Candidate, found: list[Effect]) -> None:
+    """One more, if somebody could give this answer, would be wrong, and it is not there yet."""
+    value, question = effect.answer, candidate.question
+    if value is None or effect.close or not SMALLEST < abs(value / question.answer) < LARGEST:
+        return
+    if value < 0.0 and not question.sign:  # nobody gives a size that is negative
+        return
+    if all(other.answer is not None and abs(value - other.answer) > APART * abs(value) for other in found):
+        found.append(effect)
+
+
+def _told(effect: Effect, description: Description) -> Distractor:
+    assert effect.answer is not None
+    name, reason = effect.simplification.name, _reason(effect, description)
+    return Distractor(value=effect.answer, simplification=name, reason=reason)
 
 
 def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...]:
@@ -36,13 +69,6 @@ def idle_numbers(candidate: Candidate) -> tuple[str, ...]:
     """The addresses of the stated numbers that hardly move the answer, even when they are halved or doubled."""
     idle = (found.given for found in elasticities(candidate) if not matters(candidate, found))
     return tuple(path for given in idle for path in given.paths)
-
-
-def _misleads(effect: Effect, answer: float) -> bool:
-    """Whether somebody could give this answer, and would be wrong."""
-    if effect.answer is None or effect.close or not effect.simplification.misleads:
-        return False
-    return SMALLEST < abs(effect.answer / answer) < LARGEST
 
 
 def _reason(effect: Effect, description: Description) -> str:

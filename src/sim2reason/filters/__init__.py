@@ -67,6 +67,16 @@ class Candidate:
         found = MODES[self.question.mode].response(self.question, self.study, other)
         return found if found is not None and isfinite(found) else None
 
+    def far_response(self, other: Study | None) -> float | None:
+        """The same, looked for as far as it takes, where no result is given."""
+        if other is None or self.question.given is not None or not _has(other, self.question.query.target):
+            return self.response(other)
+        time = self.kind.time(self.question.query, other)
+        if time is None or time > other.trace.stable_until:
+            return None
+        found = self.kind.far_answer(self.question.query, other)
+        return found if found is not None and isfinite(found) else None
+
     def change(self, other: Study | None) -> float:
         """The relative change of the answer in a changed scene; infinite if it has none there."""
         return self.change_to(self.response(other))

@@ -18,6 +18,7 @@ SAMPLES = 65
 SPARSE = 16  # a first scan takes every sixteenth point: without a change there, none is looked for
 LONGER = 7  # times that a motion is followed twice as long
 EXACT, ROUGH = 1e-9, 1e-5  # relative: of closing in; where it only matters by how much it differs
+WRONG = 1e-3  # relative: where it is known to be wrong
 SAME = 5e-7  # relative: a change that is no farther from where one is known is in the same place
 CLOSE, WIDER, WIDEST = 0.004, 5.0, 5  # relative: how near a known change another one is looked for first; times; turns
 BENT = 2.0  # times what a secant misses of a parabola about zero: how far to its sides one looks
@@ -118,6 +119,12 @@ class Trial:
         """Where it changes within a share of a number to its sides, if it does between them; no more is looked at."""
         sides = {self(about * (1.0 - within), COARSE), self(about * (1.0 + within), COARSE)}
         return self.near(about) if sides == {True, False} else None
+
+    def within(self, about: float, times: float) -> float | None:
+        """Where it changes between a number divided and multiplied by as much, if it does from the one to the other."""
+        least, *_, most = range_of(self._scene, self._path)
+        low, high = max(least, about / times), min(most, about * times)
+        return self.between(low, high, WRONG, COARSE)
 
     def near(self, about: float) -> float | None:
         """Where it changes, looked for ever farther from a number: just there, if that is where it does."""

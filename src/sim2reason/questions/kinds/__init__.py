@@ -79,6 +79,10 @@ class Kind(ABC):
         """What a reader may answer in another scene, even where this kind would not ask; by default the answer."""
         return self.answer(query, study)
 
+    def far_answer(self, query: Query, study: Study) -> float | None:
+        """What a reader answers who takes the scene for another one, looked for as far as it takes; by default that."""
+        return self.loose_answer(query, study)
+
     @abstractmethod
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """All sentences that ask it, the most usual first; `noun` is how its target is called, if it has one."""

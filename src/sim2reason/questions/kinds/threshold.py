@@ -20,6 +20,7 @@ from sim2reason.simulation.certify import WITNESS, Certificate
 from sim2reason.simulation.channels import Channel
 
 CLOSE = NEARLY * TOLERANCE  # relative: how far from it one of a changed mechanism is looked for
+FAR = 4.0  # times: how far from it a wrong answer is looked for
 ASKING = {"what is": "?", "find": ".", "determine": ".", "calculate": "."}
 SIDE = 5e-3  # relative: how far to either side of it the second engine is asked
 
@@ -91,6 +92,11 @@ class ThresholdKind(Kind):
         if study.mechanism is not study.scene.mechanism:
             return trial.close_to(query.about, CLOSE) if study.change is not None and query.about else None
         return trial.near(query.about) if query.about else trial.change()
+
+    def far_answer(self, query: Query, study: Study) -> float | None:
+        """Where the outcome changes in a changed scene, also far from where it should."""
+        assert isinstance(query, ThresholdQuery)
+        return query.trial(study).within(query.about, FAR) if study.change is not None and query.about else None
 
     def time(self, query: Query, study: Study) -> float | None:
         """The start: the motion that is recorded, with the number as it was drawn, tells nothing."""

@@ -25,6 +25,8 @@ class Simplification(ABC):
         misleads: whether anybody would make it, so that the answer it leads to is one that a student could give.
         sound_if_same: whether nobody errs who makes it where the answer stays what it is: an approximation that holds,
             or a choice that need not be made.
+        filtered: whether filters drop questions that it answers as well, or nearly; else it is there for the wrong
+            answers that it leads to, and no more than these hang on it.
     """
 
     name: ClassVar[str]
@@ -32,6 +34,7 @@ class Simplification(ABC):
     part: ClassVar[bool] = False
     misleads: ClassVar[bool] = True
     sound_if_same: ClassVar[bool] = False
+    filtered: ClassVar[bool] = True
 
     @abstractmethod
     def subjects(self, query: Query, study: Study) -> Iterable[str]:

@@ -17,7 +17,7 @@ class BodyLeftOut(ChangedMechanism):
     """A body is left out: it has no mass, and nothing meets it."""
 
     name = "body left out"
-    reason = "{subject} is left out"
+    reason = "all is taken to move as if {subject} were not there"
     part = True
     misleads = False
 

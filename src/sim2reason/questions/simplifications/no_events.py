@@ -2,15 +2,14 @@
 
 from collections.abc import Iterable
 
-import numpy as np
-
 from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_until
+from sim2reason.questions.simplifications.parts.steady import with_formulas
 from sim2reason.questions.study import Study
-from sim2reason.simulation.trace import Trace, happened
+from sim2reason.simulation.trace import happened
 
 
 @simplification
@@ -28,25 +27,8 @@ class NoEvents(OtherReading):
 
     def read(self, study: Study) -> Study:
         """With the accelerations and forces of the start."""
-        return Study(study.scene, _continued(study.trace))
+        return Study(study.scene, with_formulas(study.trace, _continued))
 
 
-def _continued(trace: Trace) -> Trace:
-    """The motion with the accelerations and forces that it has at the start."""
-    first = trace.sample(np.zeros(1))
-
-    def sample(times: Array) -> State:
-        t = times[:, None]
-        repeated = np.zeros(len(times), dtype=int)
-        kinematics = first.q + first.v * t + 0.5 * first.a * t * t, first.v + first.a * t
-        dynamics = Dynamics(
-            first.a[repeated],
-            {name: values[repeated] for name, values in first.constraint_tension.items()},
-            {name: values[repeated] for name, values in first.normal.items()},
-            {name: values[repeated] for name, values in first.friction.items()},
-        )
-        return State.of(first.mechanism, times, kinematics, dynamics)
-
-    times = trace.state.times
-    end = float(times[-1])
-    return Trace(trace.engine, sample(times), (), end, "", sample, lambda: np.array([0.0, end]))
+def _continued(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
+    return v * t + 0.5 * a * t * t, v + a * t

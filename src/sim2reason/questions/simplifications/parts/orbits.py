@@ -1,0 +1,143 @@
+"""What readings share of planets about a fixed star."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from math import hypot, pi, sqrt
+
+import numpy as np
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.dsl.triples import minus, product
+from sim2reason.simulation.trace import Trace
+
+SQUARE = 1e-9  # cosine of a right angle
+SPEEDS = {"velocity", "momentum", "kinetic energy", "greatest speed", "least speed"}
+ACCELERATIONS = {"acceleration", "net force", "greatest acceleration", "least acceleration"}
+"""What is asked for that hangs on the speed, or on the acceleration, by name."""
+Motion = tuple[Array, Array, Array]
+"""Places from the star on, velocities and accelerations, (n, 2) each."""
+Told = Callable[["PlanetOrbit", Array, Array], Array]
+"""What is taken for the velocity or the acceleration on an orbit, from places and velocities, (n, 2) each."""
+
+
+@dataclass(frozen=True, slots=True)
+class PlanetOrbit:
+    """A planet by where it starts, in the plane of its two coordinates, whose numbers are `numbers`."""
+
+    numbers: tuple[int, int]
+    attraction: float  # G M
+    place: tuple[float, float]  # from the star on
+    velocity: tuple[float, float]
+
+    @property
+    def distance(self) -> float:
+        """From the star at the start."""
+        return hypot(*self.place)
+
+    @property
+    def sense(self) -> float:
+        """1 where it goes round counter-clockwise, else −1."""
+        (x, y), (vx, vy) = self.place, self.velocity
+        return 1.0 if x * vy >= y * vx else -1.0
+
+    @property
+    def pull(self) -> tuple[float, float]:
+        """The eccentricity vector, which points to the perihelion: v × L/GM − r/r."""
+        (x, y), (vx, vy) = self.place, self.velocity
+        turning = x * vy - y * vx
+        return vy * turning / self.attraction - x / self.distance, -vx * turning / self.attraction - y / self.distance
+
+    @property
+    def parameter(self) -> float:
+        """The semi-latus rectum, L²/GM."""
+        (x, y), (vx, vy) = self.place, self.velocity
+        return (x * vy - y * vx) ** 2 / self.attraction
+
+    @property
+    def period(self) -> float | None:
+        """By Kepler's third law; None of what does not return."""
+        left = 1.0 - hypot(*self.pull) ** 2
+        return 2.0 * pi * sqrt((self.parameter / left) ** 3 / self.attraction) if left > 0.0 else None
+
+
+def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
+    """Those of all that a fixed body attracts, where nothing else but what so moves is there; none otherwise."""
+    if len({pull.power for pull in mechanism.attractions} | {2.0}) > 1 or mechanism.burns or mechanism.lines:
+        return []
+    frames, found = start(mechanism), list[PlanetOrbit]()
+    for pull in mechanism.attractions:
+        star, planet = sorted((pull.a, pull.b), key=lambda name: len(mechanism.body[name].coordinates))
+        coordinates = mechanism.body[planet].coordinates
+        if mechanism.body[star].coordinates:
+            continue
+        axes = [c.axis for c in coordinates if c.kind == "slide"]
+        if len(coordinates) != 2 or len(axes) != 2 or abs(product(*axes)) > SQUARE:
+            return []
+        away = minus(frames.center(planet).place, frames.center(star).place)
+        x, y = (float(product(away, axis)) for axis in axes)
+        one, other = (mechanism.number[c.name] for c in coordinates)
+        velocity = coordinates[0].speed, coordinates[1].speed
+        strength = pull.constant * mechanism.body[star].mass
+        found.append(PlanetOrbit((one, other), strength, (x, y), velocity))
+    return found if 2 * len(found) == len(mechanism.coordinates) else []
+
+
+def gone(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Motion]]) -> Trace:
+    """A motion in which planets go as formulas of the time (n,) say."""
+
+    def sample(times: Array) -> State:
+        q, v, a = (np.zeros((len(times), len(trace.mechanism.coordinates))) for _ in range(3))
+        for orbit, formula in formulas.items():
+            place, velocity, acceleration = formula(times)
+            columns = list(orbit.numbers)
+            q[:, columns], v[:, columns], a[:, columns] = place - np.array(orbit.place), velocity, acceleration
+        return State.of(trace.mechanism, times, (q, v), Dynamics(a, {}, {}, {}))
+
+    return _read(trace, sample)
+
+
+def with_velocities(trace: Trace, velocity: Told) -> Trace:
+    """A motion along the same paths in the same times, with other velocities."""
+    found = orbits(trace.mechanism)
+
+    def sample(times: Array) -> State:
+        state = trace.sample(times)
+        return State(
+            trace.mechanism,
+            times,
+            lambda: (state.q, _told(state, found, velocity)),
+            lambda _, __: Dynamics(state.a, {}, {}, {}),
+        )
+
+    return replace(_read(trace, sample), knots=trace.knots)
+
+
+def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
+    """The same motion, whose accelerations are taken to be others."""
+    found = orbits(trace.mechanism)
+
+    def sample(times: Array) -> State:
+        state = trace.sample(times)
+        return State(
+            trace.mechanism,
+            times,
+            lambda: (state.q, state.v),
+            lambda _, __: Dynamics(_told(state, found, acceleration), {}, {}, {}),
+        )
+
+    return replace(_read(trace, sample), knots=trace.knots)
+
+
+def _told(state: State, found: Iterable[PlanetOrbit], told: Told) -> Array:
+    values = np.zeros_like(state.q)
+    for orbit in found:
+        columns = list(orbit.numbers)
+        values[:, columns] = told(orbit, np.array(orbit.place) + state.q[:, columns], state.v[:, columns])
+    return values
+
+
+def _read(trace: Trace, sample: Callable[[Array], State]) -> Trace:
+    end = float(trace.state.times[-1])
+    return Trace(trace.engine, sample(trace.state.times), (), end, "", sample, lambda: np.linspace(0.0, end, 33))

@@ -1,0 +1,42 @@
+"""What readings share of a motion with constant forces."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.questions.query import Query
+from sim2reason.questions.simplifications.parts.asked import asked_until
+from sim2reason.questions.study import Study
+from sim2reason.simulation.trace import Trace, happened
+
+Formulas = Callable[[Array, Array, Array], tuple[Array, Array]]
+"""Coordinates and their rates from times (n, 1), rates and accelerations of the start (1, n)."""
+
+
+def is_steady(query: Query, study: Study) -> bool:
+    """Whether what is let go moves with constant accelerations as long as is asked about."""
+    if any(coordinate.speed for coordinate in study.mechanism.coordinates):
+        return False
+    return not happened(study.trace.events, asked_until(query, study)) and not changing(study.mechanism)
+
+
+def with_formulas(trace: Trace, formulas: Formulas) -> Trace:
+    """A motion that goes on by some formulas with the accelerations and forces that it has at the start."""
+    first = trace.sample(np.zeros(1))
+
+    def sample(times: Array) -> State:
+        repeated = np.zeros(len(times), dtype=int)
+        moved, rates = formulas(times[:, None], first.v, first.a)
+        dynamics = Dynamics(
+            first.a[repeated],
+            {name: values[repeated] for name, values in first.constraint_tension.items()},
+            {name: values[repeated] for name, values in first.normal.items()},
+            {name: values[repeated] for name, values in first.friction.items()},
+        )
+        return State.of(first.mechanism, times, (first.q + moved, rates), dynamics)
+
+    times = trace.state.times
+    end = float(times[-1])
+    return Trace(trace.engine, sample(times), (), end, "", sample, lambda: np.array([0.0, end]))

@@ -1,0 +1,83 @@
+"""Wrong answers of items: nearly every item has one, none is paid, and no problem is another for them."""
+
+from functools import cache
+from math import isfinite
+
+import pytest
+
+from sim2reason.datasets.grade import grade_answer
+from sim2reason.datasets.item import Item
+from sim2reason.datasets.make import make
+from sim2reason.datasets.plan import Request
+from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading
+from sim2reason.recipes import Difficulty
+from sim2reason.rewards import boxed
+
+CASES: tuple[tuple[str, Difficulty], ...] = (
+    ("pulley", "easy"),
+    ("pulley", "hard"),
+    ("hybrid", "medium"),
+    ("orbital", "medium"),
+    ("chain", "easy"),
+)
+UNFILTERED = [name for name, slip in SIMPLIFICATIONS.items() if not slip.filtered]
+
+
+def request(recipe: str, difficulty: Difficulty, index: int = 0, kind: str = "") -> Request:
+    weights = ((kind, 1e6),) if kind else ()
+    return Request(recipe=recipe, difficulty=difficulty, mode="numeric", seed=5, index=index, weights=weights)
+
+
+@cache
+def made(recipe: str, difficulty: Difficulty, index: int = 0, kind: str = "") -> Item:
+    item = make(request(recipe, difficulty, index, kind)).item
+    assert item is not None
+    return item
+
+
+def check(item: Item) -> None:
+    """No wrong answer is paid, and each says what is wrong."""
+    for wrong in item.distractors:
+        assert isfinite(wrong.value)
+        assert wrong.value > 0.0 or item.answer.sign
+        assert abs(wrong.value / item.answer.value - 1.0) > item.answer.tolerance
+        assert grade_answer(item.answer, boxed(f"{wrong.value:.6g}")).reward == 0.0
+        assert wrong.simplification in SIMPLIFICATIONS
+        assert wrong.reason[0].isupper()
+        assert "." not in wrong.reason[:-1], "it names an address, or says two things"
+
+
+@pytest.mark.parametrize(("recipe", "difficulty"), CASES)
+def test_no_wrong_answer_is_paid(recipe: str, difficulty: Difficulty) -> None:
+    for index in range(2):
+        check(made(recipe, difficulty, index))
+
+
+def test_nearly_every_item_has_one() -> None:
+    items = [made(*case, index) for case in CASES for index in range(2)]
+    assert sum(bool(item.distractors) for item in items) >= len(items) - 1
+
+
+def test_of_a_threshold_a_wrong_answer_is_looked_for_far_from_it() -> None:
+    item = made("pulley", "medium", 0, "threshold")
+    assert item.kind == "threshold"
+    assert item.distractors
+    check(item)
+
+
+@pytest.mark.parametrize(("recipe", "difficulty"), CASES)
+def test_problems_are_the_same_without_what_filters_do_not_look_at(
+    recipe: str, difficulty: Difficulty, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = made(recipe, difficulty)
+    for name in UNFILTERED:
+        monkeypatch.setattr(type(SIMPLIFICATIONS[name]), "subjects", lambda *_: [])
+    after = make(request(recipe, difficulty)).item
+    assert after is not None
+    assert after.model_copy(update={"distractors": before.distractors}) == before
+
+
+def test_there_are_such_ideas_of_either_sort() -> None:
+    found = [isinstance(SIMPLIFICATIONS[name], OtherReading) for name in UNFILTERED]
+    assert any(found)
+    assert not all(found)
