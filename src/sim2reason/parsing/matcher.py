@@ -15,7 +15,7 @@ from sim2reason.errors import TextError
 from sim2reason.parsing.declarations import Thing, canonical, joined, part_word, thing_at
 from sim2reason.parsing.parse_state import MANY, ParseState
 from sim2reason.prose.naming import listed
-from sim2reason.prose.phrases import BODIES, another
+from sim2reason.prose.phrases import BODIES, introductions
 
 MAX_STEPS = 200_000
 NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
@@ -228,9 +228,8 @@ class Matcher:
                     yield from self._of_body(text, at, slots(template), address, then.with_choice(number))
             if not state.series(kind):
                 then = named.introduced(address, kind, "")
-                for number, template in enumerate(kind.lone):
-                    said = another(template) if again else template
-                    yield from self._of_body(text, at, slots(said), address, then.with_choice(number))
+                for number, template in enumerate(introductions(kind, again=again)):
+                    yield from self._of_body(text, at, slots(template), address, then.with_choice(number))
 
     def _of_body(self, text: str, at: int, rest: tuple[Slot, ...], address: str, state: ParseState) -> Iterator[Found]:
         if not rest:
