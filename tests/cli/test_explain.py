@@ -32,6 +32,8 @@ def test_every_filter_has_its_say(data: Path) -> None:
         assert f"  {name}: keeps it\n" in told.output
     assert "the condition number is" in told.output
     assert "|d ln answer / d ln number|" in told.output
+    assert "    the nearest number of scene and question is " in told.output
+    assert "    the worst difference of the engines is " in told.output
 
 
 def test_figure_and_trace_are_written(data: Path, tmp_path: Path) -> None:
@@ -40,6 +42,14 @@ def test_figure_and_trace_are_written(data: Path, tmp_path: Path) -> None:
     assert told.exit_code == 0, told.output
     assert figure.stat().st_size > 1000
     assert trace.stat().st_size > 1000
+
+
+def test_numbers_without_bearing_are_named(tmp_path: Path) -> None:
+    """On a smooth level table nothing hangs on the mass where the crate comes to rest."""
+    build(tmp_path, Config(items=2, recipes=("springs",), difficulties=("easy",), seed=771), workers=1)
+    told = call("explain", tmp_path, "--id", "springs-easy-numeric-771-1")
+    assert told.exit_code == 0, told.output
+    assert "Without bearing\n  the number springs.block.mass\n" in told.output
 
 
 @pytest.mark.parametrize(("option", "name"), [("--figure", "z.bmp"), ("--trace", "z.csv")])

@@ -7,6 +7,7 @@ import pytest
 
 from sim2reason.datasets.grade import grade_answer
 from sim2reason.datasets.item import Item
+from sim2reason.datasets.items import item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Request
 from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading
@@ -81,3 +82,14 @@ def test_there_are_such_ideas_of_either_sort() -> None:
     found = [isinstance(SIMPLIFICATIONS[name], OtherReading) for name in UNFILTERED]
     assert any(found)
     assert not all(found)
+
+
+@pytest.mark.parametrize(
+    ("recipe", "index", "idle"),
+    [
+        ("chain", 0, ()),  # carts on a level track, of whose g the text says nothing
+        ("springs", 1, ("springs.block.mass",)),  # an equilibrium, for which it leaves the start out
+    ],
+)
+def test_only_stated_numbers_are_marked(recipe: str, index: int, idle: tuple[str, ...]) -> None:
+    assert item(recipe, "easy", seed=771, index=index).idle_numbers == idle

@@ -1,5 +1,6 @@
 """Items in other units: the text speaks in them, the answer is in them, and both lead back to the same scene."""
 
+import re
 from functools import cache
 
 import pytest
@@ -44,6 +45,21 @@ def test_an_item_that_is_ordered_in_other_units_says_so() -> None:
     assert other.id == f"{usual.id}-cgs"
     assert (usual.provenance.units, other.provenance.units) == ("SI", "cgs")
     assert other.prompt == told_in(system_named("cgs"), usual).prompt != usual.prompt
+
+
+@pytest.mark.parametrize(
+    ("units", "said"),
+    [
+        ("SI", {"kg", "m/s²", "km/s", "kg/s", "s", "m"}),
+        ("cgs", {"g", "cm/s²", "cm/s", "g/s", "s", "cm"}),
+        ("mixed", {"kg", "m/s²", "km/s", "kg/s", "s", "m"}),
+    ],
+)
+def test_a_rocket_has_units_that_belong_together(units: str, said: set[str]) -> None:
+    told = item("rocket", index=1, units=units)
+    found = re.findall(r"(?<=[ (])(?!0 )[\d.]+(?:×10[⁰¹²³⁴-⁹])? ([a-z]+(?:/[a-z]+²?)?)", told.prompt)
+    assert {*found, told.answer.unit} == said
+    assert parse_prompt(told.prompt).answer == pytest.approx(told.answer.value, rel=0.01)
 
 
 def test_no_metre_and_no_kilogram_is_left() -> None:

@@ -33,6 +33,31 @@ def test_only_lengths_masses_and_speeds_are_mixed_in() -> None:
     assert "it is 200 cm away" in said
 
 
+def test_prefixes_are_those_of_no_other_system() -> None:
+    """1 km/s = 10⁵ cm/s, and 1 mN s/m = 10⁻³ · 10⁵ dyn/(10² cm/s) = 1 dyn s/cm."""
+    text = "gas at 0.97 km/s and 23 kg/s, R = 1500 km, b = 0.0085 mN·s/m"
+    said = "gas at 97000 cm/s and 23000 g/s, R = 1.500×10⁸ cm, b = 0.0085 dyn·s/cm"
+    assert spoken_in(CGS, text) == said
+    assert in_si(said)[1] == "gas at 970 m/s and 23 kg/s, R = 1500 km, b = 0.0000085 N·s/m"
+
+
+ROCKET = "A rocket of 1170 kg, in a hall of 12 m, burns 23 kg/s at 0.97 km/s; how fast is it at the end?"
+
+
+@pytest.mark.parametrize(
+    ("text", "asked", "said"),
+    [
+        (ROCKET, (4.0, "m/s"), ROCKET),
+        ("A cart of 2.0 kg meets a wall 1.2 m away.", (3.0, "m"), "A cart of 2000 g meets a wall 120 cm away."),
+        ("A cart of 2.0 kg falls 1.2 m.", (68000.0, "m"), "A cart of 2000 g falls 1.2 m."),
+        ("| A | $m$ (kg) |\n| --- | --- |\n| B | 170 |", (1.0, "m"), "| A | $m$ (kg) |\n| --- | --- |\n| B | 170 |"),
+    ],
+)
+def test_units_are_mixed_in_where_a_text_would(text: str, asked: tuple[float, str], said: str) -> None:
+    """No 1.17×10⁶ g beside 23 kg/s, no km/h beside km/s, and no way of 6.8×10⁶ cm."""
+    assert spoken_in(MIXED.beside(text, asked), text) == said
+
+
 def test_tables_have_their_units_in_the_headings() -> None:
     table = "| ball | $m$ (kg) | $v$ (m/s) | $\\mu$ |\n| --- | --- | --- | --- |\n| A | 1.2 | −0.50 | 0.30 |\n\nMore."
     assert spoken_in(CGS, table) == table.replace("kg", "g").replace("1.2", "1200").replace("−0.50", "−50").replace(
@@ -42,7 +67,7 @@ def test_tables_have_their_units_in_the_headings() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["a field of 1.5 N/C over 3 collisions", "a bead of 2.1 g", "0.0085 mN·s/m", "40 %", "3.5 T"]
+    "text", ["a field of 1.5 N/C over 3 collisions", "a bead of 2.1 g", "1.2 au/yr", "40 %", "3.5 T"]
 )
 def test_what_no_system_says_otherwise_stays(text: str) -> None:
     assert spoken_in(CGS, text) == text
@@ -52,7 +77,8 @@ def test_what_no_system_says_otherwise_stays(text: str) -> None:
 
 @pytest.mark.parametrize("system", [CGS, MIXED])
 @pytest.mark.parametrize(
-    "unit", ["m", "kg", "m/s", "N", "J", "N/m", "N s", "kg m/s", "N*s/m", "kg m^2", "m/s^2", "W", "N m"]
+    "unit",
+    ["m", "kg", "m/s", "N", "J", "N/m", "N s", "kg m/s", "N*s/m", "kg m^2", "m/s^2", "W", "N m", "km/s", "mN s/m"],
 )
 def test_factors_are_those_of_the_table_of_units(system: SpokenUnits, unit: str) -> None:
     """The grader, whose sizes of units stand in another table, is to find the same amount."""
@@ -67,8 +93,8 @@ def test_a_number_comes_back_to_the_last_digit(system: SpokenUnits, digits: int,
     said = f"{Decimal(digits).scaleb(power):f} {unit}"
     back = in_si(f"It is {spoken_in(system, said)}.")[-1].removeprefix("It is ").removesuffix(".")
     number, _, of = back.partition(" ")
-    if of == unit:
-        assert Decimal(number) == Decimal(digits).scaleb(power)
+    if of in (unit, "km"):
+        assert Decimal(number) * (1000 if of == "km" else 1) == Decimal(digits).scaleb(power)
     else:  # grams, which may be meant
         assert of == "g"
 

@@ -21,6 +21,7 @@ class Plane(Body):
     nouns = ("plane",)
     letters = ""
     lone = ("a fixed {surface} {tilt}", "a {surface}, fixed {tilt}")
+    again = ("another fixed {tilt} with a {surface} surface", "another fixed {tilt} whose surface is {surface}")
     words = {
         "surface": Smoothness,
         "tilt": Word("angle", {0.0: "horizontal plane"}, "plane inclined at {angle} to the horizontal"),

@@ -28,12 +28,12 @@ class Carried(TwoEnded):
 
 @connection
 class Pivot(Carried):
-    """A frictionless hinge between a point of one entity and the base of another."""
+    """A frictionless axle between a point of one entity and the base of another."""
 
     key: ClassVar[str] = "pivot"
 
     says: ClassVar[Wordings] = either(
-        "{b} is hinged without friction to {a}.",
-        "{b} is attached to {a} by a frictionless hinge.",
-        "a frictionless hinge joins {b} to {a}.",
+        "{b} turns without friction on an axle at {a}.",
+        "{b} is attached to {a} by a frictionless axle.",
+        "a frictionless axle joins {b} to {a}.",
     )

@@ -65,10 +65,15 @@ def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...
     return tuple(_called(subject, description) for subject in idle)
 
 
-def idle_numbers(candidate: Candidate) -> tuple[str, ...]:
-    """The addresses of the stated numbers that hardly move the answer, even when they are halved or doubled."""
-    idle = (found.given for found in elasticities(candidate) if not matters(candidate, found))
-    return tuple(path for given in idle for path in given.paths)
+def idle_numbers(candidate: Candidate, description: Description) -> tuple[str, ...]:
+    """The addresses of the stated numbers that hardly move the answer, even when they are halved or doubled.
+
+    A scene has more numbers than its text states: g where nothing falls, or how all begins where that is not told.
+    """
+    stated = frozenset(description.told)
+    told = (found for found in elasticities(candidate) if not stated.isdisjoint(found.given.paths))
+    idle = (found.given for found in told if not matters(candidate, found))
+    return tuple(path for given in idle for path in given.paths if path in stated)
 
 
 def _reason(effect: Effect, description: Description) -> str:

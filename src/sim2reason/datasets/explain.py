@@ -68,7 +68,7 @@ def explain(
             "Solution": tuple(_solution(request, found).splitlines()),
             "Filters": tuple(_filters(found)),
             "Wrong answers": tuple(f"{d.value:.4g}: {d.reason}" for d in item.distractors) or ("none",),
-            "Without bearing": item.idle or ("nothing",),
+            "Without bearing": (*item.idle, *(f"the number {path}" for path in item.idle_numbers)) or ("nothing",),
         }
     )
 

@@ -12,6 +12,7 @@ def told_in(system: SpokenUnits, item: Item) -> Item:
     """
     if item.answer.formula is not None:
         return item
+    system = system.beside(item.prompt, (item.answer.value, item.answer.unit))
     unit = system.spelled(item.answer.unit)[0]
     begin, asked, end = item.prompt.rpartition(f" in {unit_in_words(item.answer.unit)}")
     if asked and item.answer.unit and ". " not in end:  # the last sentence

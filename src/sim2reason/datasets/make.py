@@ -47,7 +47,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         asked=_query_of(found),
         distractors=distractors(found.candidate, found.description),
         idle=idle_parts(found.candidate, found.description),
-        idle_numbers=idle_numbers(found.candidate),
+        idle_numbers=idle_numbers(found.candidate, found.description),
         solution=solution,
         unsolved=unsolved,
         scene=dump(found.study.scene),

@@ -10,7 +10,9 @@ from sim2reason.solutions.writing.asked_units import told_in
 
 def worked(request: Request, found: CertifiedQuestion) -> Solution:
     """The solution of a question that passed, in the units of its text; one without an answer says why."""
-    return told_in(system_named(request.units), solve(found.setting), found.question.unit)
+    asked = found.question
+    units = system_named(request.units).beside(found.prompt, (asked.answer, asked.unit))
+    return told_in(units, solve(found.setting), asked.unit)
 
 
 def recorded(solution: Solution) -> tuple[SolutionRecord | None, str]:

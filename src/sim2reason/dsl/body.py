@@ -11,14 +11,16 @@ from sim2reason.registry import Registry
 class Body(Model):
     """The base of all bodies. A subclass declares its numbers as fields and its words as class data.
 
-    `lone` introduces the only one of its series, `named` one that has a letter, `listed` one inside a
-    list that begins with the plural noun, `alike` all of such a list at once, after their letters, where their
-    numbers agree. All ways to introduce a body say the same numbers; what they leave out, the entity's lines must say.
+    `lone` introduces the only one of its series, `again` one more that has no letter either, by default as *another*,
+    `named` one that has a letter, `listed` one inside a list that begins with the plural noun, `alike` all of such a
+    list at once, after their letters, where their numbers agree. All ways to introduce a body say the same numbers;
+    what they leave out, the entity's lines must say.
     """
 
     nouns: ClassVar[tuple[str, ...]] = ()
     letters: ClassVar[str] = "ABCDEFGHIJKLMN"  # "": never lettered, spoken of only beside its introduction
     lone: ClassVar[tuple[str, ...]] = ()
+    again: ClassVar[tuple[str, ...]] = ()
     named: ClassVar[tuple[str, ...]] = ()
     listed: ClassVar[str] = ""
     alike: ClassVar[str] = ""
@@ -35,7 +37,7 @@ class Body(Model):
         """Refuse a body whose words and numbers do not fit; TypeError says what is amiss."""
         if not cls.nouns:
             return
-        introductions = [*cls.lone, *cls.named, *filter(None, (cls.listed, cls.alike))]
+        introductions = [*cls.lone, *cls.again, *cls.named, *filter(None, (cls.listed, cls.alike))]
         if len(cls.lone) < 2 or (cls.letters and len(cls.named) < 2):
             raise TypeError(f"{cls.__name__}: a body needs at least two ways to be introduced")
         said = {template: cls.says_in(template) for template in introductions}

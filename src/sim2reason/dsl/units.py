@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import lru_cache
 from math import isfinite, pi
 from typing import Final, NamedTuple
 
 from sim2reason.dsl.unit_text import UnitError, factors
 
-__all__ = ["SI", "Dimension", "Unit", "UnitError", "UnitSystem", "parse_unit"]
+__all__ = ["SI", "Dimension", "Unit", "UnitError", "UnitSystem", "coherent", "parse_unit"]
 
 
 class Dimension(NamedTuple):
@@ -147,6 +148,13 @@ def _words() -> dict[str, Unit]:
 
 
 _WORDS: Final = _words()
+_COHERENT: Final = {
+    prefix + symbol: (symbol, Decimal(repr(scale))) if symbol != "g" else ("kg", Decimal(repr(scale)) / 1000)
+    for symbol, _, size, _ in _PREFIXED
+    for prefix, (_, scale) in _PREFIXES.items()
+    if size == 1.0 or symbol == "g"
+}
+"""Units of the SI with their prefixes, as the same without, and what one is in it, exactly; of masses the kilogram."""
 
 
 def _name(powers: dict[str, int]) -> str:
@@ -177,6 +185,17 @@ def parse_unit(text: str) -> Unit:
     if not isfinite(factor) or factor == 0:
         raise UnitError("a unit beyond the range of floats")
     return Unit(_name(powers), factor, dimension)
+
+
+@lru_cache(maxsize=1024)
+def coherent(text: str) -> tuple[str, Decimal]:
+    """A unit without prefixes, and what one is in it, exactly: ``km/s`` is 1000 ``m/s``, ``g`` is 0.001 ``kg``."""
+    size, bare = Decimal(1), list[str]()
+    for word, power in factors(parse_unit(text).name):
+        plain, scale = _COHERENT.get(word, (word, Decimal(1)))
+        size *= scale**power
+        bare.append(f"{plain}^{power}")
+    return parse_unit(" ".join(bare)).name, size
 
 
 @dataclass(frozen=True, slots=True)

@@ -273,7 +273,7 @@ class FacePiece(Piece):
                 middle + complex(dx, dy) for dy in (-0.15, 0.2, -0.45) for dx in (0.0, 0.35, -0.35, 0.7, -0.7)
             )
             outside = tuple(complex(x, low + dy) for dy in (0.3, 0.6) for x in (right + 0.3 + wide, left - 0.3 - wide))
-            below = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
+            below = tuple(complex(x, low - 0.5) for x in (0.5 * (left + right), right - wide, left + wide, left))
             found.labels.append(Wanted(text, (*inside, *below, *outside), self.name, SMALL, name=False))
 
     def _name(self) -> Wanted:

@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from sim2reason.figures.shapes import Arc, Area, Label, LineShape, Shape, Wanted, outline
-from sim2reason.figures.vectors import Box, Polygon, common, depth, inside, length_inside
+from sim2reason.figures.vectors import Box, Polygon, common, depth, inside, length_inside, unit
 
 CLEAR = 0.06  # kept free around a label
 SWEEPS = 4
@@ -18,6 +18,7 @@ ON_LABEL, ON_LINE, IN_BLOCK, LATER = (
     0.12,
 )  # what it costs; the last for each place further down the list
 
+HEAD, HEADED = 0.22, 6.0  # of an arrow: how long it is, and how much worse than a line to stand on; it tells the way
 LIGHT = {"hair": 0.5, "dots": 0.15}  # how much less of a nuisance under a label
 
 
@@ -113,4 +114,7 @@ def _strokes(shapes: Sequence[Shape]) -> list[Stroke]:
             points, weight = outline(shape), 1.0
             points = (*points, points[0]) if isinstance(shape, Area) or shape.whole else points
         found += [Stroke(a, b, weight, order) for a, b in pairwise(points)]
+        if isinstance(shape, LineShape) and shape.arrow:
+            tip, way = points[-1], unit(points[-1] - points[-2])
+            found.append(Stroke(tip - HEAD * way, tip, HEADED, order))
     return found

@@ -30,10 +30,23 @@ class Degenerate(Filter):
         answer = candidate.question.answer
         if abs(candidate.question.result) <= max(_least(candidate), SMALLEST * _scale(candidate)):
             return "the answer can not be told from zero"
-        near = candidate.tolerance * answer  # who repeats it is paid
-        if any(abs(answer - abs(said)) <= near for said in _stated(candidate, candidate.question.unit)):
+        nearest = _nearest(candidate)
+        if nearest is not None and abs(answer - nearest) <= candidate.tolerance * answer:  # who repeats it is paid
             return "the answer is a stated number"
         return "nothing changes it before" if _lasting(candidate) else ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """The result beside the least one, the number that is nearest to the answer, and what it began with."""
+        question, nearest = candidate.question, _nearest(candidate)
+        floor = max(_least(candidate), SMALLEST * _scale(candidate))
+        yield f"the result is {question.result:.4g}; what is not beyond {floor:.2g} can't be told from zero"
+        if nearest is not None:
+            away, paid = candidate.change_to(nearest), candidate.tolerance
+            said = f"the nearest number of scene and question is {nearest:g}"
+            yield f"{said}, {away:.2g} of the answer away; {paid:g} would be paid"
+        start = _start(candidate)
+        if start is not None:
+            yield f"just after the start it is {start:.4g}"
 
 
 def _least(candidate: Candidate) -> float:
@@ -58,6 +71,13 @@ def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
     yield from (number for number, _ in (moment.stated if moment is not None else ()))
 
 
+def _nearest(candidate: Candidate) -> float | None:
+    """The size of the stated number, of the answer's unit, that is nearest to the answer."""
+    answer = candidate.question.answer
+    sizes = (abs(said) for said in _stated(candidate, candidate.question.unit))
+    return min(sizes, key=lambda size: abs(answer - size), default=None)
+
+
 def _asked(candidate: Candidate) -> Quantity | None:
     """The quantity that the answer is a value of; None if it is none, such as a time."""
     query = candidate.question.query
@@ -68,12 +88,16 @@ def _asked(candidate: Candidate) -> Quantity | None:
 
 def _lasting(candidate: Candidate) -> bool:
     """Whether a quantity at a later moment still has the value that it has just after the start."""
+    start, answer = _start(candidate), candidate.question.result
+    return start is not None and abs(answer - start) <= SAME * abs(answer)
+
+
+def _start(candidate: Candidate) -> float | None:
+    """What a quantity at a later moment is just after the start; None where none is asked for."""
     query, study = candidate.question.query, candidate.study
-    quantity, target, answer = _asked(candidate), query.target, candidate.question.result
-    if quantity is None or target is None or not KINDS[query.kind].time(query, study):
-        return False
-    start = target.value(study.trace.sample(np.zeros(1)))
-    return abs(answer - start) <= SAME * abs(answer)
+    if _asked(candidate) is None or query.target is None or not KINDS[query.kind].time(query, study):
+        return None
+    return query.target.value(study.trace.sample(np.zeros(1)))
 
 
 def _scale(candidate: Candidate) -> float:

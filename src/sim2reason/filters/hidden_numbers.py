@@ -1,12 +1,13 @@
 """Drops a question whose answer hangs on a number that the text does not give."""
 
+from collections.abc import Iterator
 from typing import cast
 
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.questions import KINDS
-from sim2reason.questions.study import BEYOND, ENOUGH
+from sim2reason.questions import Study
+from sim2reason.questions.study import ENOUGH
 
 SAME = 1e-6  # relative
 
@@ -18,13 +19,10 @@ class HiddenNumbers(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Solve the scene with its strings as short as they may be drawn, and ask again."""
-        answer, query, study = candidate.question.answer, candidate.question.query, candidate.study
-        shorter = tightest(study.scene)
-        if shorter is study.scene:
+        answer, query, kind = candidate.question.answer, candidate.question.query, candidate.kind
+        tight = _tight(candidate)
+        if tight is candidate.study:
             return ""
-        kind = KINDS[query.kind]
-        moment = kind.time(query, study)
-        tight = study.variant(shorter, None if moment is None else BEYOND * moment, ENOUGH)
         if tight is None:
             return "with shorter strings there is no motion"
         time = kind.time(query, tight)
@@ -32,6 +30,21 @@ class HiddenNumbers(Filter):
             return "with shorter strings the moment does not come"
         again = candidate.response(tight)
         return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "a hidden length matters"
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """The answer then."""
+        tight = _tight(candidate)
+        again = candidate.response(tight) if tight is not candidate.study else None
+        if again is not None:
+            change = f"{candidate.change_to(again):.1e} of it away; {SAME:g} is allowed"
+            yield f"with hidden lengths as short as may be the answer is {again:.4g}, {change}"
+
+
+def _tight(candidate: Candidate) -> Study | None:
+    """The motion with hidden lengths as short as may be; None if there is none, that of the scene if none is hidden."""
+    study = candidate.study
+    shorter = tightest(study.scene)
+    return study if shorter is study.scene else study.variant(shorter, candidate.until, ENOUGH)
 
 
 def tightest(scene: Scene) -> Scene:

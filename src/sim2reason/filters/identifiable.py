@@ -1,9 +1,12 @@
 """Drops a question whose result does not fix the number that it asks for."""
 
 import re
+from collections.abc import Iterator
 
+from sim2reason.dsl.measures import join_unit
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.modes.reverse import unfixed
+from sim2reason.questions.unknown import far_from, range_of
 
 
 class Identifiable(Filter):
@@ -22,7 +25,16 @@ class Identifiable(Filter):
             rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$", text
         ):
             return "the text has no words for the unknown"
-        return unfixed(question, candidate.study)
+        return candidate.study.once(("unfixed", question), lambda: unfixed(question, candidate.study))
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """The number, and the range of the others that were tried."""
+        question = candidate.question
+        if question.unknown and question.given is not None and not self.reason(candidate):
+            values = range_of(candidate.study.scene, question.unknown, question.answer)
+            values = [*values, *far_from(values, question.answer, question.unit)]
+            low, high = (join_unit(f"{value:.3g}", question.unit) for value in (min(values), max(values)))
+            yield f"from {low} to {high} no value of {question.unknown} but {question.answer:.4g} gives the result"
 
 
 def _plain(symbol: str) -> str:

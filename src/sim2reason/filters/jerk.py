@@ -1,5 +1,7 @@
 """Drops a question that hangs on how a string becomes taut again, of which the text says nothing."""
 
+from collections.abc import Iterator
+
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.simulation.trace import happened
 
@@ -14,12 +16,28 @@ class Jerk(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Look for strings that become taut before the moment, or before the end of what is followed."""
-        study = candidate.study
-        time = candidate.time if candidate.time is not None else study.trace.stable_until
-        told = {named.name for named in study.scene.entities if named.entity.slackens}
-        again = (event for event in happened(study.trace.events, time) if event.kind == "taut")
-        lines = (line for event in again for line in event.subjects)
+        told = {named.name for named in candidate.study.scene.entities if named.entity.slackens}
+        lines = (line for _, line in _again(candidate))
         return next((f"{line} becomes taut again" for line in lines if line.partition(".")[0] not in told), "")
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """When strings become taut again, or until when none does."""
+        if not candidate.study.mechanism.strings:
+            return
+        again = [f"{line} becomes taut again at {time:.4g} s" for time, line in _again(candidate)]
+        yield from again or [f"until {_end(candidate):.4g} s no string becomes taut again"]
+
+
+def _end(candidate: Candidate) -> float:
+    """The moment, or the end of what is followed, s."""
+    return candidate.time if candidate.time is not None else candidate.study.trace.stable_until
+
+
+def _again(candidate: Candidate) -> Iterator[tuple[float, str]]:
+    """The strings that become taut again before that, with the times, s."""
+    for event in happened(candidate.study.trace.events, _end(candidate)):
+        if event.kind == "taut":
+            yield from ((event.time, line) for line in event.subjects)
 
 
 FILTERS.add("jerk", Jerk())

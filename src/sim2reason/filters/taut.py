@@ -1,5 +1,8 @@
 """Drops a problem whose text calls a string taut that is slack as soon as the motion begins."""
 
+from collections.abc import Iterator
+
+from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.mechanism import Inextensible
 from sim2reason.filters import FILTERS, Candidate, Filter
 
@@ -14,9 +17,23 @@ class Taut(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Look at the tensions just after the start."""
-        law, tension = Inextensible(), candidate.study.trace.at(0.0).tension
-        slack = [line.name for line in candidate.study.mechanism.strings if line.law == law]
-        return next((f"{name} is slack from the start on" for name in slack if tension[name][0] <= SMALL), "")
+        return next(
+            (f"{name} is slack from the start on" for name, t in _tensions(candidate).items() if t <= SMALL), ""
+        )
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """The least tension."""
+        tensions = _tensions(candidate)
+        if tensions:
+            name = min(tensions, key=lambda each: tensions[each])
+            unit = candidate.study.mechanism.units.spell("N")
+            yield f"the least tension just after the start is {join_unit(f'{tensions[name]:.4g}', unit)}, in {name}"
+
+
+def _tensions(candidate: Candidate) -> dict[str, float]:
+    """Those of all strings just after the start."""
+    law, tension = Inextensible(), candidate.study.trace.at(0.0).tension
+    return {line.name: float(tension[line.name][0]) for line in candidate.study.mechanism.strings if line.law == law}
 
 
 FILTERS.add("taut", Taut())

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from decimal import Decimal
 from functools import cache
 
 from sim2reason.dsl.body import Body
@@ -9,11 +10,12 @@ from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure, join_unit
 from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
+from sim2reason.dsl.units import coherent
 from sim2reason.errors import TextError
 from sim2reason.parsing.declarations import Thing, canonical, joined, part_word, thing_at
 from sim2reason.parsing.parse_state import MANY, ParseState
 from sim2reason.prose.naming import listed
-from sim2reason.prose.phrases import BODIES, another
+from sim2reason.prose.phrases import BODIES, introductions
 
 MAX_STEPS = 200_000
 NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
@@ -156,7 +158,10 @@ class Matcher:
             yield from self._mention(text, at, address, thing, state, start=start)
 
     def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
-        """A number with its unit, or a symbol for one; hearing another at the same address is a contradiction."""
+        """A number with its unit, or a symbol for one; hearing another at the same address is a contradiction.
+
+        What is declared in km/s may be told in m/s, too.
+        """
         symbol = SYMBOL.match(text, at) if text.startswith("$", at) else None
         if symbol and symbol[1] not in self.given:
             unknown = state.with_value(address, symbol.group())
@@ -167,12 +172,18 @@ class Matcher:
         match = NUMBER.match(told, begin)
         if match is None:
             return
-        end = self.literal(told, match.end(), join_unit("", measure.unit))
-        if symbol and end is not None:
-            end = symbol.end() if end == len(told) else None
-        then = state.with_value(address, float(match.group().replace("\N{MINUS SIGN}", "-")))
-        if end is not None and then is not None:
-            yield end, then
+        number = match.group().replace("\N{MINUS SIGN}", "-")
+        bare, size = coherent(measure.unit)
+        values = [(measure.unit, float(number))]
+        if size != 1:
+            values.append((bare, float(Decimal(number) / size)))
+        for unit, value in values:
+            end = self.literal(told, match.end(), join_unit("", unit))
+            if symbol and end is not None:
+                end = symbol.end() if end == len(told) else None
+            then = state.with_value(address, value)
+            if end is not None and then is not None:
+                yield end, then
 
     def _word(
         self, text: str, at: int, word: Word, owner: str, state: ParseState, *, start: bool = False
@@ -217,9 +228,8 @@ class Matcher:
                     yield from self._of_body(text, at, slots(template), address, then.with_choice(number))
             if not state.series(kind):
                 then = named.introduced(address, kind, "")
-                for number, template in enumerate(kind.lone):
-                    said = another(template) if again else template
-                    yield from self._of_body(text, at, slots(said), address, then.with_choice(number))
+                for number, template in enumerate(introductions(kind, again=again)):
+                    yield from self._of_body(text, at, slots(template), address, then.with_choice(number))
 
     def _of_body(self, text: str, at: int, rest: tuple[Slot, ...], address: str, state: ParseState) -> Iterator[Found]:
         if not rest:

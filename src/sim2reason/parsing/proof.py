@@ -1,10 +1,11 @@
 """The proof of a reading: its scene, told again with the wordings that were read, has this very text.
 
-Only zeros at the end of a decimal fraction are no matter: *1.20 m* is *1.2 m*.
+Only zeros at the end of a decimal fraction are no matter, nor are prefixes: *1.20 km* is *1.2 km* and *1200 m*.
 """
 
 import re
 from collections.abc import Collection, Mapping
+from decimal import Decimal
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from sim2reason.dsl.entity import Part
 from sim2reason.dsl.model import Parameter
 from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Each, PartLines, Saying, Topic, topic_of, wordings
+from sim2reason.dsl.units import UnitError, coherent
 from sim2reason.errors import TextError
 from sim2reason.parsing.matcher import NONE_GIVEN
 from sim2reason.parsing.parse_state import ParseState
@@ -23,6 +25,7 @@ from sim2reason.prose.voices import Voice, hiding, numeric, symbolic
 from sim2reason.prose.writer import Writer
 
 _ZEROS = re.compile(r"(?<=\d)\.0+(?![\d])|(?<=\.)(\d*[1-9])0+(?!\d)")
+_MEASURED = re.compile(r"(\d+(?:\.\d+)?) ([A-Za-zµΩ²³·]+(?:/[A-Za-zµΩ²³·]+)?)")
 
 
 class ScriptedWriter(Writer):
@@ -82,6 +85,19 @@ def unsaid(scene: Scene, state: ParseState) -> list[str]:
     return [closing.name for closing in lacking if not closing.topic and not _of_untold_start(closing, state)]
 
 
+def _plain(sentence: str) -> str:
+    """Without zeros at the ends of numbers, and without prefixes of units."""
+    return _ZEROS.sub(r"\1", _MEASURED.sub(_without_prefix, sentence))
+
+
+def _without_prefix(measured: re.Match[str]) -> str:
+    try:
+        unit, size = coherent(measured[2])
+    except UnitError:
+        return measured[0]
+    return f"{(Decimal(measured[1]) * size):f} {unit}"
+
+
 def _of_untold_start(closing: Closing, state: ParseState) -> bool:
     """Whether it is on a start that the text leaves out."""
     return closing.role == "start" and "start" in state.without
@@ -108,7 +124,7 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping
         raise TextError("text", f"it gives ${min(spare)}$, of which it does not speak", "leave it out")
     again = pieces(told.text)
     for number, (mine, theirs) in enumerate(zip(again, text, strict=False), start=1):
-        if mine != theirs and _ZEROS.sub(r"\1", mine) != _ZEROS.sub(r"\1", theirs):
+        if mine != theirs and _plain(mine) != _plain(theirs):
             raise TextError(f"sentence {number}", f"{shown(theirs)} does not fit", f"say {shown(mine)}")
     if len(again) != len(text):
         count = f"it has {len(text)} sentences where the scene needs {len(again)}"

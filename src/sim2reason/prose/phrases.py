@@ -37,6 +37,11 @@ def another(text: str) -> str:
     return text
 
 
+def introductions(kind: type[Body], *, again: bool) -> tuple[str, ...]:
+    """The templates that introduce a body without a letter, for the first time or `again`."""
+    return (kind.again or tuple(map(another, kind.lone))) if again else kind.lone
+
+
 def canonical(part: Model, path: str) -> str:
     """`first` and `last` as indices; before a word of a member only `first`."""
     steps = path.replace(".first.", ".0.").split(".")

@@ -9,7 +9,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.template import Word, slots
 from sim2reason.lazy import cached_property
 from sim2reason.prose.naming import Names, listed, symbols
-from sim2reason.prose.phrases import another, join
+from sim2reason.prose.phrases import introductions, join
 from sim2reason.prose.voices import Hiding, Voice, symbolic
 
 
@@ -83,8 +83,7 @@ class Terms(ABC):
         again = any(self.names.noun(self.scene.bodies[known]) == self.names.noun(body) for known in self.introduced)
         self.introduced[address] = None
         letter = self.names.letters.get(address, "")
-        text = self._of_body(self.choose(body.named if letter else body.lone), address)
-        return another(text) if again and not letter else text
+        return self._of_body(self.choose(body.named if letter else introductions(type(body), again=again)), address)
 
     def _of_body(self, template: str, address: str) -> str:
         body = self.scene.bodies[address]

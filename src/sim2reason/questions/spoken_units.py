@@ -4,15 +4,17 @@ Only the text changes. Factors are exact decimals, so that what is said stays wh
 """
 
 import re
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
-from functools import cache
+from functools import cache, lru_cache
 
 from sim2reason.dsl.measures import show_unit
 from sim2reason.dsl.unit_text import factors
-from sim2reason.dsl.units import UnitError, parse_unit
+from sim2reason.dsl.units import UnitError, coherent, parse_unit
 from sim2reason.errors import UnknownNameError
+from sim2reason.questions.spoken import KILO, LONG, METRE
 
 MINUS = "\N{MINUS SIGN}"
 LARGE = 5  # the power of ten from which on a number is written with one: 2.6×10⁵
@@ -28,7 +30,8 @@ _HEADING = re.compile(r" \(([^()\s]+)\)$")
 class SpokenUnits:
     """A system of units for texts, by what it says in place of units of the SI, each with what one of these is in it.
 
-    `whole` are units as they stand, such as m/s; `words` stand for m, kg, N and J wherever they occur in a unit.
+    `whole` are units as they stand, such as m/s; `words` stand for m, kg, N and J wherever they occur in a unit, with
+    prefixes, too.
     """
 
     name: str
@@ -43,20 +46,56 @@ class SpokenUnits:
     def spelled(self, unit: str) -> tuple[str, Decimal]:
         """The canonical unit in which it says what has a canonical unit of the SI, and what one of these is in it.
 
-        Electrical units stay as they are, since of those each system has several, and so do those with prefixes.
+        Electrical units stay as they are, since of those each system has several, and so do those of astronomy.
         """
         found = parse_unit(unit)
         if found.name in self.whole:
             return self.whole[found.name]
-        words = factors(found.name)
-        if found.dimension.current or any(word not in self.words and _is_mechanical(word) for word, _ in words):
+        words = {word: self._said_for(word) for word, _ in factors(found.name)}
+        if found.dimension.current or any(other is None and _is_mechanical(word) for word, other in words.items()):
             return unit, Decimal(1)
-        name, factor = found.name, Decimal(1)
-        for word, power in words:
-            if word in self.words:
-                other, size = self.words[word]
-                name, factor = re.sub(rf"\b{word}\b", other, name), factor * size**power
-        return (name, factor) if name != found.name else (unit, factor)
+        name, factor = list[str](), Decimal(1)
+        for word, power in factors(found.name):
+            other, size = words[word] or (word, Decimal(1))
+            name.append(f"{other}^{power}")
+            factor *= size**power
+        spelled = parse_unit(" ".join(name)).name
+        return (spelled if spelled != found.name else unit), factor
+
+    def _said_for(self, word: str) -> tuple[str, Decimal] | None:
+        """What it says in place of one unit, which may have a prefix: for km as for m, with another factor."""
+        if word in self.words:
+            return self.words[word]
+        bare, scale = coherent(word)
+        other = self.words.get(bare)
+        return (other[0], other[1] * scale) if other is not None else None
+
+    def beside(self, text: str, *more: tuple[float, str]) -> "SpokenUnits":
+        """What of it suits a text in the SI, and `more` numbers with their units.
+
+        A `whole` unit stays, and all that have its metres or kilograms do, where a number in another would need a power
+        of ten, or the text has a second unit for the like of it, as m/s beside km/s.
+        """
+        if not self.whole:
+            return self
+        numbers = [*_numbers_in(text), *more]
+        odd = (unit for unit, other in self.whole.items() if _is_odd(unit, other, numbers))
+        stay = {word for unit in odd for word in _mechanical(unit)}
+        return replace(self, whole={unit: other for unit, other in self.whole.items() if not stay & _mechanical(unit)})
+
+
+def _is_odd(unit: str, other: tuple[str, Decimal], numbers: Iterable[tuple[float, str]]) -> bool:
+    """Whether nobody would say another unit in place of one, beside some numbers with their units."""
+    name, factor = other
+    alike = [(number, found) for number, found in numbers if parse_unit(found).dimension == parse_unit(unit).dimension]
+    if any(parse_unit(found).name not in (unit, name) for _, found in alike):
+        return True
+    return any(abs(number) * float(factor) >= 10.0**LARGE for number, found in alike if parse_unit(found).name == unit)
+
+
+def _mechanical(unit: str) -> set[str]:
+    """The units of length and mass, or made of such, in another."""
+    return {word for word, _ in factors(unit) if _is_mechanical(word)}
 
 
 def _is_mechanical(word: str) -> bool:
@@ -79,7 +118,10 @@ MIXED = SpokenUnits(
     "mixed", whole={"m": ("cm", Decimal(100)), "kg": ("g", Decimal(1000)), "m/s": ("km/h", Decimal("3.6"))}
 )
 SYSTEMS = {system.name: system for system in (SI, CGS, MIXED)}
-"""All systems in which a text can speak: the SI; centimetre, gram and second; cm, g and km/h among units of the SI."""
+"""All systems in which a text can speak: the SI; centimetre, gram and second; cm, g and km/h among units of the SI.
+
+The last says them only where a text would: a rocket's mass stays in kilograms.
+"""
 
 
 def system_named(name: str) -> SpokenUnits:
@@ -96,18 +138,21 @@ def spoken_in(system: SpokenUnits, text: str) -> str:
         other, factor = _spelled(system, unit)
         return (_written(_number(number) * factor.normalize()), other) if other != unit else None
 
-    return text if system is SI else _converted(text, said)
+    return text if not system.says_otherwise else _converted(text, said)
 
 
 def in_si(text: str) -> tuple[str, ...]:
     """What a text could be in the SI, whichever system it speaks in: first itself, last with its grams as they are.
 
-    For a text in the SI may say grams of what is light.
+    For a text in the SI may say grams of what is light. Long ways are told in kilometres, as questions tell them.
     """
 
     def said(number: str, unit: str) -> tuple[str, str] | None:
         other, factor = _restored(unit)
-        return (_plain(_number(number) / factor), other) if other != unit else None
+        value = _number(number) / factor
+        if other == METRE and other != unit and value >= LONG:
+            return _plain(value / Decimal(KILO)), "km"
+        return (_plain(value), other) if other != unit else None
 
     def but_grams(number: str, unit: str) -> tuple[str, str] | None:
         return said(number, unit) if unit != "g" else None
@@ -115,14 +160,14 @@ def in_si(text: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys((text, _converted(text, said), _converted(text, but_grams))))
 
 
-@cache
+@lru_cache(maxsize=1024)
 def _spelled(system: SpokenUnits, shown: str) -> tuple[str, Decimal]:
     """As `SpokenUnits.spelled`, of units as they are printed; what is none stays as it is."""
     try:
         unit, factor = system.spelled(shown)
     except UnitError:
         return shown, Decimal(1)
-    return (show_unit(unit), factor) if factor != 1 else (shown, factor)
+    return (show_unit(unit), factor) if unit != shown else (shown, factor)
 
 
 @cache
@@ -155,6 +200,20 @@ def _converted(text: str, said: Said) -> str:
             rows = next((k for k in range(begin, len(lines)) if not lines[k].startswith("|")), len(lines))
             lines[begin:rows] = _table(lines[begin:rows], said)
     return "\n".join(lines)
+
+
+def _numbers_in(text: str) -> Iterator[tuple[float, str]]:
+    """All numbers of a text that have a unit, with that."""
+    found = list[tuple[str, str]]()
+
+    def noted(number: str, unit: str) -> tuple[str, str]:
+        found.append((number, unit))
+        return number, unit
+
+    _converted(text, noted)
+    for number, unit in found:
+        with suppress(UnitError):
+            yield float(_number(number)), parse_unit(unit).name
 
 
 def _table(rows: list[str], said: Said) -> list[str]:

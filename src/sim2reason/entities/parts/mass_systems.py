@@ -21,7 +21,7 @@ FRICTION_ON_PLANE = either(
     "the coefficient of friction, static and kinetic, is {plane.friction} on this plane.",
     "take {plane.friction} as the coefficient of friction, static and kinetic, on this plane.",
     "friction on this plane, static and kinetic, has the coefficient {plane.friction}.",
-    "static friction and kinetic friction on this plane both have the coefficient {plane.friction}.",
+    "the coefficient of friction on this plane, static and kinetic, is {plane.friction}.",
     "for this plane the coefficient of friction is {plane.friction}, whether static or kinetic.",
     "the coefficients of static and of kinetic friction on this plane are both {plane.friction}.",
 )

@@ -13,9 +13,10 @@ from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import OBLONG, Setting, vector
 from sim2reason.figures.shapes import SMALL, Arc, LineShape, Shape, Sketch, Wanted, width
-from sim2reason.figures.vectors import RIGHT, UP, cross, dot, unit
+from sim2reason.figures.vectors import RIGHT, UP, cross, crosses, dot, unit
 
-LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.5), 0.4  # units, of the longest arrow and of any
+LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.6), 0.6  # units, of the longest arrow and of any: thrice its head
+APART = 0.15  # of two arrows
 STILL = 1e-9
 MINUS = "\N{MINUS SIGN}"
 FINE = 12  # strokes of a curved arrow
@@ -30,10 +31,13 @@ def speeds(setting: Setting) -> Sketch:
     fastest = max((abs(v) for v in moving.values()), default=0.0)
     longest = next((n for n in LENGTHS if not _runs_over(setting, moving, n / fastest)), LENGTHS[-1]) if moving else 0.0
     unit_of_speed = setting.mechanism.units.spell("m/s")
+    long = {name: max(SHORTEST, longest * abs(velocity) / fastest) for name, velocity in moving.items()}
+    ahead = {name: (_tail(setting, name, unit(v)), long[name] * unit(v)) for name, v in moving.items()}
     for name, velocity in moving.items():
-        way, start = unit(velocity), _tail(setting, name, unit(velocity))
-        long = max(SHORTEST, longest * abs(velocity) / fastest)
-        end = start + long * way
+        way, (start, arrow) = unit(velocity), ahead[name]
+        if any(_run_together(ahead[name], other) for each, other in ahead.items() if each != name):
+            start = _beside(setting, name, way)
+        end = start + arrow
         found.shapes.append(LineShape((start, end), "thin", arrow=True))
         text = _speed(setting, name, abs(velocity))
         unsaid |= not text
@@ -74,9 +78,28 @@ def _tail(setting: Setting, name: str, way: complex) -> complex:
         return at + setting.radius(name) * way
     if name in setting.stacked.values():
         return at + (0.5 * setting.sizes(name)[0] + 0.15) * way + 0.2 * UP
+    return _beside(setting, name, way)
+
+
+def _beside(setting: Setting, name: str, way: complex) -> complex:
+    """Where an arrow begins that is above a body, or to its left."""
     out = way * 1j if (way * 1j).imag > 0.0 or abs(way.imag) > 0.999 else way * -1j
     back = 0.45 if setting.sizes(name)[0] >= setting.plan.sizes.width else 0.0  # not over a neighbour
-    return at + (setting.radius(name) + 0.25) * out - back * way
+    return setting.at(name) + (setting.radius(name) + 0.25) * out - back * way
+
+
+def _run_together(one: tuple[complex, complex], other: tuple[complex, complex]) -> bool:
+    """Whether two arrows, each from its tail along a way, touch or cross each other."""
+    (a, along), (b, across) = one, other
+    if crosses(a, a + along, b, b + across):
+        return True
+    ends = ((b, one), (b + across, one), (a, other), (a + along, other))
+    return any(abs(point - _nearest(point, *arrow)) < APART for point, arrow in ends)
+
+
+def _nearest(point: complex, tail: complex, arrow: complex) -> complex:
+    """The point of an arrow that is nearest to another one."""
+    return tail + min(max(dot(point - tail, unit(arrow)), 0.0), abs(arrow)) * unit(arrow)
 
 
 def _runs_over(setting: Setting, moving: Mapping[str, complex], size: float) -> bool:

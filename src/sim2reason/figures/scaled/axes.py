@@ -1,15 +1,18 @@
 """The x and y axes that a text defines: with numbers where it states positions, else a small cross."""
 
+from collections.abc import Sequence
 from math import ceil
 
 from sim2reason.dsl.looks import Tabletop
 from sim2reason.dsl.measures import show_unit
+from sim2reason.figures.scaled.arrows import speeds
 from sim2reason.figures.scaled.grounds import sheet, spread
 from sim2reason.figures.scaled.setting import Setting
 from sim2reason.figures.shapes import SMALL, TINY, Area, LineShape, Sketch, Wanted, width
-from sim2reason.figures.vectors import RIGHT, UP, Box, box
+from sim2reason.figures.vectors import RIGHT, UP, Box, box, dot, unit
 
 TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
+MARGIN = 0.15  # between the number of a tick and what ends the axis, and between a tick and an arrow
 CROSS = 1.0  # length of an axis without numbers
 
 
@@ -46,18 +49,20 @@ def _full(setting: Setting, found: Sketch, area: Box, origin: complex) -> None:
     """Both axes through the origin, with numbers if the text gives all lengths."""
     scaled = not any(setting.plan.leaves_open(owner, setting.mechanism.units.length) for owner in setting.owners)
     left, low, right, high = area
-    unit = show_unit(setting.mechanism.units.length)
+    metre = show_unit(setting.mechanism.units.length)
     covered = [(setting.at(body.name), setting.radius(body.name) + 0.15) for body in setting.members]
     ends = (
-        ("x", RIGHT, left - origin.real, right - origin.real, 0.55 + 0j),
-        ("y", UP, low - origin.imag, high - origin.imag, 0.3j),
+        ("x", RIGHT, left - origin.real, right - origin.real),
+        ("y", UP, low - origin.imag, high - origin.imag),
     )
-    for name, way, start, stop, beyond in ends:
+    for name, way, start, stop in ends:
         found.shapes.append(LineShape((origin + (start + 0.15) * way, origin + (stop + 0.5) * way), "thin", arrow=True))
-        place = origin + (stop + 0.5) * way + beyond
-        found.labels.append(Wanted(f"{name} ({unit})" if scaled else name, (place,), "", SMALL, name=False))
+        text = f"{name} ({metre})" if scaled else name
+        beyond = 0.12 + 0.5 * width(text, SMALL) if way == RIGHT else 0.3
+        place = origin + (stop + 0.5 + beyond) * way
+        found.labels.append(Wanted(text, (place,), "", SMALL, name=False))
         if scaled:
-            _ticks(setting, found, (origin, way, start + 0.2, stop - 0.2), covered)
+            _ticks(setting, found, (origin, way, start, stop), covered)
 
 
 def _ticks(
@@ -66,16 +71,27 @@ def _ticks(
     axis: tuple[complex, complex, float, float],
     covered: list[tuple[complex, float]],
 ) -> None:
-    """Ticks with numbers, at round distances, wherever no body covers the axis."""
+    """Ticks with numbers, at round distances, wherever neither body nor arrow covers the axis nor the end is near."""
     origin, way, start, stop = axis
     scale = setting.view.scale
+    arrows = [shape.points for shape in speeds(setting).shapes if isinstance(shape, LineShape) and shape.arrow]
     step = next(m * 10.0**k for k in range(-6, 7) for m in (1.0, 2.0, 5.0) if m * 10.0**k * scale >= PITCH)
     for number in range(ceil(start / (scale * step)), int(stop / (scale * step)) + 1):
         at, across = origin + number * step * scale * way, way * 1j
         if not number or any(abs(at - spot) < reach for spot, reach in covered):
             continue
-        found.shapes.append(LineShape((at - TICK * across, at + TICK * across), "thin"))
         text = f"{number * step:g}".replace("-", "\N{MINUS SIGN}")
+        half = 0.5 * (width(text, TINY) if way == RIGHT else TINY) + MARGIN
+        if not start + half < number * step * scale < stop - half or any(_is_near(at, arrow) for arrow in arrows):
+            continue
+        found.shapes.append(LineShape((at - TICK * across, at + TICK * across), "thin"))
         aside = 0.3 if way == RIGHT else 0.17 + 0.5 * width(text, TINY)
         sides = (-1.0, 1.0) if way == RIGHT else (1.0, -1.0)
         found.labels.append(Wanted(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False))
+
+
+def _is_near(at: complex, arrow: Sequence[complex]) -> bool:
+    """Whether a tick would stand on a straight arrow, or touch it."""
+    tail, tip = arrow[0], arrow[-1]
+    along = min(max(dot(at - tail, unit(tip - tail)), 0.0), abs(tip - tail))
+    return abs(at - tail - along * unit(tip - tail)) < MARGIN + TICK

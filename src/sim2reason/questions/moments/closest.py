@@ -15,6 +15,7 @@ class Closest(Apsis):
     """The first time that two bodies are closest to each other."""
 
     label = "closest approach"
+    most = "least"
     verb = Verb("reach a minimum distance from each other", "reach a minimum distance from each other", "do")
 
     def extent(self, state: State) -> Array:

@@ -15,6 +15,7 @@ class Farthest(Apsis):
     """The first time that two bodies are farthest from each other."""
 
     label = "farthest apart"
+    most = "greatest"
     verb = Verb("reach a maximum distance from each other", "reach a maximum distance from each other", "do")
 
     def extent(self, state: State) -> Array:

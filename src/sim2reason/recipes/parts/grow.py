@@ -18,6 +18,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.vacancies import vacated
 from sim2reason.errors import SceneError
 from sim2reason.prose.description import draft, written
+from sim2reason.recipes.parts.floors import leads_below_floor
 from sim2reason.recipes.parts.open_ports import OpenPort, ends_for, is_down, is_passed, open_ports, stands_still, takes
 
 TRIES = 40
@@ -112,6 +113,8 @@ class Grower:
             raise SceneError(stuck[0], "nothing lets it move", "draw again")
         if is_weightless(scene.mechanism):
             raise SceneError("scene", "something light moves freely", "draw again")
+        if low := next((name for name, joint in scene.joints.items() if leads_below_floor(scene, joint)), ""):
+            raise SceneError(low, "a slope would lie below the floor on which another stands", "draw again")
         return scene
 
     def _chance(self, chance: float) -> bool:
