@@ -25,6 +25,12 @@ from sim2reason.grading.unit_spelling import unit_in
         ("kg m s-2", "N"),
         (r"\text{kg}\bullet\text{m/s}", "kg*m/s"),
         ("newton(s)", "N"),
+        (r"M_\odot", "Msun"),
+        (r"\mathrm{M_{sun}}", "Msun"),
+        (r"M_{\text{sun}}", "Msun"),
+        (r"\text{M}_{\odot}", "Msun"),
+        (r"\text{solar masses}", "Msun"),
+        (r"\mathrm{M_{sun}\,au^2/yr^2}", "Msun*au^2/yr^2"),
     ],
 )
 def test_spellings(text: str, same: str) -> None:

@@ -1,7 +1,7 @@
 r"""Units as models spell them: what the table does not read at once is brought to its spelling and tried again.
 
-``newton-seconds``, ``kg.m/s``, ``Kg``, ``[m/s]``, ``m/s$^2$``, ``sec.``, ``rev/min``; ``ms^{-1}`` is per millisecond or
-metres per second, as the asked dimension decides.
+``newton-seconds``, ``kg.m/s``, ``Kg``, ``[m/s]``, ``m/s$^2$``, ``sec.``, ``rev/min``, ``M_{\odot}``; ``ms^{-1}`` is
+per millisecond or metres per second, as the asked dimension decides.
 """
 
 import math
@@ -17,10 +17,13 @@ from sim2reason.grading.alphabet import SWITCHES, either
 __all__ = ["is_unit", "unit_in"]
 
 _WRAPPERS: Final = rf"\\(?:{either('open', '{')}|operatorname\*)\s*(?=\{{)"
+_SUN: Final = r"(?:\\odot(?![A-Za-z])|\\(?:text|rm)\s*\{?\s*[sS]un\s*\}?|[sS]un)"
 _REWRITTEN: Final = tuple(
     (re.compile(pattern), replacement)
     for pattern, replacement in (
         (_WRAPPERS, r"\\text"),
+        (rf"(?:\\text\s*\{{\s*M\s*\}}|(?<![A-Za-z])M)\s*(?:_\s*)?(?:\{{\s*{_SUN}\s*\}}|{_SUN})(?![A-Za-z])", " Msun "),
+        (r"(?<![A-Za-z])solar[\s~]+mass(?:es)?(?![A-Za-z])", "Msun"),
         (rf"\\(?:{'|'.join((*SWITCHES, 'middle'))})(?![A-Za-z])", " "),
         (r"(?:\^|\*\*)\s*(?:\{\s*)?\\(?:text|mathrm)\s*\{\s*([-−–+]?[0-9])\s*\}(?:\s*\})?", r"^{\1}"),
         (r"(?:\^|\*\*)\s*\(\s*([-−–+]?[0-9])\s*\)", r"^{\1}"),
