@@ -55,9 +55,9 @@ class Projectile(Entity):
     }
     says = (
         either(
-            "from a point {height} above level ground {ball} is thrown at speed {speed} {way}.",
-            "{ball} is thrown with a speed of {speed} {way} from a point {height} above level ground.",
-            "at a height of {height} above level ground {ball} is launched {way} at speed {speed}.",
+            "at t = 0 {ball} is thrown from a point {height} above level ground at speed {speed} {way}.",
+            "{ball} is thrown at t = 0 with a speed of {speed} {way} from a point {height} above level ground.",
+            "from a height of {height} above level ground {ball} is launched at t = 0 at speed {speed} {way}.",
         ),
         defining_axes(
             "the x axis points forward, the y axis straight up.",

@@ -11,9 +11,9 @@ Deflection = Annotated[float, Ge(0), Le(180), Measure("deflection", "deg", r"\th
 TILTED = "an angle of {angle} with the downward vertical"
 AT_FIRST = placing("initially {start}.", "at the start {start}.", "to begin with, {start}.")
 SENT_OFF = starting(
-    "{bob} is set moving {sent} at speed {speed}.",
-    "{bob} starts moving {sent} at speed {speed}.",
-    "{bob} is launched {sent} with a speed of {speed}.",
+    "at t = 0 {bob} is set moving {sent} at speed {speed}.",
+    "at t = 0 {bob} starts moving {sent} at speed {speed}.",
+    "at t = 0 {bob} is launched {sent} with a speed of {speed}.",
     topic="start",
 )
 PERIODS = 1.5  # of a small swing on Earth that the motion is followed for
