@@ -42,6 +42,28 @@ def test_what_is_not_paid_says_why(answer: str, outcome: str, why: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("answer", "sign"),
+    [
+        (r"\neq 9.8", r"\neq"),
+        ("a > 9.8", ">"),
+        (r"a \gtrsim 9.8", r"\gtrsim"),
+        (r"a\in\{9.8, 2\}", r"\in"),
+        ("&&&", "&"),
+        (r"a\to 9.8", r"\to"),
+        (r"9.8 \mp 5", r"\mp"),
+        ("9.8 +- 5", "+-"),
+        (r"9.8\text{ or }12", "or"),
+    ],
+)
+def test_a_reason_quotes_what_the_answer_has(answer: str, sign: str) -> None:
+    assert boxed(answer).why == f"'{sign}' makes it more, or less, than one value"
+
+
+def test_a_sign_that_cannot_be_read_is_quoted_as_it_stands() -> None:
+    assert boxed(r"9.8 \times\div 5").why == r"'\div' cannot be read where it stands"
+
+
+@pytest.mark.parametrize(
     "before", ["9.8", "9.75", r"19.6/2", r"\sqrt{96.04}", r"980\text{ cm/s}^2", r"9.8\text{ N/kg}"]
 )
 def test_sides_in_numbers_that_agree(before: str) -> None:

@@ -15,7 +15,7 @@ from sim2reason.grading.lenient import last_quantity
 from sim2reason.grading.parser import parse
 from sim2reason.grading.remarks import Remark
 from sim2reason.grading.score import Outcome, Refused, Score
-from sim2reason.grading.sides import Statement, flattened, is_signed, statement, unwrapped
+from sim2reason.grading.sides import Statement, flattened, is_signed, more_or_less, statement, unwrapped
 from sim2reason.grading.spelling import balanced, spelled
 from sim2reason.grading.tokens import Token, tokenize
 from sim2reason.grading.unit_spelling import unit_in
@@ -107,7 +107,7 @@ def _stated(content: str, asked: Unit | None) -> _Quantity:
     except Refused as refused:
         if said.doubt is None or refused.outcome is not Outcome.UNREADABLE:
             raise
-        raise Refused(Outcome.WRONG, f"{said.doubt.text!r} makes it more, or less, than one value") from refused
+        raise more_or_less(said.doubt) from refused
     if found.unit is None:
         found = found._replace(unit=unit_on_left(content, said.before, asked))
     _check(content, said, found, asked)

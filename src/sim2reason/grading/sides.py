@@ -14,7 +14,7 @@ from sim2reason.grading.alphabet import CLOSES
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
 
-__all__ = ["Statement", "flattened", "is_signed", "statement", "unwrapped"]
+__all__ = ["Statement", "flattened", "is_signed", "more_or_less", "statement", "unwrapped"]
 
 _SPECIAL: Final = frozenset({"relation", "hedge", "soft", "arrow", "step", "colon", "stop"})
 _DIVIDING: Final = frozenset({"step", "word", "arrow", "hedge"})
@@ -73,15 +73,16 @@ def _unreadable(why: str) -> Refused:
     return Refused(Outcome.UNREADABLE, why)
 
 
-def _hedge(token: Token) -> Refused:
-    return Refused(Outcome.WRONG, f"{token.text!r} makes it more, or less, than one value")
+def more_or_less(token: Token) -> Refused:
+    """The refusal of an answer for a token that could make another value of it."""
+    return Refused(Outcome.WRONG, f"'{token.shown}' makes it more, or less, than one value")
 
 
 def _refuse_hedges(tokens: Tokens) -> None:
     """Refuse what hedges wherever it stands; of signs between statements that is decided later."""
     for token in tokens:
         if token.kind == "hedge" and token.text != ",":
-            raise _hedge(token)
+            raise more_or_less(token)
 
 
 def _said(tokens: Tokens) -> Tokens:
@@ -108,7 +109,7 @@ def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
                 parts.append((implied, []))
                 related = False
             elif position == 0 and kind == "hedge":
-                raise _hedge(token)
+                raise more_or_less(token)
             continue
         if depth == 0 and token.apart > 1 and related and position <= last:
             parts.append((False, []))
