@@ -9,7 +9,7 @@ from typing import Protocol, cast, runtime_checkable
 
 from pydantic import ValidationError
 
-from sim2reason.datasets.item import Answer
+from sim2reason.datasets.item import Answer, unfolded
 from sim2reason.errors import DatasetError
 
 
@@ -32,13 +32,14 @@ def answer_of(row: ItemRow) -> Answer:
         raise DatasetError(f"{type(row).__name__} is no item; give an Item, or a row of a dataset")
     if "answer" not in set(row.keys()):
         raise DatasetError(f"a row without the column 'answer'; it has: {', '.join(map(str, row.keys()))[:200]}")
-    held = plain(row["answer"])
     try:
-        return Answer.model_validate_json(held) if isinstance(held, str) else Answer.model_validate(held)
+        return Answer.model_validate(unfolded(plain(row["answer"])))
     except ValidationError as error:
         fault = error.errors()[0]
-        where = ".".join(map(str, ("answer", *fault["loc"])))
-        raise DatasetError(f"{where}: {fault['msg']}; give a row of a dataset as it was read") from None
+        where, problem = ".".join(map(str, ("answer", *fault["loc"]))), fault["msg"]
+    except ValueError as error:
+        where, problem = "answer", f"no JSON: {error}"
+    raise DatasetError(f"{where}: {problem}; give a row of a dataset as it was read")
 
 
 def plain(value: object) -> object:
