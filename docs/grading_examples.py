@@ -41,6 +41,7 @@ NUMBERS: list[tuple[str, float, str | None]] = [
     (r"\boxed{\text{Speed of A: } 3.2\text{ m/s (11.5 km/h)}}", 3.2, "m/s"),
     (r"\boxed{4.9 = 9.8}", 9.8, "m"),
     (r"\boxed{x_1 = 4.9,\ x_2 = 9.8}", 9.8, "m"),
+    (r"\boxed{x = 4.9\text{ so }y = 9.8}", 9.8, "m"),
     (r"\boxed{2x = 9.8}", 9.8, "m"),
     (r"\boxed{x \text{ is not } = 9.8}", 9.8, "m"),
     (r"\boxed{1\text{ m/s at }t = 2}", 2.0, "m/s"),

@@ -40,7 +40,7 @@ from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import REGIMES
 from sim2reason.questions.targets import targets
 from sim2reason.recipes import DIFFICULTIES, RECIPES
-from sim2reason.registry import Registry
+from sim2reason.registry import Registry, nearest
 from sim2reason.scene_files import dump, load
 from sim2reason.simulation.channels import channels
 from sim2reason.simulation.scenes import simulate
@@ -82,6 +82,12 @@ def test_every_member_is_documented_and_found_by_its_name(kind: str, name: str) 
     text = getdoc(described)
     assert text
     assert text.split("\n", maxsplit=1)[0].endswith((".", ":", "?", "*")), text
+
+
+def test_only_what_is_about_as_near_as_the_nearest_is_near() -> None:
+    assert nearest("spring", RECIPES) == ["springs"], "rolling shares four letters with it"
+    assert nearest("MassWithPulley", ENTITIES) == ["MassWithFixedPulley", "MassWithMovablePulley"]
+    assert nearest("qzqzqz", RECIPES) == nearest("x" * 1_000_000, RECIPES) == []
 
 
 @pytest.mark.parametrize("kind", list(REGISTRIES))

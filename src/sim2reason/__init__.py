@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from sim2reason.grading import Score
     from sim2reason.parsing import parse_scene
     from sim2reason.prose import describe
+    from sim2reason.questions.parse_prompt import parse_prompt
     from sim2reason.registries import members as list  # noqa: A004 - named as the command
     from sim2reason.reports.evaluation import evaluate as eval  # noqa: A004 - named as the command
     from sim2reason.scene_files import dump, load
@@ -62,6 +63,7 @@ _HOMES = {
     "list": "registries:members",
     "load": "scene_files",
     "open": "datasets.dataset:Dataset",
+    "parse_prompt": "questions.parse_prompt",
     "parse_scene": "parsing",
     "plot": "figures.scenes",
     "sample": "datasets.items",
@@ -100,6 +102,7 @@ __all__ = [
     "list",
     "load",
     "open",
+    "parse_prompt",
     "parse_scene",
     "plot",
     "sample",

@@ -1,7 +1,7 @@
 """One class for every kind of thing that can be added by one new file."""
 
-from collections.abc import Callable, Iterator, Mapping
-from difflib import get_close_matches
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from difflib import SequenceMatcher, get_close_matches
 from importlib import import_module
 from importlib.metadata import entry_points
 from pkgutil import iter_modules
@@ -10,6 +10,7 @@ from typing import Generic, TypeVar
 from sim2reason.errors import UnknownNameError
 
 LONGEST = 80  # characters of a name, above which none is near to it
+AS_NEAR = 0.85  # of the likeness of the nearest name: what else is near
 FEW = 20  # names that a line can show
 T = TypeVar("T")
 M = TypeVar("M")
@@ -66,7 +67,7 @@ class Registry(Mapping[str, T], Generic[T]):
 
     def _hint(self, name: str) -> str:
         """What is near to an unknown name; where nothing is, all that there is, or how to see it."""
-        near = get_close_matches(name, self._members, n=3) if len(name) <= LONGEST else []
+        near = nearest(name, self._members)
         if near:
             return f"did you mean: {', '.join(near)}"
         few = len(self._members) <= FEW
@@ -85,6 +86,16 @@ class Registry(Mapping[str, T], Generic[T]):
         """How many members there are."""
         self._fill()
         return len(self._members)
+
+
+def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:
+    """What `name` could be a slip for: the names like it, the nearest first, and none that is much farther."""
+    found = get_close_matches(name, names, n=most) if len(name) <= LONGEST else []
+    return [other for other in found if _likeness(name, other) >= AS_NEAR * _likeness(name, found[0])]
+
+
+def _likeness(name: str, other: str) -> float:
+    return SequenceMatcher(None, other, name).ratio()
 
 
 def _shown(name: object) -> str:

@@ -2,6 +2,7 @@
 
 import gc
 import json
+import shutil
 import weakref
 from collections import Counter
 from collections.abc import Sequence
@@ -300,6 +301,18 @@ def test_stats_count_what_is_there(data: Path) -> None:
     assert told["words"] == {"items": 29, "least": words[0], "median": words[14], "greatest": words[-1]}
     table = call("stats", data).stdout
     assert all(name in table for name in ("recipe", "quantity", "weight", "refused draws", "median", "N  "))
+
+
+@pytest.mark.parametrize("command", ["stats", "show"])
+def test_a_changed_manifest_is_one_line(data: Path, tmp_path: Path, command: str) -> None:
+    copy = shutil.copytree(data, tmp_path / "copy")
+    text = (copy / "manifest.json").read_text()
+    (copy / "manifest.json").write_text(text.replace('"weight": 29', '"weight": 92'))
+    assert text != (copy / "manifest.json").read_text()
+    told = call(command, copy)
+    assert (told.exit_code, told.stdout) == (2, "")
+    assert told.stderr.count("\n") == 1
+    assert "manifest.json: changed since it was written; see: sim2reason verify" in told.stderr
 
 
 def test_verify_and_show_take_what_generate_gave(tmp_path: Path) -> None:

@@ -1,6 +1,7 @@
 import math
 from pathlib import Path
 
+import pyarrow.parquet as pq
 import pytest
 from pydantic import ValidationError
 
@@ -20,6 +21,16 @@ def item() -> Item:
 
 def test_an_item_is_the_same_after_a_trip_through_json(item: Item) -> None:
     assert Item.model_validate_json(item.model_dump_json()) == item
+
+
+def test_an_item_is_the_same_from_a_row_of_a_shard(item: Item, tmp_path: Path) -> None:
+    """Its certificate, versions and weights are JSON texts there."""
+    write(tmp_path / "shard.parquet", [item])
+    (row,) = pq.read_table(tmp_path / "shard.parquet").to_pylist()
+    assert Item.model_validate(row) == item
+    for wrong in ("{", "[]", '{"agreement": NaN}', "[" * 100_000):
+        with pytest.raises(ValidationError, match="certificate"):
+            Item.model_validate({**row, "certificate": wrong})
 
 
 def test_an_item_is_frozen_and_knows_its_fields(item: Item) -> None:

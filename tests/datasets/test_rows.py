@@ -3,7 +3,8 @@
 import json
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+from unittest.mock import Mock
 
 import numpy as np
 import pandas as pd
@@ -19,6 +20,12 @@ from sim2reason.datasets.rows import plain
 from sim2reason.errors import DatasetError
 
 Rows = Callable[[Path], Iterable[Any]]
+
+
+class Named(NamedTuple):
+    """A row without an answer."""
+
+    id: int
 
 
 def by_pyarrow(path: Path) -> Iterable[Any]:
@@ -72,6 +79,10 @@ def by_pandas_records(path: Path) -> Iterable[Any]:
     return pd.read_parquet(path).to_dict("records")
 
 
+def by_pandas_tuples(path: Path) -> Iterable[Any]:
+    return pd.read_parquet(path).itertuples()
+
+
 def by_pandas_of_arrow(path: Path) -> Iterable[Any]:
     return [row for _, row in pd.read_parquet(path, dtype_backend="pyarrow").iterrows()]
 
@@ -97,7 +108,7 @@ def by_datasets_of_numpy(path: Path) -> Iterable[Any]:
 
 READERS: list[Rows] = [
     *(by_pyarrow, by_pyarrow_scalars, by_columns, by_numpy, by_json, by_empty_groups),
-    *(by_pandas, by_pandas_records, by_pandas_of_arrow, by_polars, by_polars_columns),
+    *(by_pandas, by_pandas_records, by_pandas_tuples, by_pandas_of_arrow, by_polars, by_polars_columns),
     *(by_datasets, by_datasets_of_numpy),
 ]
 
@@ -145,6 +156,11 @@ def test_a_row_is_graded_as_its_item(items: list[Item], reader: Rows, tmp_path: 
         ({"answer": "{"}, "answer: "),
         ("a text", "str is no item"),
         (None, "NoneType is no item"),
+        ((1, 2), "tuple is no item"),
+        (Named(3), "it has: id"),
+        (Named, "type is no item"),
+        (Mock(), "Mock is no item"),
+        ({"answer": Mock()}, "answer: "),
     ],
 )
 def test_what_is_no_row_is_said(row: Any, said: str) -> None:  # noqa: ANN401 - anything

@@ -8,8 +8,10 @@ import pytest
 
 from sim2reason.datasets import store
 from sim2reason.datasets.atomic_files import canonical, checksum
+from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, shards
+from sim2reason.datasets.stats import stats
 from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError
 
@@ -80,6 +82,17 @@ def test_a_manifest_that_was_edited_is_found(
     change(value)
     (data / MANIFEST).write_text(canonical(value))
     assert any(finding in line for line in verify(data).faults)
+
+
+def test_a_manifest_that_was_edited_opens_no_dataset(data: Path) -> None:
+    """Its counts would be told as they stand."""
+    Dataset(data)
+    value = json.loads((data / MANIFEST).read_text())
+    value["counts"]["split"]["train"] += 1
+    (data / MANIFEST).write_text(canonical(value))
+    for read in (Dataset, stats):
+        with pytest.raises(DatasetError, match=r"manifest\.json: changed since it was written; see: sim2reason verify"):
+            read(data)
 
 
 def test_what_is_no_finished_dataset_is_refused(tmp_path: Path, data: Path) -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.grading import Outcome, Score, number
+from sim2reason.grading import Outcome, Score, formula, number
 
 
 def boxed(answer: str, reference: float = 9.8, unit: str | None = "m/s^2") -> Score:
@@ -39,6 +39,28 @@ def boxed(answer: str, reference: float = 9.8, unit: str | None = "m/s^2") -> Sc
 def test_what_is_not_paid_says_why(answer: str, outcome: str, why: str) -> None:
     score = boxed(answer)
     assert (score.outcome, score.why) == (outcome, why)
+
+
+@pytest.mark.parametrize(
+    ("answer", "sign"),
+    [
+        (r"\neq 9.8", r"\neq"),
+        ("a > 9.8", ">"),
+        (r"a \gtrsim 9.8", r"\gtrsim"),
+        (r"a\in\{9.8, 2\}", r"\in"),
+        ("&&&", "&"),
+        (r"a\to 9.8", r"\to"),
+        (r"9.8 \mp 5", r"\mp"),
+        ("9.8 +- 5", "+-"),
+        (r"9.8\text{ or }12", "or"),
+    ],
+)
+def test_a_reason_quotes_what_the_answer_has(answer: str, sign: str) -> None:
+    assert boxed(answer).why == f"'{sign}' makes it more, or less, than one value"
+
+
+def test_a_sign_that_cannot_be_read_is_quoted_as_it_stands() -> None:
+    assert boxed(r"9.8 \times\div 5").why == r"'\div' cannot be read where it stands"
 
 
 @pytest.mark.parametrize(
@@ -105,6 +127,35 @@ def test_a_step_is_no_claim(joint: str) -> None:
     assert boxed(rf"a^2 = 96.04 {joint} a = 9.8").reward
     assert boxed(rf"a^2 = 9.8 {joint} a = 3.13").outcome == Outcome.WRONG
     assert not boxed(rf"a = 4.9 {joint} a = 9.8").reward
+
+
+JOINTS = [r"\text{ so }", r"\text{, so }", r"\quad\text{hence}\quad ", r"\text{ thus }", r"\text{ therefore }"]
+JOINTS += [r"\to ", r"\rightarrow ", r"\Rightarrow ", r"\implies ", r"\therefore ", r";\ \therefore "]
+
+
+@pytest.mark.parametrize("joint", JOINTS)
+def test_a_step_may_not_give_another_name_another_value(joint: str) -> None:
+    for name in ("x", "a_1", r"\text{Speed of A}", "|b|"):
+        assert boxed(rf"{name} = 4.9{joint}a = 9.8").outcome == Outcome.UNREADABLE
+        assert boxed(rf"4.9 = {name}{joint}a = 9.8").outcome == Outcome.UNREADABLE
+        assert boxed(rf"{name} = 9.8{joint}a = 9.8").reward, "the same value"
+    assert boxed(rf"x = 4.9\text{{ m/s}}^2{joint}a = 9.8\text{{ m/s}}^2").outcome == Outcome.UNREADABLE
+    assert boxed(rf"x = 4.9 = a{joint}a = 9.8").outcome == Outcome.UNREADABLE
+    assert formula(rf"\boxed{{E=mgh{joint}W=2mgh}}", "2mgh").outcome == Outcome.UNREADABLE
+    assert formula(rf"\boxed{{E=2mgh{joint}W=2mgh}}", "2mgh").reward
+
+
+@pytest.mark.parametrize("word", ["then", "giving", "which gives", "so that", "and so", "implies"])
+def test_other_words_between_two_values_are_refused(word: str) -> None:
+    assert boxed(rf"x = 4.9\text{{ {word} }}a = 9.8").outcome == Outcome.UNREADABLE
+
+
+@pytest.mark.parametrize("joint", JOINTS)
+def test_an_honest_step_is_read(joint: str) -> None:
+    assert boxed(rf"a = gt{joint}a = 9.8").reward, "the value of the formula"
+    assert boxed(rf"m = 2\,\mathrm{{kg}}{joint}F = ma = 9.8\,\mathrm{{N}}", unit="N").reward, "of another dimension"
+    assert boxed(rf"h = 4.9t^2 = 20{joint}t = 9.8", unit="s").reward, "an equation for what is asked"
+    assert formula(rf"\boxed{{W=Fd{joint}W=2mgh}}", "2mgh").reward
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+import sim2reason
 from scene_files import composed
 from sim2reason.dsl.body import Body
 from sim2reason.dsl.connection import CONNECTIONS, Link
@@ -294,6 +295,17 @@ def mutated(text: str, words: list[str], dice: random.Random) -> str:
     end = min(len(text), begin + dice.randint(0, 40))
     inside = dice.choice(["", dice.choice(words), text[begin:end] * 2, chr(dice.randint(1, 0xD7FF))])
     return text[:begin] + inside + text[end:]
+
+
+def test_a_prompt_is_sent_to_what_reads_prompts() -> None:
+    made = sim2reason.item("pulley", "easy")
+    prompt = made.prompt
+    with pytest.raises(TextError, match=r"sentence \d+: .* fits nowhere; .* sim2reason\.parse_prompt") as refused:
+        sim2reason.parse_scene(prompt)
+    assert "\n" not in str(refused.value)
+    read = sim2reason.parse_prompt(prompt)
+    assert (read.answer, read.unit) == (pytest.approx(made.answer.value), made.answer.unit)
+    assert read.query.target.quantity == made.asked.quantity
 
 
 def test_errors_name_the_place() -> None:

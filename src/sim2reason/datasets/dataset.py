@@ -6,7 +6,7 @@ from pathlib import Path
 
 from sim2reason.datasets import shard_files
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.manifest import Manifest, ShardFile, load, shard, shards
+from sim2reason.datasets.manifest import Manifest, ShardFile, load_sealed, shard, shards
 from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
@@ -24,9 +24,9 @@ class Dataset:
     """
 
     def __init__(self, path: Path | str) -> None:
-        """DatasetError if it is no finished dataset."""
+        """DatasetError if it is no finished dataset, or its manifest was changed."""
         self.path = Path(path)
-        self.manifest: Manifest = load(self.path)
+        self.manifest: Manifest = load_sealed(self.path)
 
     def __repr__(self) -> str:
         """Its folder, and how many items each split has."""

@@ -11,7 +11,7 @@ from pydantic import BaseModel, JsonValue, ValidationError
 from sim2reason.datasets.dataset import Dataset, shortened
 from sim2reason.datasets.item import Answer, Item
 from sim2reason.datasets.plan import ALL, Names
-from sim2reason.datasets.rows import ItemRow, answer_of
+from sim2reason.datasets.rows import ItemRow, NamedRow, answer_of
 from sim2reason.errors import DatasetError
 from sim2reason.grading import Outcome, Score, formula, number
 
@@ -37,12 +37,12 @@ class GradedResponse(NamedTuple):
     kind: str
 
 
-def grade(item: Item | ItemRow, response: object, *, lenient: bool = False) -> Score:
+def grade(item: Item | ItemRow | NamedRow, response: object, *, lenient: bool = False) -> Score:
     """The score of `response` to `item`, in the item's unit and within its tolerance; a formula at its bindings.
 
-    `item` may be a row of a dataset as `datasets`, pandas, polars or pyarrow give it; only its answer is looked at. A
-    direction in place of a sign is read by the item's words for what is positive. `lenient` takes the last number
-    where there is no box: for evaluation, never for a reward. No formula is so taken.
+    `item` may be a row of a dataset as `datasets`, pandas (a named tuple, too), polars or pyarrow give it; only its
+    answer is looked at. A direction in place of a sign is read by the item's words for what is positive. `lenient`
+    takes the last number where there is no box: for evaluation, never for a reward. No formula is so taken.
 
     Raises:
         DatasetError: a row without an answer that can be read.

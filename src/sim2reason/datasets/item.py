@@ -1,9 +1,19 @@
 """An item: one problem with its answer, and all that is needed to check or make it again."""
 
 import json
-from typing import Self
+from typing import Annotated, Self
 
-from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, JsonValue, field_validator, model_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    FiniteFloat,
+    JsonValue,
+    field_validator,
+    model_validator,
+)
+from pydantic_core import from_json
 
 from sim2reason.dsl.measures import join_unit
 from sim2reason.prose.formula_numbers import said_in
@@ -13,6 +23,18 @@ class Record(BaseModel):
     """What all records on disk share: frozen, and no field that we do not know."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+def unfolded(value: object) -> object:
+    """What a JSON text says, as rows of shards hold what has keys of its own; anything else as it is.
+
+    Raises:
+        ValueError: a text that is no JSON.
+    """
+    return from_json(value) if isinstance(value, str) else value
+
+
+FOLDED = BeforeValidator(unfolded)
 
 
 class Binding(Record):
@@ -128,10 +150,10 @@ class Provenance(Record):
     mode: str
     seed: int
     index: int
-    versions: dict[str, str]
+    versions: Annotated[dict[str, str], FOLDED]
     settings: str
     """A hash of the maker's settings: how many draws it tries, how long it simulates."""
-    weights: dict[str, float] = Field(default_factory=dict[str, float])
+    weights: Annotated[dict[str, float], FOLDED] = Field(default_factory=dict[str, float])
     """Of kinds of question, by name, where they are not those that the library declares."""
     units: str = "SI"
     """The system of units of the text and the answer; the scene is always in the SI."""
@@ -164,7 +186,7 @@ class Item(Record):
     """Where they were: why there is none."""
     scene: str
     """The scene as YAML."""
-    certificate: dict[str, JsonValue]
+    certificate: Annotated[dict[str, JsonValue], FOLDED]
     """How well the engines agree."""
     provenance: Provenance
 

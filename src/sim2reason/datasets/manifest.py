@@ -140,6 +140,11 @@ class Manifest(Record):
         bare = self.model_copy(update={"seal": ""}).text()
         return self.model_copy(update={"seal": sha256(bare.encode()).hexdigest()})
 
+    @property
+    def is_whole(self) -> bool:
+        """Whether it says what was sealed."""
+        return self.sealed().seal == self.seal
+
     def empty_cells(self) -> Iterator[str]:
         """A line for each mode, kind and recipe that is empty though it should not be; one if nothing could be made."""
         yield from empty(self.cells)
@@ -163,6 +168,14 @@ def load(path: Path) -> Manifest:
         raise DatasetError(
             f"{file}: not a manifest of this version ({_first(error)}); make it anew in another folder"
         ) from None
+
+
+def load_sealed(path: Path) -> Manifest:
+    """The same of a manifest that says what was written; DatasetError for one that was changed since."""
+    manifest = load(path)
+    if not manifest.is_whole:
+        raise DatasetError(f"{path / MANIFEST}: changed since it was written; see: sim2reason verify {path}")
+    return manifest
 
 
 def shards(path: Path) -> Iterator[Shard]:

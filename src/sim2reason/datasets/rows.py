@@ -1,4 +1,4 @@
-"""Rows of items as other packages have them: a dict of `datasets`, a Series of pandas, a dict of polars or pyarrow.
+"""Rows of items as other packages have them: a dict of `datasets`, polars or pyarrow, a Series or a tuple of pandas.
 
 The same item comes with Python's numbers or with NumPy's, with lists, tuples or arrays.
 """
@@ -9,8 +9,10 @@ from typing import Protocol, cast, runtime_checkable
 
 from pydantic import ValidationError
 
-from sim2reason.datasets.item import Answer
+from sim2reason.datasets.item import Answer, unfolded
 from sim2reason.errors import DatasetError
+
+DEEPEST = 40  # groups, lists and wrappers in each other
 
 
 @runtime_checkable
@@ -26,30 +28,51 @@ class ItemRow(Protocol):
         ...
 
 
-def answer_of(row: ItemRow) -> Answer:
+class NamedRow(Protocol):
+    """Columns by name in a named tuple, as ``itertuples`` of pandas gives them."""
+
+    def _asdict(self) -> Mapping[str, object]:
+        """What each column holds."""
+        ...
+
+
+def answer_of(given: ItemRow | NamedRow) -> Answer:
     """The answer of a row; DatasetError if it has none that can be read."""
-    if not isinstance(row, ItemRow):  # type: ignore[reportUnnecessaryIsInstance]  # callers need not be typed
-        raise DatasetError(f"{type(row).__name__} is no item; give an Item, or a row of a dataset")
+    row = given if isinstance(given, ItemRow) else _unnamed(given)
+    if not isinstance(row, ItemRow):
+        raise DatasetError(f"{type(given).__name__} is no item; give an Item, or a row of a dataset")
     if "answer" not in set(row.keys()):
         raise DatasetError(f"a row without the column 'answer'; it has: {', '.join(map(str, row.keys()))[:200]}")
-    held = plain(row["answer"])
     try:
-        return Answer.model_validate_json(held) if isinstance(held, str) else Answer.model_validate(held)
+        return Answer.model_validate(unfolded(plain(row["answer"])))
     except ValidationError as error:
         fault = error.errors()[0]
-        where = ".".join(map(str, ("answer", *fault["loc"])))
-        raise DatasetError(f"{where}: {fault['msg']}; give a row of a dataset as it was read") from None
+        where, problem = ".".join(map(str, ("answer", *fault["loc"]))), fault["msg"]
+    except ValueError as error:
+        where, problem = "answer", f"no JSON: {error}"
+    raise DatasetError(f"{where}: {problem}; give a row of a dataset as it was read")
 
 
-def plain(value: object) -> object:
-    """A value of any of these packages as Python's own; a group of which nothing is known is None."""
+def _unnamed(row: object) -> object:
+    """The mapping that a named tuple is, once; of anything else itself."""
+    names = None if isinstance(row, type) else getattr(row, "_asdict", None)
+    return names() if callable(names) else row
+
+
+def plain(value: object, depth: int = DEEPEST) -> object:
+    """A value of any of these packages as Python's own; a group of which nothing is known is None.
+
+    What lies deeper than any item's column is left as it is.
+    """
+    if not depth:
+        return value
     for conversion in ("as_py", "tolist", "to_list"):  # a scalar of pyarrow; an array or a number; a Series of polars
         found = getattr(value, conversion, None)
         if callable(found):
-            return plain(found())
+            return plain(found(), depth - 1)
     if isinstance(value, Mapping):
-        held = {str(key): plain(member) for key, member in cast("Mapping[object, object]", value).items()}
+        held = {str(key): plain(member, depth - 1) for key, member in cast("Mapping[object, object]", value).items()}
         return held if any(member is not None for member in held.values()) else None
     if isinstance(value, list | tuple):
-        return [plain(member) for member in cast("Iterable[object]", value)]
+        return [plain(member, depth - 1) for member in cast("Iterable[object]", value)]
     return None if isinstance(value, float) and isnan(value) else value

@@ -81,7 +81,7 @@ def write(path: Path, items: Sequence[Item]) -> None:
 def read(path: Path, places: Sequence[int] | None = None) -> list[Item]:
     """The items of one file, or those at some places of it, in order; OSError or ValueError if it is damaged."""
     with _opened(path) as file:
-        return [_item(row) for row in _taken(file.read(), places).to_pylist()]
+        return [Item.model_validate(row) for row in _taken(file.read(), places).to_pylist()]
 
 
 def rows(path: Path, columns: Sequence[str], places: Sequence[int] | None = None) -> Iterator[Row]:
@@ -115,12 +115,6 @@ def _row(item: Item) -> dict[str, Any]:
     row["certificate"] = _json(row["certificate"])
     row["provenance"] |= {name: _json(row["provenance"][name]) for name in OPEN}
     return row
-
-
-def _item(row: dict[str, Any]) -> Item:
-    row["certificate"] = json.loads(row["certificate"])
-    row["provenance"] |= {name: json.loads(row["provenance"][name]) for name in OPEN}
-    return Item.model_validate(row)
 
 
 def _json(value: object) -> str:

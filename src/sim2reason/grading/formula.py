@@ -19,7 +19,7 @@ from sim2reason.grading.parser import parse
 from sim2reason.grading.points import POINTS, Bindings, Ranges, drawn, sound, turned
 from sim2reason.grading.remarks import Direction
 from sim2reason.grading.score import Outcome, Refused, Score
-from sim2reason.grading.sides import Statement, flattened, is_signed, statement, unwrapped
+from sim2reason.grading.sides import Statement, flattened, is_signed, statement, two_values, unwrapped
 from sim2reason.grading.spelling import balanced, spelled
 from sim2reason.grading.tokens import Token, canonical, tokenize
 from sim2reason.grading.unit_spelling import unit_in
@@ -193,16 +193,29 @@ def _pairs(truth: _Truth, node: Node, wanted: Sequence[_Wanted]) -> Iterator[tup
 def _checked(content: str, stated: Statement, node: Node, truth: _Truth, tolerance: float) -> Node | None:
     """The side before the value, if it is one; `Refused` where a side is another formula of the table."""
     last: Node | None = None
+    if not stated.before and not stated.others:
+        return None
+    wanted = [arithmetic.value(node, point) for point in truth.points]
     for side in map(unwrapped, stated.before):
         last = _whole(side)
         if last is None:
             stated.refuse_unsolved(side)
             continue
-        for _, one, other in _pairs(truth, last, [arithmetic.value(node, point) for point in truth.points]):
-            if one is None or other is None or abs(one - other) > max(AGREE, tolerance) * max(abs(one), abs(other)):
-                shown = content[side[0].begin : side[-1].finish]
-                raise Refused(Outcome.WRONG, f"{shown!r} does not agree with the formula behind it")
+        if _differ(last, wanted, truth, tolerance):
+            shown = content[side[0].begin : side[-1].finish]
+            raise Refused(Outcome.WRONG, f"{shown!r} does not agree with the formula behind it")
+    for side in stated.others:
+        if (other := _whole(side)) is not None and _differ(other, wanted, truth, tolerance):
+            raise two_values()
     return last
+
+
+def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance: float) -> bool:
+    """Whether a formula is apart from what is wanted at a point, by more than rounding explains."""
+    return any(
+        mine is None or yours is None or abs(mine - yours) > max(AGREE, tolerance) * max(abs(mine), abs(yours))
+        for _, mine, yours in _pairs(truth, node, wanted)
+    )
 
 
 def _whole(side: Sequence[Token]) -> Node | None:

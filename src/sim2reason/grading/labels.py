@@ -8,7 +8,8 @@ from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
 from sim2reason.grading.unit_spelling import is_unit
 
-__all__ = ["check", "has_numbers", "is_bare", "is_change", "is_compound", "is_name", "is_plain", "is_pure", "names"]
+__all__ = ["check", "has_numbers", "is_bare", "is_change", "is_compound", "is_name", "is_plain", "is_pure"]
+__all__ += ["is_symbolic", "names"]
 
 _QUANTITY_WORDS: Final = """
     answer result solution value speed velocity acceleration deceleration retardation force tension thrust weight mass
@@ -220,6 +221,11 @@ def is_plain(side: Sequence[Token]) -> bool:
     """Whether a side begins with a number and has no operator: a value with its unit, if it can be read."""
     first = 1 if len(side) > 1 and side[0].kind in _SIGNS else 0
     return side[first].kind == "number" and all(token.kind not in _OPERATORS for token in side[first + 1 :])
+
+
+def is_symbolic(side: Sequence[Token]) -> bool:
+    """Whether a side has symbols and no words: what cannot be read there is no value."""
+    return bool(names(side)) and not _words(side)
 
 
 def is_pure(side: Sequence[Token]) -> bool:

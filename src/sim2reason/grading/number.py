@@ -15,7 +15,15 @@ from sim2reason.grading.lenient import last_quantity
 from sim2reason.grading.parser import parse
 from sim2reason.grading.remarks import Remark
 from sim2reason.grading.score import Outcome, Refused, Score
-from sim2reason.grading.sides import Statement, flattened, is_signed, statement, unwrapped
+from sim2reason.grading.sides import (
+    Statement,
+    flattened,
+    is_signed,
+    more_or_less,
+    statement,
+    two_values,
+    unwrapped,
+)
 from sim2reason.grading.spelling import balanced, spelled
 from sim2reason.grading.tokens import Token, tokenize
 from sim2reason.grading.unit_spelling import unit_in
@@ -107,7 +115,7 @@ def _stated(content: str, asked: Unit | None) -> _Quantity:
     except Refused as refused:
         if said.doubt is None or refused.outcome is not Outcome.UNREADABLE:
             raise
-        raise Refused(Outcome.WRONG, f"{said.doubt.text!r} makes it more, or less, than one value") from refused
+        raise more_or_less(said.doubt) from refused
     if found.unit is None:
         found = found._replace(unit=unit_on_left(content, said.before, asked))
     _check(content, said, found, asked)
@@ -166,6 +174,25 @@ def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) 
             _refuse_others(shown, said, side, asked)
         elif not _agree(claim, found, asked):
             raise Refused(Outcome.WRONG, f"{shown!r} does not agree with the value behind it")
+    for side in said.others:
+        if (other := _step(content, side, asked)) is not None and not _agree(other, found, asked):
+            raise two_values()
+
+
+def _step(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
+    """The value that a step gives to another name; None for an expression of symbols.
+
+    None, too, where its unit shows that it can't be the answer.
+    """
+    try:
+        claim = _claim(content, side, asked)
+    except Refused:
+        if labels.is_symbolic(side):
+            return None
+        raise
+    if claim is not None and claim.unit is not None and asked is not None and claim.unit.factor_to(asked) is None:
+        return None
+    return claim
 
 
 def _check_again(said: _Quantity, signed: _Quantity, asked: Unit | None, positive: str) -> None:

@@ -204,7 +204,7 @@ class _Parser:
             case "word":
                 return _unreadable(f"{self.next.text!r} is neither a number nor a symbol of the problem")
             case _:
-                return _unreadable(f"{self.next.text!r} cannot be read where it stands")
+                return _unreadable(f"'{self.next.shown}' cannot be read where it stands")
 
     def group(self) -> Node:
         opening = self.take()

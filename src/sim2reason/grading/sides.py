@@ -5,7 +5,7 @@ must agree with it. Whatever would leave open which of two values is meant is re
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Final
 
@@ -14,7 +14,7 @@ from sim2reason.grading.alphabet import CLOSES
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
 
-__all__ = ["Statement", "flattened", "is_signed", "statement", "unwrapped"]
+__all__ = ["Statement", "flattened", "is_signed", "more_or_less", "statement", "two_values", "unwrapped"]
 
 _SPECIAL: Final = frozenset({"relation", "hedge", "soft", "arrow", "step", "colon", "stop"})
 _DIVIDING: Final = frozenset({"step", "word", "arrow", "hedge"})
@@ -31,7 +31,8 @@ class Statement:
     """The last statement of an answer: the side that counts, and the sides before it that are not plain names.
 
     `doubt` is what the value's own side has that could offer another value, unless it is part of a remark. `rounded`
-    says that the value stands behind a sign for *approximately*, `named` that a side before it is a name.
+    says that the value stands behind a sign for *approximately*, `named` that a side before it is a name. `others` are
+    the sides of steps that give a name to something else: where one is a value, it must be the same.
     """
 
     value: Tokens
@@ -39,6 +40,7 @@ class Statement:
     doubt: Token | None = None
     rounded: bool = False
     named: bool = False
+    others: tuple[Tokens, ...] = ()
 
     def refuse_unsolved(self, side: Tokens) -> None:
         """Refuse an equation for its one symbol, such as 2T = 9.8, where no other side is a name."""
@@ -64,24 +66,32 @@ def statement(tokens: Tokens) -> Statement:
         return Statement(tokens)
     parts = _parts(tokens)
     sides, relations = _sides(parts[-1][1])
+    others: list[Tokens] = []
     for (_, earlier), (step, _) in pairwise(parts):
-        _check_earlier(earlier, sides[0] if len(sides) > 1 else [], implied=step)
-    return _chosen(sides, relations)
+        others += _check_earlier(earlier, sides[0] if len(sides) > 1 else [], implied=step)
+    chosen = _chosen(sides, relations)
+    return replace(chosen, others=tuple(others)) if others else chosen
 
 
 def _unreadable(why: str) -> Refused:
     return Refused(Outcome.UNREADABLE, why)
 
 
-def _hedge(token: Token) -> Refused:
-    return Refused(Outcome.WRONG, f"{token.text!r} makes it more, or less, than one value")
+def two_values() -> Refused:
+    """The refusal of an answer that gives two names two values."""
+    return _unreadable("it names two values, and nothing says which is meant")
+
+
+def more_or_less(token: Token) -> Refused:
+    """The refusal of an answer for a token that could make another value of it."""
+    return Refused(Outcome.WRONG, f"'{token.shown}' makes it more, or less, than one value")
 
 
 def _refuse_hedges(tokens: Tokens) -> None:
     """Refuse what hedges wherever it stands; of signs between statements that is decided later."""
     for token in tokens:
         if token.kind == "hedge" and token.text != ",":
-            raise _hedge(token)
+            raise more_or_less(token)
 
 
 def _said(tokens: Tokens) -> Tokens:
@@ -107,8 +117,10 @@ def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
             if parts[-1][1]:
                 parts.append((implied, []))
                 related = False
+            elif implied:  # behind a comma: *so* says more
+                parts[-1] = (True, [])
             elif position == 0 and kind == "hedge":
-                raise _hedge(token)
+                raise more_or_less(token)
             continue
         if depth == 0 and token.apart > 1 and related and position <= last:
             parts.append((False, []))
@@ -163,25 +175,30 @@ def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
     return sides, relations
 
 
-def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> None:
-    """Refuse an earlier statement that is another answer; a condition, or an equation to be solved, is none."""
+def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Tokens]:
+    """Refuse an earlier statement that is another answer; a condition, or an equation to be solved, is none.
+
+    Of a step that gives a name to something, the sides but that name are returned: they tell whether it is a value.
+    """
     if tokens[0].kind == "word" and tokens[0].text.lower() in _CONDITIONS:
         given = _sides(tokens[1:])[0][0]
         if given and all(token.kind in _NUMERIC for token in given):
             raise _unreadable("a condition in numbers names nothing, and could be an answer")
         if name and labels.is_bare(given) and labels.names(given)[:1] == labels.names(name)[:1]:
             raise _unreadable("what is asked has a value in a condition, too")
-        return
+        return []
     sides, relations = _sides(tokens)
     if not relations or not sides[0] or not name:
         raise Refused(Outcome.WRONG, "a list is more than one value")
-    mine, other = labels.names(name), labels.names(sides[0])
-    bare = labels.is_bare(sides[0])
-    same = bool(set(mine) & set(other))
-    if bare and implied and mine and other and mine[0][0] != other[0][0]:
-        return
-    if bare or not (implied or same):
-        raise _unreadable("it names two values, and nothing says which is meant")
+    mine = set(labels.names(name))
+    if not implied and (labels.is_bare(sides[0]) or mine.isdisjoint(labels.names(sides[0]))):
+        raise two_values()
+    named = next((at for at, side in enumerate(sides) if labels.is_bare(side)), None)
+    if not implied or named is None:
+        return []
+    rest = [unwrapped(side) for at, side in enumerate(sides) if at != named and side]
+    solved = any(not labels.is_bare(side) and not mine.isdisjoint(labels.names(side)) for side in rest)
+    return [] if solved else rest
 
 
 def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:

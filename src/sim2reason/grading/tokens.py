@@ -33,7 +33,7 @@ class Token(NamedTuple):
     plus, minus, dash, times, slash, degree, percent, relation, hedge, soft (a word or comma that hedges between
     numbers), arrow, step, stop, colon, mark or end; `text` its normal form; `begin` and `finish` where it stands;
     `apart` 1 where an explicit space such as ``\,`` precedes it, 2 where a wide one does; `upright` whether it stands
-    inside ``\text{…}``; `label` what stands below a word.
+    inside ``\text{…}``; `label` what stands below a word; `said` how the answer spells what is no word.
     """
 
     kind: str
@@ -43,6 +43,12 @@ class Token(NamedTuple):
     apart: int = 0
     upright: bool = False
     label: str = ""
+    said: str = ""
+
+    @property
+    def shown(self) -> str:
+        """What the answer has there."""
+        return self.said or self.text
 
 
 _SPACE = rf"(?:[\s~$]|\\[ ,;:!>]|\\(?:{'|'.join(SPACES)}|[bB]igg?[lr]?)(?![A-Za-z]))"
@@ -86,7 +92,7 @@ class _Lexer:
 
     def add(self, kind: str, text: str, begin: int, finish: int) -> None:
         upright = bool(self.upright) and self.upright[-1]
-        self.tokens.append(Token(kind, text, begin, finish, self.apart, upright))
+        self.tokens.append(Token(kind, text, begin, finish, self.apart, upright, "", self.text[begin:finish]))
         self.apart = 0
 
     def run(self) -> list[Token]:

@@ -22,6 +22,8 @@ from sim2reason.parsing.tokens import pieces, shown
 from sim2reason.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
+ASKS = r"\boxed"  # how the last sentence of every prompt ends
+IS_PROMPT = "read a text that asks something with sim2reason.parse_prompt"
 ENDS = 2  # of a connection
 SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 """Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
@@ -83,7 +85,9 @@ def parse_scene(
                 refused.append((lacking, error))
             except (SceneError, UnsupportedError, ValueError) as error:
                 refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
-    return _only(list(found.values()), refused, matcher)
+    if len(found) == 1:
+        return next(iter(found.values()))
+    raise _sent_on(text, _refusal(list(found.values()), refused, matcher))
 
 
 def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
@@ -93,18 +97,21 @@ def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
     return signature(scene, names), ParsedScene(scene, names, unknown, state.without)
 
 
-def _only(found: list[ParsedScene], refused: list[tuple[int, TextError]], matcher: Matcher) -> ParsedScene:
-    if len(found) == 1:
-        return found[0]
+def _refusal(found: list[ParsedScene], refused: list[tuple[int, TextError]], matcher: Matcher) -> TextError:
     if found:
         one, other = (_described(reading.scene) for reading in found[:2])
-        raise TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
+        return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
     if refused:
-        raise min(refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
+        return min(refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
     if matcher.reach == len(matcher.pieces):
-        raise TextError("text", "it ends before all is told", "give the whole text of one scene")
+        return TextError("text", "it ends before all is told", "give the whole text of one scene")
     fits = f"{shown(matcher.pieces[matcher.reach])} fits nowhere"
-    raise TextError(f"sentence {matcher.reach + 1}", fits, "say it in the words of the templates, or leave it out")
+    return TextError(f"sentence {matcher.reach + 1}", fits, "say it in the words of the templates, or leave it out")
+
+
+def _sent_on(text: str, error: TextError) -> TextError:
+    """The same, with what reads prompts where the text is one."""
+    return TextError(error.place, error.problem, IS_PROMPT) if ASKS in text else error
 
 
 def _described(scene: Scene) -> str:

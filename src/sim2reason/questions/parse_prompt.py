@@ -72,6 +72,7 @@ def parse_prompt(
 ) -> ParsedPrompt:
     """Read a prompt: its scene is rebuilt from the words alone, hidden numbers drawn by `rng`, and simulated.
 
+    What is returned has the scene (``reading.scene``) and its motion, the `query`, and the `answer` in its `unit`.
     `given` has the number, with its unit, of each symbol (LaTeX without dollars) of a prompt whose numbers are symbols.
 
     Raises:

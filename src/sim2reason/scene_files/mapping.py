@@ -22,6 +22,7 @@ from sim2reason.dsl.entity import ENTITIES, Entity, Named
 from sim2reason.dsl.model import Model, field_types
 from sim2reason.dsl.scene import Scene, World
 from sim2reason.errors import SceneError
+from sim2reason.registry import nearest
 from sim2reason.scene_files.mistakes import explained
 from sim2reason.scene_files.schema import is_many, snake
 from sim2reason.scene_files.spellings import check_position, plain_name, respelled
@@ -206,7 +207,7 @@ def _types() -> dict[str, type[Entity]]:
 def _class(name: str, place: str) -> type[Entity]:
     known = _types()
     if name not in known:
-        near = get_close_matches(name, known, n=3)
+        near = nearest(name, known)
         remedy = f"did you mean: {', '.join(near)}" if near else "run: sim2reason list entities"
         raise SceneError(place, f"there is no type {shown(name)}", remedy)
     return known[name]

@@ -6,7 +6,6 @@ at the pulley's two sides; in a scene it is one connection, a path through ports
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cache
 from typing import Any
 
@@ -14,6 +13,7 @@ from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.dsl.entity import Entity, outer_ports
 from sim2reason.dsl.ports import Pass
 from sim2reason.errors import SceneError
+from sim2reason.registry import nearest
 from sim2reason.scene_files.yaml_text import Plain, shown
 
 END_KEYS = ("entity", "direction", "connecting_point")
@@ -119,7 +119,7 @@ def _end(end: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FileEnd
     direction = _text(end, "direction", place)
     point = _text(end, "connecting_point", place) if "connecting_point" in end else ""
     if entity not in classes:
-        near = get_close_matches(entity, classes, n=3) or list(classes)
+        near = nearest(entity, classes) or list(classes)
         raise SceneError(f"{place}.entity", f"no entity is called {shown(entity)}", f"there are: {', '.join(near)}")
     known = directions(classes[entity])
     direction, point = _named(direction, point, known)
