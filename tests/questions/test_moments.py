@@ -212,7 +212,7 @@ ROCKS = (
     "plane about a horizontal axle. Rigidly attached to the arm is a small ball of mass $m$, a distance $d$ from the "
     "axle. Initially the line from the axle to the ball points at an angle $\\theta$ to the right of the downward "
     "vertical. "
-    "The arm is attached to the slider by a frictionless hinge. A light string tied to the slider runs along "
+    "The arm is attached to the slider by a frictionless axle. A light string tied to the slider runs along "
     "the rail to the left and ends in a hand that pulls with a steady force of $F_1$. A second light string tied to "
     "the slider runs along the rail to the right and ends in a hand that pulls with a steady force of $F_2$. Until "
     "t = 0 everything is held at rest. Take g = 9.8 m/s². Numerical values: $M$ = 5.6 kg, $m$ = 5.5 kg, $d$ = 0.50 m, "

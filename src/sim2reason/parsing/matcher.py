@@ -1,8 +1,6 @@
 """Templates read backwards: where in a sentence they can end, and what they tell until there."""
 
-import re
 from collections.abc import Iterator, Mapping
-from decimal import Decimal
 from functools import cache
 
 from sim2reason.dsl.body import Body
@@ -10,17 +8,14 @@ from sim2reason.dsl.connection import Connection
 from sim2reason.dsl.entity import Part
 from sim2reason.dsl.measures import Measure, join_unit
 from sim2reason.dsl.template import COUNT_WORDS, Slot, Word, slots
-from sim2reason.dsl.units import coherent
 from sim2reason.errors import TextError
 from sim2reason.parsing.declarations import Thing, canonical, joined, part_word, thing_at
+from sim2reason.parsing.numbers import NUMBER, SYMBOL, meanings
 from sim2reason.parsing.parse_state import MANY, ParseState
 from sim2reason.prose.naming import listed
 from sim2reason.prose.phrases import BODIES, introductions
 
 MAX_STEPS = 200_000
-NUMBER = re.compile("\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?(?:e[+\N{MINUS SIGN}]?[0-9]{1,3})?")
-
-SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
 NONE_GIVEN: Mapping[str, str] = {}
 
 Found = tuple[int, ParseState]
@@ -158,10 +153,7 @@ class Matcher:
             yield from self._mention(text, at, address, thing, state, start=start)
 
     def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
-        """A number with its unit, or a symbol for one; hearing another at the same address is a contradiction.
-
-        What is declared in km/s may be told in m/s, too.
-        """
+        """A number with its unit, or a symbol for one; hearing another at the same address is a contradiction."""
         symbol = SYMBOL.match(text, at) if text.startswith("$", at) else None
         if symbol and symbol[1] not in self.given:
             unknown = state.with_value(address, symbol.group())
@@ -172,12 +164,7 @@ class Matcher:
         match = NUMBER.match(told, begin)
         if match is None:
             return
-        number = match.group().replace("\N{MINUS SIGN}", "-")
-        bare, size = coherent(measure.unit)
-        values = [(measure.unit, float(number))]
-        if size != 1:
-            values.append((bare, float(Decimal(number) / size)))
-        for unit, value in values:
+        for unit, value in meanings(match.group(), measure.unit):
             end = self.literal(told, match.end(), join_unit("", unit))
             if symbol and end is not None:
                 end = symbol.end() if end == len(told) else None
