@@ -100,6 +100,13 @@ def test_a_part_says_what_it_made_and_what_ends_the_work(tmp_path: Path) -> None
         assert result.stdout == f"part {part}: {told} in {tmp_path / 'data'}; {remedy}\n"
 
 
+@pytest.mark.parametrize(("part", "remedy"), [("1/0", "write K/N, as in 3/8"), ("4/3", "count from 1/3 to 3/3")])
+def test_a_part_that_there_is_not_is_refused(tmp_path: Path, part: str, remedy: str) -> None:
+    result = generate(tmp_path / "data", "--shard", part)
+    assert (result.exit_code, result.stderr) == (2, f"sim2reason: part {part}: there is none; {remedy}\n")
+    assert not (tmp_path / "data").exists()
+
+
 def test_quarantine_is_told_with_what_makes_it_again(tmp_path: Path) -> None:
     result = generate(tmp_path / "data", maker="raising")
     assert result.exit_code == 0

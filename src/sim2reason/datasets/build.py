@@ -72,9 +72,10 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
     is at work, too.
     """
     number, parts = part
-    numbers = range(number, config.shards, parts)
     if not 0 <= number < parts:
-        raise DatasetError(f"part {number + 1}/{parts}: there is none; count from 1/{parts} to {parts}/{parts}")
+        remedy = f"count from 1/{parts} to {parts}/{parts}" if parts > 0 else "write K/N, as in 3/8"
+        raise DatasetError(f"part {number + 1}/{parts}: there is none; {remedy}")
+    numbers = range(number, config.shards, parts)
     overlap = _overlap(config, work.get("benchmarks"))
     with _workers(config, work) as run, locked(out := _folder(out, config), shared=True):
         journal = Journal(out, config, alone=False)
