@@ -81,6 +81,20 @@ def test_an_order_is_not_guessed(tmp_path: Path, order: dict[str, Any]) -> None:
     assert not (tmp_path / "data").exists()
 
 
+def test_an_order_of_what_there_is_not_is_refused(tmp_path: Path) -> None:
+    order: dict[str, Any] = {"items": 1, "recipes": "rocket"}
+    with pytest.raises(TypeError, match="unexpected keyword argument 'recipes'; an order has .*recipe, "):
+        sim2reason.generate(tmp_path / "data", **order)
+    assert not (tmp_path / "data").exists()
+
+
+@pytest.mark.parametrize("workers", [0, -3, True, "2", 1.0])
+def test_so_is_a_number_of_workers_that_is_none(tmp_path: Path, workers: Any) -> None:
+    with pytest.raises(DatasetError, match="^workers: .* is no number of processes; give a whole number from 1 on"):
+        sim2reason.generate(tmp_path / "data", items=1, workers=workers)
+    assert not (tmp_path / "data").exists()
+
+
 def test_a_folder_in_place_of_a_shard_is_named(tmp_path: Path) -> None:
     shard = tmp_path / "data/data/train-00000-of-00001.parquet"
     assert generate(tmp_path / "data").exit_code == 0

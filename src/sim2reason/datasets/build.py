@@ -126,8 +126,11 @@ def _overlap(config: Config, benchmarks: Benchmarks | None) -> FindsOverlap:
 
 
 def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
-    """Those who shall make the items, at their place."""
-    crew = partial(Crew, config.maker, work.get("workers"), work.get("patience", PATIENCE))
+    """Those who shall make the items, at their place; DatasetError for a number of them that is none."""
+    workers: object = work.get("workers")
+    if workers is not None and (not isinstance(workers, int) or isinstance(workers, bool) or workers < 1):
+        raise DatasetError(f"workers: {workers!r} is no number of processes; give a whole number from 1 on, or None")
+    crew = partial(Crew, config.maker, workers, work.get("patience", PATIENCE))
     return opened(work.get("on", HERE), crew)
 
 

@@ -68,6 +68,7 @@ def generate(
     Raises:
         UnknownNameError: no such recipe, difficulty, mode, units or place.
         DatasetError: an order that makes no sense, a folder that holds anything else, or a place where nobody works.
+        TypeError: an order of what there is not.
         MissingExtraError: the place needs a package that is not installed.
     """
     benchmarks = Benchmarks(order.get("decontaminate", ()))
@@ -77,6 +78,10 @@ def generate(
 
 def configured(**order: Unpack[Order]) -> Config:
     """The configuration that an order means; it raises what `generate` does."""
+    unknown = [name for name in order if name not in Order.__annotations__]
+    if unknown:  # as Python says of all other functions
+        known = ", ".join(sorted(Order.__annotations__))
+        raise TypeError(f"generate() got an unexpected keyword argument {unknown[0]!r}; an order has {known}")
     ours = order.get("maker", MAKER) == MAKER  # another may know names that the library doesn't
     pairs = {"weights": dict(order.get("weights", {})), "split": dict(order.get("split", {}))}
     given = pairs | {name: value for name, value in order.items() if name in AS_GIVEN and name not in pairs}
