@@ -127,11 +127,15 @@ def _overlap(config: Config, benchmarks: Benchmarks | None) -> FindsOverlap:
 
 def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
     """Those who shall make the items, at their place; DatasetError for a number of them that is none."""
-    workers: object = work.get("workers")
-    if workers is not None and (not isinstance(workers, int) or isinstance(workers, bool) or workers < 1):
+    workers = work.get("workers")
+    if workers is not None and not _counts(workers):
         raise DatasetError(f"workers: {workers!r} is no number of processes; give a whole number from 1 on, or None")
     crew = partial(Crew, config.maker, workers, work.get("patience", PATIENCE))
     return opened(work.get("on", HERE), crew)
+
+
+def _counts(value: object) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 1
 
 
 def _fill(journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, work: Work) -> None:
