@@ -61,12 +61,12 @@ class Registry(Mapping[str, T], Generic[T]):
         self._fill()
         try:
             return self._members[name]
-        except KeyError:
+        except (KeyError, TypeError):  # a list, say, is no key at all
             raise UnknownNameError(f"no such name among {self.called}: {_shown(name)}; {self._hint(name)}") from None
 
-    def _hint(self, name: str) -> str:
+    def _hint(self, name: object) -> str:
         """What is near to an unknown name; where nothing is, all that there is, or how to see it."""
-        near = get_close_matches(name, self._members, n=3) if len(name) <= LONGEST else []
+        near = get_close_matches(name, self._members, n=3) if isinstance(name, str) and len(name) <= LONGEST else []
         if near:
             return f"did you mean: {', '.join(near)}"
         few = len(self._members) <= FEW

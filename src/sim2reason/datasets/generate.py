@@ -12,7 +12,7 @@ from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.places import HERE
-from sim2reason.datasets.plan import ALL, MAKER, SI, Config, Names, whole
+from sim2reason.datasets.plan import ALL, MAKER, SI, Config, Names, numbers, whole
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.questions.spoken_units import system_named
 
@@ -83,7 +83,7 @@ def configured(**order: Unpack[Order]) -> Config:
         known = ", ".join(sorted(Order.__annotations__))
         raise TypeError(f"generate() got an unexpected keyword argument {unknown[0]!r}; an order has {known}")
     ours = order.get("maker", MAKER) == MAKER  # another may know names that the library doesn't
-    pairs = {"weights": dict(order.get("weights", {})), "split": dict(order.get("split", {}))}
+    pairs = {name: numbers(name, order.get(name, {})) for name in ("weights", "split")}
     given = pairs | {name: value for name, value in order.items() if name in AS_GIVEN and name not in pairs}
     fields = {
         "items": order.get("items", ITEMS),
@@ -92,7 +92,7 @@ def configured(**order: Unpack[Order]) -> Config:
         "modes": modes_named(order.get("mode", "numeric"), check=ours),
         "units": system_named(order.get("units", SI)).name,
         "decontaminate": tuple(described(Path(path)) for path in order.get("decontaminate", ())),
-        **{name: value for name, value in given.items() if value not in ({}, "")},
+        **{name: value for name, value in given.items() if value != {}},
     }
     try:
         fields |= {name: whole(name, fields[name]) for name in NUMBERS if name in fields}
