@@ -8,6 +8,7 @@ the bytes at the end are those of a run that nobody disturbed. By default 2500 i
 something is lost, there twice, torn or of other bytes, or there were fewer kills.
 """
 
+import argparse
 import ctypes
 import os
 import random
@@ -225,7 +226,10 @@ def main(items: int = 2500, kills: int = 50) -> bool:
 def started(arguments: Sequence[str]) -> bool:
     if arguments[:1] == [FULL]:
         return full_disk(Path(arguments[1]), Path(arguments[2]), int(arguments[3]))
-    return main(*map(int, arguments))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("items", type=int, nargs="?", default=2500, help="how many (default: 2500)")
+    parser.add_argument("kills", type=int, nargs="?", default=50, help="how many (default: 50)")
+    return main(**vars(parser.parse_args(arguments)))
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ and duplicates alone, for 10⁴ items up to 10⁷. Then the CPU time of one and 
 maker, by default 200. Exit code 1: something takes more than a bound below.
 """
 
+import argparse
 import json
 import os
 import subprocess
@@ -119,7 +120,11 @@ def main(arguments: Sequence[str]) -> int:
     if arguments[:1] == ["distinct"]:
         distinct(int(arguments[1]))
         return 0
-    largest, real = (*map(int, arguments), *(5, 200)[len(arguments) :])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("largest", type=int, nargs="?", default=5, help="power of ten (default: 5)")
+    parser.add_argument("real", type=int, nargs="?", default=200, help="items of the real maker (default: 200)")
+    given = parser.parse_args(arguments)
+    largest, real = given.largest, given.real
     adopt_orphans()
     with TemporaryDirectory() as folder:
         taken = [commands(10**power, Path(folder)) for power in range(3, largest + 1)]

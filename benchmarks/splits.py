@@ -7,6 +7,7 @@ stopped, and with more items the dataset grows.
 Exit code 1: two splits share something.
 """
 
+import argparse
 import sys
 from hashlib import blake2b
 from itertools import combinations
@@ -58,4 +59,8 @@ def main(items: int = 20_000, folder: str = "", mode: str = "all") -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(*map(int, sys.argv[1:2]), *sys.argv[2:4]))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("items", type=int, nargs="?", default=20_000, help="how many (default: 20000)")
+    parser.add_argument("folder", nargs="?", default="", help="of the dataset (default: one for temporary files)")
+    parser.add_argument("mode", nargs="?", default="all", help="one mode, or all (the default)")
+    sys.exit(main(**vars(parser.parse_args())))

@@ -62,12 +62,12 @@ class Registry(Mapping[str, T], Generic[T]):
         self._fill()
         try:
             return self._members[name]
-        except KeyError:
+        except (KeyError, TypeError):  # a list, say, is no key at all
             raise UnknownNameError(f"no such name among {self.called}: {_shown(name)}; {self._hint(name)}") from None
 
-    def _hint(self, name: str) -> str:
+    def _hint(self, name: object) -> str:
         """What is near to an unknown name; where nothing is, all that there is, or how to see it."""
-        near = nearest(name, self._members)
+        near = nearest(name, self._members) if isinstance(name, str) else []
         if near:
             return f"did you mean: {', '.join(near)}"
         few = len(self._members) <= FEW

@@ -63,6 +63,11 @@ def test_generate_gives_the_manifest_to_a_program(tmp_path: Path) -> None:
         ("--split", "train=0.5,train=0.5,test=0.5", "--split: train is given twice; give it once."),
         ("--split", "train=0.5,,test=0.5", "--split: '' is no pair; write NAME=NUMBER."),
         ("--weights", "period=1,period=2", "--weights: period is given twice; give it once."),
+        ("--split", "", "--split: '' is no pair; write NAME=NUMBER."),
+        ("--weights", "", "--weights: '' is no pair; write NAME=NUMBER."),
+        ("--shard", "", "--shard: '' is no part; write K/N, as in 3/8."),
+        ("--patience", "nan", "nan is not a finite number of seconds."),
+        ("--license", "", "license: '' is no licence on the Hugging Face hub; give its name"),
         ("--license", "Apache 2.0", "license: 'Apache 2.0' is no licence on the Hugging Face hub; give its name"),
     ],
 )
@@ -78,6 +83,21 @@ def test_pairs_and_licences_are_refused_in_one_line(tmp_path: Path, option: str,
 )
 def test_an_order_is_not_guessed(tmp_path: Path, order: dict[str, Any]) -> None:
     with pytest.raises(DatasetError, match=f"^{next(iter(order))}: "):
+        sim2reason.generate(tmp_path / "data", **order)
+    assert not (tmp_path / "data").exists()
+
+
+def test_an_order_of_what_there_is_not_is_refused(tmp_path: Path) -> None:
+    order: dict[str, Any] = {"items": 1, "recipes": "rocket"}
+    with pytest.raises(TypeError, match=r"unexpected keyword argument 'recipes'; an order has .*recipe, "):
+        sim2reason.generate(tmp_path / "data", **order)
+    assert not (tmp_path / "data").exists()
+
+
+@pytest.mark.parametrize("workers", [0, -3, True, "2", 1.0])
+def test_so_is_a_number_of_workers_that_is_none(tmp_path: Path, workers: object) -> None:
+    order: dict[str, Any] = {"items": 1, "workers": workers}
+    with pytest.raises(DatasetError, match=r"^workers: .* is no number of processes; give a whole number from 1 on"):
         sim2reason.generate(tmp_path / "data", **order)
     assert not (tmp_path / "data").exists()
 
@@ -99,6 +119,13 @@ def test_a_part_says_what_it_made_and_what_ends_the_work(tmp_path: Path) -> None
         result = generate(tmp_path / "data", "--shard-size", 10, "--shard", part)
         assert result.exit_code == 0
         assert result.stdout == f"part {part}: {told} in {tmp_path / 'data'}; {remedy}\n"
+
+
+@pytest.mark.parametrize(("part", "remedy"), [("1/0", "write K/N, as in 3/8"), ("4/3", "count from 1/3 to 3/3")])
+def test_a_part_that_there_is_not_is_refused(tmp_path: Path, part: str, remedy: str) -> None:
+    result = generate(tmp_path / "data", "--shard", part)
+    assert (result.exit_code, result.stderr) == (2, f"sim2reason: part {part}: there is none; {remedy}\n")
+    assert not (tmp_path / "data").exists()
 
 
 def test_quarantine_is_told_with_what_makes_it_again(tmp_path: Path) -> None:

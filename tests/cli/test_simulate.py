@@ -154,6 +154,14 @@ def test_wrong_options_are_one_line(atwood: Path, options: tuple[str, str], said
 # ---- the worker
 
 
+@pytest.mark.parametrize("patience", ["nan", "inf", "1e300"])
+def test_patience_ends(atwood: Path, patience: str) -> None:
+    """A hidden option, for tests; what no timer takes is refused."""
+    result = run(atwood, "--patience", patience)
+    assert (result.exit_code, result.stderr.count("\n")) == (2, 1)
+    assert "'--patience'" in result.stderr
+
+
 def test_results_and_errors_come_back_from_the_worker() -> None:
     assert sandboxed(20.0, json.loads, "[1]") == [1]
     with pytest.raises(SceneError, match="the file: it is empty"):

@@ -66,6 +66,36 @@ def test_names_that_are_no_text(folder: Path) -> None:
     assert (result.returncode, (folder / os.fsdecode(b"\xfd.json")).stat().st_size > 1000) == (0, True)
 
 
+@pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
+@pytest.mark.parametrize("to", ["hf", "lm-eval"])
+def test_what_is_written_may_have_such_a_name(folder: Path, to: str) -> None:
+    """Parquet and lines."""
+    result = shell(f"{COMMAND} export data --to {to} --out $'e\\xff'", folder)
+    assert (result.returncode, result.stderr) == (0, b"")
+    assert b"e\xff/README.md" in result.stdout
+    assert sorted(os.fsencode(path.name) for path in folder.iterdir()) == [b"data", b"e\xff"]
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
+def test_a_trace_in_such_a_folder(folder: Path) -> None:
+    place = folder / os.fsdecode(b"t\xff")
+    place.mkdir()
+    sample = f"{COMMAND} sample --recipe pulley --difficulty easy"
+    result = shell(f"{sample} | {COMMAND} simulate - -o $'t\\xff/t.parquet'", folder)
+    assert (result.returncode, result.stderr) == (0, b"")
+    assert [path.name for path in place.iterdir()] == ["t.parquet"]
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
+def test_a_benchmark_of_such_a_name_is_refused_before_anything_is_made(folder: Path) -> None:
+    (folder / os.fsdecode(b"b\xff.txt")).write_text("A block slides.")
+    result = shell(f"{COMMAND} generate new --items 1 --recipe rocket --decontaminate $'b\\xff.txt'", folder)
+    assert result.returncode == 2
+    assert result.stderr.count(b"\n") == 1
+    assert b"a manifest can't say this name" in result.stderr
+    assert not (folder / "new").exists()
+
+
 def test_a_dash_is_standard_output(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     assert CliRunner().invoke(main, ["schema", "-o", "-"]).stdout == CliRunner().invoke(main, ["schema"]).stdout

@@ -1,11 +1,17 @@
-"""Folders that are held while something is made in them."""
+"""Files that are there whole or not at all, and folders that are held while something is made in them."""
 
 from pathlib import Path
 
 import pytest
 
-from sim2reason.datasets.atomic_files import working_in
+from sim2reason.datasets.atomic_files import put_text, working_in
 from sim2reason.errors import DatasetError
+
+
+def test_what_can_not_be_written_leaves_nothing(tmp_path: Path) -> None:
+    with pytest.raises(UnicodeEncodeError):
+        put_text(tmp_path / "file", "half of a pair: \udcff", tmp_path)
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_folder_that_stays_empty_goes_again(tmp_path: Path) -> None:

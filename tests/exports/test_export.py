@@ -82,6 +82,21 @@ def test_what_is_there_is_never_overwritten(problems: Path, tmp_path: Path) -> N
     assert content(tmp_path) == before | {"file": b"mine"}
 
 
+@pytest.mark.parametrize("name", [".", "../here", "{absolute}"])
+def test_the_current_folder_is_not_replaced(
+    problems: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    """Whoever stands in it would stand in a folder that is gone."""
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    out = name.format(absolute=tmp_path / "here")
+    with pytest.raises(DatasetError, match=f"^{out}: is the folder that you are in.*give a new one in it$"):
+        export(problems, out, to="hf")
+    assert [path.name for path in tmp_path.rglob("*")] == ["here"]
+    export(problems, "new", to="hf")
+    assert MARK not in content(Path("new"))
+
+
 def test_wrong_names_are_told_with_the_right_ones(problems: Path, tmp_path: Path) -> None:
     with pytest.raises(UnknownNameError, match="did you mean: verl"):
         export(problems, tmp_path / "out", to="vrl")

@@ -26,7 +26,6 @@ from pathlib import Path
 SET_UP = ("pip", "git", "make", "cd", "python3 -m venv", "source")
 ROOT = Path(__file__).resolve().parents[2]
 SHARED = "examples", "experiments"  # which pages name as they stand in the repository
-ABORTED = 134  # by its shell: threads of a library may abort an interpreter that ends on a busy machine; run it again
 EXAMPLES = """
 import doctest, sys
 examples = doctest.DocTestParser().get_doctest(sys.argv[1], {}, "page", None, 0)
@@ -135,8 +134,6 @@ def _page(path: str, folder: str, environ: dict[str, str], *, write: bool) -> in
 def _run(text: str, folder: str, environ: dict[str, str]) -> Iterator[tuple[Shown, int, str]]:
     for found in shown(text):
         done = _called(found.command, folder, environ)
-        if done.returncode == ABORTED:
-            done = _called(found.command, folder, environ)
         yield found, done.returncode, done.stdout + (done.stderr if done.returncode else "")
 
 

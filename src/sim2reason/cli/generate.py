@@ -13,6 +13,7 @@ from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
 from sim2reason.datasets.plan import DISTANCE, LARGEST, LARGEST_SHARD, LICENSE, MAKER, SHARD
 
+LONGEST = 1e6  # s that a batch may take, some days: timers of systems go no further
 EXAMPLE = """\b
 Example:
     sim2reason generate problems --items 1000 --recipe pulley,incline --seed 7
@@ -50,7 +51,6 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
 @click.option(
     "--split",
     callback=options.pairs,
-    default="",
     help="Shares of splits, as in train=0.9,test=0.1; variants of a problem keep together.",
 )
 @click.option(
@@ -68,7 +68,7 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
 )
 @click.option("--license", default=LICENSE, show_default=True, help="Of the data, as the Hugging Face hub calls it.")
 @click.option(
-    "--shard", "part", default="", help="Make one part of several, as in 3/8, and leave the end to another run."
+    "--shard", "part", default=None, help="Make one part of several, as in 3/8, and leave the end to another run."
 )
 @click.option(
     "--shard-size",
@@ -79,17 +79,17 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
     help="Problems in one file.",
 )
 @options.to_json("Print the manifest for a program to read.")
-@click.option("--patience", type=click.FloatRange(0.1), default=PATIENCE, hidden=True)
+@click.option("--patience", type=console.Seconds(0.1, LONGEST), default=PATIENCE, hidden=True)
 @click.option("--maker", default=MAKER, hidden=True)
 def command(
-    out: Path, part: str, workers: int | None, on: str, to_json: bool, patience: float, **order: Unpack[Order]
+    out: Path, part: str | None, workers: int | None, on: str, to_json: bool, patience: float, **order: Unpack[Order]
 ) -> int:
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
     config, benchmarks = configured(**order), Benchmarks(order.get("decontaminate", ()))
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("problems", config.items) as advance:
         work = Work(workers=workers, on=on, patience=patience, advance=advance, benchmarks=benchmarks)
-        if part:
+        if part is not None:
             number, parts = _part(part)
             made = build_part(out, config, (number, parts), **work)
             shards = f"{len(range(number, config.shards, parts))} of {config.shards} shards"

@@ -25,11 +25,11 @@ def names(ctx: click.Context, param: click.Parameter, value: str) -> Names:
     return value if value == ALL else words(value)
 
 
-def pairs(ctx: click.Context, param: click.Parameter, value: str) -> dict[str, float]:
-    """The pairs of a name and a number that an option gives."""
+def pairs(ctx: click.Context, param: click.Parameter, value: str | None) -> dict[str, float]:
+    """The pairs of a name and a number that an option gives; none where it is not given."""
     del ctx
     found: dict[str, float] = {}
-    for pair in value.split(",") if value else ():
+    for pair in value.split(",") if value is not None else ():
         name, equals, number = (part.strip() for part in pair.partition("="))
         if name in found:
             raise click.UsageError(f"--{param.name}: {name} is given twice; give it once.")
@@ -118,7 +118,7 @@ def weights() -> Callable[[F], F]:
         "How often kinds of question are asked, as in period=2,reverse.count=0,springs.numeric.sum=0.5. [default: as "
         "the kinds and recipes declare]"
     )
-    return click.option("--weights", callback=pairs, default="", help=text)
+    return click.option("--weights", callback=pairs, help=text)
 
 
 def units() -> Callable[[F], F]:

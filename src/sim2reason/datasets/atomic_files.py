@@ -16,8 +16,8 @@ TEMPORARY, LOCK = ".tmp", ".lock"
 def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
     """Let `write` fill a temporary file in `scratch`, then give it its name.
 
-    A kill leaves the old file, the new one or none. OSError names the file that could not be written, and leaves
-    nothing half done.
+    A kill leaves the old file, the new one or none. OSError names the file that could not be written; no error leaves
+    anything half done.
     """
     temporary = scratch / f"{path.name}.{os.getpid()}{TEMPORARY}"
     try:
@@ -26,9 +26,9 @@ def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
         path.parent.mkdir(exist_ok=True)
         temporary.replace(path)
         sync(path.parent)
-    except OSError as error:
+    except BaseException as error:
         temporary.unlink(missing_ok=True)
-        if error.filename in (None, str(temporary)):
+        if isinstance(error, OSError) and error.filename in (None, str(temporary)):
             error.filename, error.filename2 = str(path), None
         raise
 

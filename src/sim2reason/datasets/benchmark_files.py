@@ -39,6 +39,10 @@ def described(path: Path) -> BenchmarkFile:
         raise DatasetError(f"{path}: not a kind of file that is read; give {' or '.join(READERS)}")
     if path.stat().st_size > LARGEST_FILE:
         raise DatasetError(f"{path}: larger than {LARGEST_FILE} bytes; give it in several files")
+    try:
+        path.name.encode()
+    except UnicodeEncodeError:
+        raise DatasetError(f"{path}: a manifest can't say this name, which is not UTF-8; rename the file") from None
     return BenchmarkFile(name=path.name, sha256=checksum(path))
 
 

@@ -72,9 +72,10 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
     is at work, too.
     """
     number, parts = part
-    numbers = range(number, config.shards, parts)
     if not 0 <= number < parts:
-        raise DatasetError(f"part {number + 1}/{parts}: there is none; count from 1/{parts} to {parts}/{parts}")
+        remedy = f"count from 1/{parts} to {parts}/{parts}" if parts > 0 else "write K/N, as in 3/8"
+        raise DatasetError(f"part {number + 1}/{parts}: there is none; {remedy}")
+    numbers = range(number, config.shards, parts)
     overlap = _overlap(config, work.get("benchmarks"))
     with _workers(config, work) as run, locked(out := _folder(out, config), shared=True):
         journal = Journal(out, config, alone=False)
@@ -125,9 +126,16 @@ def _overlap(config: Config, benchmarks: Benchmarks | None) -> FindsOverlap:
 
 
 def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
-    """Those who shall make the items, at their place."""
-    crew = partial(Crew, config.maker, work.get("workers"), work.get("patience", PATIENCE))
+    """Those who shall make the items, at their place; DatasetError for a number of them that is none."""
+    workers = work.get("workers")
+    if workers is not None and not _counts(workers):
+        raise DatasetError(f"workers: {workers!r} is no number of processes; give a whole number from 1 on, or None")
+    crew = partial(Crew, config.maker, workers, work.get("patience", PATIENCE))
     return opened(work.get("on", HERE), crew)
+
+
+def _counts(value: object) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 1
 
 
 def _fill(journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, work: Work) -> None:

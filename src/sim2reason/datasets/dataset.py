@@ -50,7 +50,7 @@ class Dataset:
     def splits(self, names: Names = ALL) -> tuple[str, ...]:
         """Its splits, or those of them that are named, in its order; DatasetError for one that there is not."""
         held = tuple(self.manifest.config.split)
-        chosen = held if names == ALL else several(names)
+        chosen = held if names == ALL else several("split", names)
         for name in chosen:
             if name not in held:
                 raise DatasetError(f"{self.path}: has no split {name!r}; there is {', '.join(held)}")
@@ -58,7 +58,7 @@ class Dataset:
 
     def item(self, name: str) -> Item:
         """The item of an id, at once; DatasetError if there is none."""
-        number = self._shard_of(name)
+        number = self._shard_of(name) if isinstance(name, str) else None  # type: ignore[reportUnnecessaryIsInstance]
         for file in shard(self.path, number).files if number is not None else ():
             places = self._places(file, {"id": [name]})
             if places:
@@ -121,9 +121,10 @@ class Dataset:
         return [n for n, row in rows if all(_value(row, name) in texts for name, texts in wanted.items())]
 
 
-def shortened(name: str) -> str:
-    """An id in quotes, or the beginning of a very long one."""
-    return repr(name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}…")
+def shortened(name: object) -> str:
+    """An id in quotes, or the beginning of a very long one; anything else as Python shows it."""
+    text = str(name)
+    return repr(name) if len(text) <= LONGEST_NAME else repr(f"{text[:LONGEST_NAME]}…")
 
 
 def _value(row: Row, name: str) -> object:

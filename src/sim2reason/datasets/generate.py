@@ -12,7 +12,7 @@ from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.places import HERE
-from sim2reason.datasets.plan import ALL, MAKER, SI, Config, Names, whole
+from sim2reason.datasets.plan import ALL, MAKER, SI, Config, Names, numbers, whole
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.questions.spoken_units import system_named
 
@@ -68,6 +68,7 @@ def generate(
     Raises:
         UnknownNameError: no such recipe, difficulty, mode, units or place.
         DatasetError: an order that makes no sense, a folder that holds anything else, or a place where nobody works.
+        TypeError: an order of what there is not.
         MissingExtraError: the place needs a package that is not installed.
     """
     benchmarks = Benchmarks(order.get("decontaminate", ()))
@@ -77,8 +78,12 @@ def generate(
 
 def configured(**order: Unpack[Order]) -> Config:
     """The configuration that an order means; it raises what `generate` does."""
+    unknown = [name for name in order if name not in Order.__annotations__]
+    if unknown:  # as Python says of all other functions
+        known = ", ".join(sorted(Order.__annotations__))
+        raise TypeError(f"generate() got an unexpected keyword argument {unknown[0]!r}; an order has {known}")
     ours = order.get("maker", MAKER) == MAKER  # another may know names that the library doesn't
-    pairs = {"weights": dict(order.get("weights", {})), "split": dict(order.get("split", {}))}
+    pairs = {name: numbers(name, order.get(name, {})) for name in ("weights", "split")}
     given = pairs | {name: value for name, value in order.items() if name in AS_GIVEN and name not in pairs}
     fields = {
         "items": order.get("items", ITEMS),
@@ -87,7 +92,7 @@ def configured(**order: Unpack[Order]) -> Config:
         "modes": modes_named(order.get("mode", "numeric"), check=ours),
         "units": system_named(order.get("units", SI)).name,
         "decontaminate": tuple(described(Path(path)) for path in order.get("decontaminate", ())),
-        **{name: value for name, value in given.items() if value not in ({}, "")},
+        **{name: value for name, value in given.items() if value != {}},
     }
     try:
         fields |= {name: whole(name, fields[name]) for name in NUMBERS if name in fields}

@@ -6,7 +6,7 @@ from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of, make
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
-from sim2reason.datasets.plan import ALL, SI, Config, Names, Request, whole
+from sim2reason.datasets.plan import ALL, SI, Config, Names, Request, numbers, whole
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.weights import check
 from sim2reason.dsl.scene import Scene
@@ -80,7 +80,7 @@ def stream(  # noqa: PLR0913 - the same
         difficulties=difficulties_named(difficulty),
         modes=modes_named(mode),
         seed=whole("seed", seed),
-        weights=dict(weights or {}),
+        weights=numbers("weights", weights or {}),
         units=system_named(units).name,
         solutions=solutions,
     )
@@ -104,8 +104,9 @@ def requested(  # noqa: PLR0913 - the same
     solutions: bool = False,
 ) -> Request:
     """The request of some coordinates; it raises what `item` does of them."""
-    check(weights or {}, (mode,), (recipe,))
-    ordered = tuple(sorted((weights or {}).items()))
+    given = numbers("weights", weights or {})
+    check(given, modes_named((mode,)), recipes_named((recipe,)))
+    ordered = tuple(sorted(given.items()))
     return Request(recipe, difficulty, mode, seed, index, ordered, system_named(units).name, solutions)
 
 

@@ -7,7 +7,7 @@ from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, d
 
 def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
     """Recipes; `check` raises UnknownNameError, with what is near, for one that there is not."""
-    found = all_recipes() if names == ALL else several(names)
+    found = all_recipes() if names == ALL else several("recipe", names)
     for name in found if check else ():
         RECIPES[name]
     return found
@@ -15,7 +15,7 @@ def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
 
 def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
     """Modes of questions, checked as recipes are."""
-    found = tuple(MODES) if names == ALL else several(names)
+    found = tuple(MODES) if names == ALL else several("mode", names)
     for name in found if check else ():
         MODES[name]
     return found
@@ -23,4 +23,5 @@ def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
 
 def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
     """Difficulties; UnknownNameError for another."""
-    return tuple(difficulty_named(name) for name in (DIFFICULTIES if names == ALL else several(names)))
+    found = DIFFICULTIES if names == ALL else several("difficulty", names)
+    return tuple(difficulty_named(name) for name in found)

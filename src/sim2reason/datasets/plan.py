@@ -5,13 +5,14 @@ import json
 import platform
 import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib import import_module
 from importlib.metadata import version
 from itertools import product
 from math import isclose
+from numbers import Real
 from operator import index as as_index
 from typing import Annotated, Self, SupportsIndex, cast
 
@@ -64,9 +65,23 @@ _ID = re.compile(
 )
 
 
-def several(names: Names) -> tuple[str, ...]:
-    """The names that are given, be it one or more."""
-    return (names,) if isinstance(names, str) else tuple(names)
+def several(what: str, names: object) -> tuple[str, ...]:
+    """The names that are given, be it one or more; DatasetError for what is none, with `what` it would name."""
+    many = isinstance(names, Iterable) and not isinstance(names, str)
+    for name in (found := tuple(cast("Iterable[object]", names if many else (names,)))):
+        if not isinstance(name, str):
+            raise DatasetError(f"{what}: {name!r} is no name; give one, several, or {ALL!r}")
+    return cast("tuple[str, ...]", found)
+
+
+def numbers(what: str, pairs: object) -> dict[str, float]:
+    """The numbers that are given by name, such as weights; DatasetError for what is no mapping of such."""
+    if not isinstance(pairs, Mapping):
+        raise DatasetError(f"{what}: {pairs!r} is no mapping; give numbers by name, as in {{'period': 2}}")
+    for name, size in (found := cast("Mapping[object, object]", pairs)).items():
+        if not isinstance(name, str) or not isinstance(size, Real):
+            raise DatasetError(f"{what}: {name!r}: {size!r} is no number of that name; write as in {{'period': 2}}")
+    return cast("dict[str, float]", dict(found))
 
 
 def whole(name: str, value: object) -> int:

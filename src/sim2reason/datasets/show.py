@@ -34,7 +34,7 @@ def show(  # noqa: PLR0913 - filters, by name
     if id is not None:
         return iter([data.item(id)])
     given = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "asked.quantity": quantity}
-    wanted = {column: several(names) for column, names in given.items() if names != ALL}
+    wanted = {column: several(column.rpartition(".")[2], names) for column, names in given.items() if names != ALL}
     for column, names in wanted.items():
         _check(data, column.rpartition(".")[2], names)
     return _some(data, items, wanted, data.splits(split))

@@ -81,13 +81,14 @@ def write(path: Path, items: Sequence[Item]) -> None:
 def read(path: Path, places: Sequence[int] | None = None) -> list[Item]:
     """The items of one file, or those at some places of it, in order; OSError or ValueError if it is damaged."""
     with _opened(path) as file:
-        return [Item.model_validate(row) for row in _taken(file.read(), places).to_pylist()]
+        return [Item.model_validate(row) for row in _taken(file.read(use_threads=False), places).to_pylist()]
 
 
 def rows(path: Path, columns: Sequence[str], places: Sequence[int] | None = None) -> Iterator[Row]:
     """Some columns of one file (``recipe``, ``asked.quantity``), row by row; places and errors are those of `read`."""
     with _opened(path) as file:
-        for batch in _taken(file.read(columns=list(columns)), places).to_batches(max_chunksize=BATCH):
+        table = file.read(columns=list(columns), use_threads=False)
+        for batch in _taken(table, places).to_batches(max_chunksize=BATCH):
             yield from batch.to_pylist()
 
 
@@ -103,9 +104,10 @@ def _taken(table: Any, places: Sequence[int] | None) -> Any:  # noqa: ANN401 - p
 
 @contextmanager
 def _opened(path: Path) -> Generator[Any, None, None]:
+    """A file to be read without threads: theirs let go of it a moment late, and abort a Python that ends meanwhile."""
     try:
         with path.open("rb") as file:
-            yield pq.ParquetFile(file)
+            yield pq.ParquetFile(file, pre_buffer=False)
     except (pa.ArrowException, KeyError, TypeError) as error:
         raise ValueError(str(error)) from error
 

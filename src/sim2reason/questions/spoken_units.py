@@ -126,7 +126,7 @@ The last says them only where a text would: a rocket's mass stays in kilograms.
 
 def system_named(name: str) -> SpokenUnits:
     """A system of units by its name; UnknownNameError with the names there are."""
-    if name not in SYSTEMS:
+    if name not in tuple(SYSTEMS):  # which takes what is no key, too
         raise UnknownNameError(f"no such units: {name!r}; there are: {', '.join(SYSTEMS)}")
     return SYSTEMS[name]
 

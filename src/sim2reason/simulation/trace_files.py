@@ -64,7 +64,8 @@ def write_trace(trace: Trace, path: str | Path) -> None:
     about = {"engine": trace.engine, "events": events, "stable_until": trace.stable_until, "cut": trace.cut}
     schema = arrow.schema(fields, metadata={"format": FORMAT, "trace": json.dumps(about)})
     arrays = [arrow.array(np.ascontiguousarray(column)) for column in columns]
-    parquet.write_table(arrow.Table.from_arrays(arrays, schema=schema), str(path), compression="zstd")
+    with Path(path).open("wb") as file:  # by its own name pyarrow opens only what is UTF-8
+        parquet.write_table(arrow.Table.from_arrays(arrays, schema=schema), file, compression="zstd")
 
 
 def read_trace(path: str | Path) -> Recording:

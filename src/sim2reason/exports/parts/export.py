@@ -51,7 +51,8 @@ def export(
 
     Raises:
         UnknownNameError: no such export.
-        DatasetError: no finished dataset, no such split, no item that fits, or a folder that holds anything.
+        DatasetError: no finished dataset, no such split, no item that fits, or a folder that holds anything or is the
+            current one.
     """
     format_, source, folder = EXPORTS[to], Dataset(dataset), Path(out)
     with _replacing(folder) as place:
@@ -124,8 +125,11 @@ def _replacing(folder: Path) -> Generator[Path, None, None]:
     """A folder beside `folder` that takes its name when the block ends well, and is removed when it doesn't."""
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise DatasetError(f"{folder}: is there already, and nothing is overwritten; give a new folder or remove it")
+    if folder.exists() and folder.samefile("."):
+        raise DatasetError(f"{folder}: is the folder that you are in, which can't be replaced; give a new one in it")
     folder.parent.mkdir(parents=True, exist_ok=True)
-    place = folder.resolve().with_name(f".{folder.resolve().name}.export")
+    target = folder.resolve()  # once: a relative name may lead elsewhere when folders have moved
+    place = target.with_name(f".{target.name}.export")
     place.mkdir(exist_ok=True)
     with locked(place):
         if place.is_symlink() or (any(place.iterdir()) and not (place / MARK).is_file()):
@@ -134,9 +138,9 @@ def _replacing(folder: Path) -> Generator[Path, None, None]:
         try:
             _clear(place)  # what a kill has left
             yield place
-            place.replace(folder.resolve())
-            (folder.resolve() / MARK).unlink()
-            sync(folder.resolve().parent)
+            place.replace(target)
+            (target / MARK).unlink()
+            sync(target.parent)
         finally:
             shutil.rmtree(place, ignore_errors=True)
 

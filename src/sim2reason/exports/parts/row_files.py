@@ -16,6 +16,8 @@ import pyarrow.parquet as pq
 from sim2reason.exports import Column, Row
 
 BATCH = 1000  # rows that are held at once
+BYTES: dict[str, Any] = {"compression": "zstd", "compression_level": 3, "version": "2.6"}
+"""All that decides about the bytes of Parquet; none of it depends on the clock or the machine's cores."""
 PLAIN = {str: pa.string(), int: pa.int64(), float: pa.float64()}
 
 
@@ -34,10 +36,10 @@ def _lines(path: Path, rows: Iterable[Row]) -> int:
 
 def _parquet(path: Path, rows: Iterable[Row], columns: Mapping[str, Column]) -> int:
     schema, left, count = pa.schema({name: _type(column) for name, column in columns.items()}), iter(rows), 0
-    # all that decides about bytes is said here, and none of it depends on the clock or the machine's cores
-    with pq.ParquetWriter(path, schema, compression="zstd", compression_level=3, version="2.6") as file:
+    # by its own name pyarrow opens only what is UTF-8
+    with path.open("wb") as file, pq.ParquetWriter(file, schema, **BYTES) as writer:
         while batch := list(islice(left, BATCH)):
-            file.write_table(pa.Table.from_pylist(batch, schema=schema))
+            writer.write_table(pa.Table.from_pylist(batch, schema=schema))
             count += len(batch)
     return count
 
