@@ -450,3 +450,27 @@ def test_a_period_or_an_equilibrium_fixes_a_stiffness(kind: str) -> None:
             assert read is not None
             assert (read.query, read.given) == (query, question.given)
     assert tried > 3
+
+
+def test_a_rod_that_goes_round_may_take_as_long_as_one_that_swings() -> None:
+    """At 0.114 m it goes round: T = ∫ ℓ dφ/v over a turn, with v² = v₀² + 2gℓ(cos φ − cos 52°), is 1.77 s as well."""
+    text = (
+        "A light rigid rod of length $\\ell$ joins a small bead of mass 1.5 kg to a fixed point. To begin with, the "
+        "rod makes an angle of 52° with the downward vertical. At t = 0 the bead starts moving downwards along its arc "
+        "at speed 1.9 m/s. Use g = 9.8 m/s². The period of the motion of the bead is 1.77 s. Determine the length "
+        "$\\ell$. State the answer in m to three significant figures, inside \\boxed{}."
+    )
+
+    def turn(length: float) -> float:
+        angles = (np.arange(20_000) + 0.5) * 2.0 * pi / 20_000
+        speeds = np.sqrt(1.9**2 + 2.0 * G * length * (np.cos(angles) - cos(radians(52.0))))
+        return float((length / speeds).mean() * 2.0 * pi)
+
+    assert turn(0.1139) < 1.77 < turn(0.1139989)
+    read = parse_prompt(text, np.random.default_rng(1))
+    assert read.asked.given is not None
+    (unknown,) = read.reading.unknown
+    swinging = read.study.scene.having(unknown, 0.636674)
+    assert KINDS["period"].answer(read.query, study(swinging)) == pytest.approx(1.77, rel=1e-5)
+    question = Question("reverse", read.query, "", 0.636674, "m", "", unknown, read.asked.given, 1.0)
+    assert unfixed(question, study(swinging)).startswith("another: 0.11")

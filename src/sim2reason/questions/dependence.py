@@ -118,7 +118,7 @@ class Dependence:
                     break
                 self._late.add(value)
         self._times[value] = inf
-        return inf if kind.measured(self._query).name == "time" else None
+        return kind.late_answer(self._query)
 
     def _lying(self, study: Study) -> float | None:
         """The answer at a time of the clock by which something has come down and lies: no text says that it has not.
@@ -162,8 +162,10 @@ class Dependence:
         """
         moment, end = self._query.moment, scene.horizon
         if moment is None:
-            timeless = self._times and not any(self._times.values())
-            return [(SHORTEST * end if timeless else end,)]
+            known = [time for time in self._times.values() if time < inf]
+            if known and not any(known):  # the motion has no part in it
+                return [(SHORTEST * end,)]
+            return [(max(end, LONGER * max(known)),)] if known else [(end, LONGER * end, LATEST * end)]
         if known := self._ends(moment):
             return [(max(BEYOND * known[0], SHORTEST * end),)]
         near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0

@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from math import isfinite
+from math import inf, isfinite
 from typing import ClassVar, TypeVar
 
 import numpy as np
@@ -105,6 +105,10 @@ class Kind(ABC):
 
         Which one it does ask, `shapes` tells: it must give that sentence, word for word.
         """
+
+    def late_answer(self, query: Query) -> float | None:
+        """What an answer comes closer to, the later what is asked about comes; by default None but for times."""
+        return inf if self.measured(query).name == "time" else None
 
     def time(self, query: Query, study: Study) -> float | None:
         """When all that the answer depends on has happened, s; None if it does not. By default its moment."""

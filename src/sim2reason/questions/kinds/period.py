@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations
-from math import pi
+from math import inf, pi
 
 import numpy as np
 
@@ -110,6 +110,13 @@ class PeriodKind(Kind):
         """When the motion has come round; small oscillations don't depend on it."""
         assert isinstance(query, PeriodQuery)
         return 0.0 if query.small else study.time(Repetition(query.of[0]))
+
+    def late_answer(self, query: Query) -> float | None:
+        """Beside a motion that takes for ever, as of a pendulum that comes to rest at the top, it takes ever longer."""
+        assert isinstance(query, PeriodQuery)
+        if query.small:
+            return None
+        return inf if query.measure == "period" else 0.0
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
         """How the body moves."""
