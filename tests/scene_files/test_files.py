@@ -264,4 +264,4 @@ def test_scenes_in_memory_obey_the_same_rules() -> None:
 def test_the_example_of_the_page_is_a_scene() -> None:
     page = (Path(__file__).parents[2] / "docs/scene-format.md").read_text(encoding="utf-8")
     example = page.partition("```yaml\n")[2].partition("```")[0]
-    assert [named.name for named in load(dedent(example)).entities] == ["fixed", "bight", "hook"]
+    assert [named.name for named in load(dedent(example)).entities] == ["fixed", "lower_pulley", "hook"]
