@@ -136,7 +136,7 @@ def verdict(prompt: str, answer: float, rng: np.random.Generator) -> str:
     elif given is None:
         return "it states no result"
     else:
-        unknowns = Words.of(read.reading.scene, read.reading.mentions, read.reading.unknown).unknowns
+        unknowns = Words.of(read.scene, read.reading.mentions, read.reading.unknown).unknowns
         if len(unknowns) != 1:
             return f"it leaves {len(unknowns)} numbers unknown"
         result, values = of_number(read, unknowns[0].path, answer)

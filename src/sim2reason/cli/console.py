@@ -17,6 +17,9 @@ RESULT = click.Path(path_type=Path, dir_okay=False, allow_dash=True)
 """The file that a command writes; it may be there already, but not as a folder. A dash is standard output."""
 
 
+LONGEST_TIMER = 1e6  # s, some days: timers of systems go no further
+
+
 class Seconds(click.FloatRange):
     """A stretch of time within bounds; click's own range lets NaN through."""
 

@@ -13,7 +13,6 @@ from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
 from sim2reason.datasets.plan import DISTANCE, LARGEST, LARGEST_SHARD, LICENSE, MAKER, SHARD
 
-LONGEST = 1e6  # s that a batch may take, some days: timers of systems go no further
 EXAMPLE = """\b
 Example:
     sim2reason generate problems --items 1000 --recipe pulley,incline --seed 7
@@ -79,7 +78,7 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
     help="Problems in one file.",
 )
 @options.to_json("Print the manifest for a program to read.")
-@click.option("--patience", type=console.Seconds(0.1, LONGEST), default=PATIENCE, hidden=True)
+@click.option("--patience", type=console.Seconds(0.1, console.LONGEST_TIMER), default=PATIENCE, hidden=True)
 @click.option("--maker", default=MAKER, hidden=True)
 def command(
     out: Path, part: str | None, workers: int | None, on: str, to_json: bool, patience: float, **order: Unpack[Order]

@@ -48,7 +48,7 @@ Summary = dict[str, Any]
 @click.option("--truncate", is_flag=True, help="Cut where a sample stands out by 5σ, events included.")
 @options.out("Write the trace to this .parquet file.")
 @options.to_json()
-@click.option("--patience", type=console.Seconds(0.01, 1e6), default=PATIENCE, hidden=True)
+@click.option("--patience", type=console.Seconds(0.01, console.LONGEST_TIMER), default=PATIENCE, hidden=True)
 def command(
     scene: Path,
     engine: str,

@@ -61,9 +61,7 @@ class Collector:
         self._origin: dict[str | None, Vector] = {None: ZERO}
         self._sites: dict[str, Site] = {}
         self.faces: dict[str, Vector | None] = {}  # by site, the way in which a string must leave it
-        self.drawing: dict[
-            str, ConstantTension | Inextensible
-        ] = {}  # by site, the law of a string that is drawn in there
+        self.drawing: dict[str, ConstantTension | Inextensible] = {}  # by site, the law of a string drawn in there
         self.origins: dict[str, Vector] = {}  # by entity, where it stands in the room; only for looks
         self.turned: dict[str, Axes] = {}  # by body, where its own axes point at the start; only for looks
         self._rims: dict[tuple[str, str], Rim] = {}

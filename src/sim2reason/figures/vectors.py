@@ -104,6 +104,12 @@ def inside(point: complex, polygon: Polygon) -> bool:
     return found
 
 
+def from_segment(point: complex, a: complex, b: complex) -> float:
+    """The distance of a point from the segment from `a` to `b`."""
+    way = unit(b - a)
+    return abs(point - a - min(max(dot(point - a, way), 0.0), abs(b - a)) * way)
+
+
 def crosses(a: complex, b: complex, c: complex, d: complex) -> bool:
     """Whether two segments, from `a` to `b` and from `c` to `d`, meet."""
     return (cross(b - a, c - a) * cross(b - a, d - a) < 0.0) and (cross(d - c, a - c) * cross(d - c, b - c) < 0.0)

@@ -8,8 +8,18 @@ from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
 from sim2reason.grading.unit_spelling import is_unit
 
-__all__ = ["check", "has_numbers", "is_bare", "is_change", "is_compound", "is_name", "is_plain", "is_pure"]
-__all__ += ["is_symbolic", "names"]
+__all__ = [
+    "check",
+    "has_numbers",
+    "is_bare",
+    "is_change",
+    "is_compound",
+    "is_name",
+    "is_plain",
+    "is_pure",
+    "is_symbolic",
+    "names",
+]
 
 _QUANTITY_WORDS: Final = """
     answer result solution value speed velocity acceleration deceleration retardation force tension thrust weight mass

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import SimulationError, TextError
 from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
@@ -42,6 +43,11 @@ class ParsedPrompt:
     shape: str
 
     @property
+    def scene(self) -> Scene:
+        """The scene, with hidden numbers of its own."""
+        return self.reading.scene
+
+    @property
     def query(self) -> Query:
         """What is asked, or stated as a condition."""
         return self.asked.query
@@ -72,7 +78,7 @@ def parse_prompt(
 ) -> ParsedPrompt:
     """Read a prompt: its scene is rebuilt from the words alone, hidden numbers drawn by `rng`, and simulated.
 
-    What is returned has the scene (``reading.scene``) and its motion, the `query`, and the `answer` in its `unit`.
+    What is returned has the `scene` and its motion (`study`), the `query`, and the `answer` in its `unit`.
     `given` has the number, with its unit, of each symbol (LaTeX without dollars) of a prompt whose numbers are symbols.
 
     Raises:

@@ -119,7 +119,7 @@ def _inverted(setting: Setting, book: Book, goal: str) -> str:
 def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
     """The solution of a problem from its text alone, in its own names; raises TextError as `parse_prompt` does."""
     parsed = parse_prompt(prompt)
-    scene, mentions = parsed.reading.scene, parsed.reading.mentions
+    scene, mentions = parsed.scene, parsed.reading.mentions
     letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
     nouns = {type(body): _noun(mentions[address]) for address, body in scene.bodies.items() if address in mentions}
     named = Writer(scene, Names(letters, nouns), np.random.default_rng(0), numeric).symbols

@@ -13,7 +13,7 @@ from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import OBLONG, Setting, vector
 from sim2reason.figures.shapes import SMALL, Arc, LineShape, Shape, Sketch, Wanted, width
-from sim2reason.figures.vectors import RIGHT, UP, cross, crosses, dot, unit
+from sim2reason.figures.vectors import RIGHT, UP, cross, crosses, dot, from_segment, unit
 
 LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.6), 0.6  # units, of the longest arrow and of any: thrice its head
 APART = 0.15  # of two arrows
@@ -94,12 +94,7 @@ def _run_together(one: tuple[complex, complex], other: tuple[complex, complex]) 
     if crosses(a, a + along, b, b + across):
         return True
     ends = ((b, one), (b + across, one), (a, other), (a + along, other))
-    return any(abs(point - _nearest(point, *arrow)) < APART for point, arrow in ends)
-
-
-def _nearest(point: complex, tail: complex, arrow: complex) -> complex:
-    """The point of an arrow that is nearest to another one."""
-    return tail + min(max(dot(point - tail, unit(arrow)), 0.0), abs(arrow)) * unit(arrow)
+    return any(from_segment(point, tail, tail + arrow) < APART for point, (tail, arrow) in ends)
 
 
 def _runs_over(setting: Setting, moving: Mapping[str, complex], size: float) -> bool:

@@ -9,7 +9,7 @@ from sim2reason.figures.scaled.arrows import speeds
 from sim2reason.figures.scaled.grounds import sheet, spread
 from sim2reason.figures.scaled.setting import Setting
 from sim2reason.figures.shapes import SMALL, TINY, Area, LineShape, Sketch, Wanted, width
-from sim2reason.figures.vectors import RIGHT, UP, Box, box, dot, unit
+from sim2reason.figures.vectors import RIGHT, UP, Box, box, from_segment
 
 TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
 MARGIN = 0.15  # between the number of a tick and what ends the axis, and between a tick and an arrow
@@ -92,6 +92,4 @@ def _ticks(
 
 def _is_near(at: complex, arrow: Sequence[complex]) -> bool:
     """Whether a tick would stand on a straight arrow, or touch it."""
-    tail, tip = arrow[0], arrow[-1]
-    along = min(max(dot(at - tail, unit(tip - tail)), 0.0), abs(tip - tail))
-    return abs(at - tail - along * unit(tip - tail)) < MARGIN + TICK
+    return from_segment(at, arrow[0], arrow[-1]) < MARGIN + TICK

@@ -80,7 +80,7 @@ class Kind(ABC):
         return self.answer(query, study)
 
     def far_answer(self, query: Query, study: Study) -> float | None:
-        """What a reader answers who takes the scene for another one, looked for as far as it takes; by default that."""
+        """The answer of who takes the scene for another one, looked for far away, too; by default the loose one."""
         return self.loose_answer(query, study)
 
     @abstractmethod

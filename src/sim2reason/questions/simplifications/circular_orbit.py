@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
-from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, gone, orbits
+from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, moving_as, orbits
 from sim2reason.questions.study import Study
 
 
@@ -29,12 +29,12 @@ class CircularOrbit(OtherReading):
     def read(self, study: Study) -> Study:
         """On circles, with ω² = GM/r³."""
         circles = {orbit: partial(_circle, orbit) for orbit in orbits(study.mechanism)}
-        return Study(study.scene, gone(study.trace, circles))
+        return Study(study.scene, moving_as(study.trace, circles))
 
 
 def _circle(orbit: PlanetOrbit, times: Array) -> Motion:
     r = orbit.distance
-    rate = orbit.sense * sqrt(orbit.attraction / r**3)
+    rate = orbit.sense * sqrt(orbit.gravitational_parameter / r**3)
     angle = np.arctan2(orbit.place[1], orbit.place[0]) + rate * times
     out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     along = np.stack([-out[:, 1], out[:, 0]], axis=1)

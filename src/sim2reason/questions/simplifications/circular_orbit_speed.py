@@ -31,4 +31,4 @@ class CircularOrbitSpeed(OtherReading):
 
 def _as_on_a_circle(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
     distance, speed = (np.linalg.norm(vector, axis=1, keepdims=True) for vector in (place, velocity))
-    return velocity * np.sqrt(orbit.attraction / distance) / speed
+    return velocity * np.sqrt(orbit.gravitational_parameter / distance) / speed

@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import OtherReading, simplification
-from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, gone, orbits
+from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, moving_as, orbits
 from sim2reason.questions.study import Study
 
 
@@ -30,13 +30,13 @@ class UniformAngularSpeed(OtherReading):
     def read(self, study: Study) -> Study:
         """On their ellipses about the star alone, in the periods that they have there."""
         ellipses = {orbit: partial(_turned, orbit) for orbit in orbits(study.mechanism)}
-        return Study(study.scene, gone(study.trace, ellipses))
+        return Study(study.scene, moving_as(study.trace, ellipses))
 
 
 def _turned(orbit: PlanetOrbit, times: Array) -> Motion:
     """With r = p/(1 + e cos ν), ṙ = r² e sin ν ω/p and r̈ = (2ṙ²/r + r² e cos ν ω²/p)."""
     assert orbit.period is not None
-    rate, p, (ex, ey) = orbit.sense * 2.0 * pi / orbit.period, orbit.parameter, orbit.pull
+    rate, p, (ex, ey) = orbit.sense * 2.0 * pi / orbit.period, orbit.semi_latus_rectum, orbit.eccentricity_vector
     angle = np.arctan2(orbit.place[1], orbit.place[0]) + rate * times
     out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     along = np.stack([-out[:, 1], out[:, 0]], axis=1)

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from math import hypot, pi, sqrt
+from math import copysign, hypot, pi, sqrt
 
 import numpy as np
 
@@ -27,7 +27,7 @@ class PlanetOrbit:
     """A planet by where it starts, in the plane of its two coordinates, whose numbers are `numbers`."""
 
     numbers: tuple[int, int]
-    attraction: float  # G M
+    gravitational_parameter: float  # G M
     place: tuple[float, float]  # from the star on
     velocity: tuple[float, float]
 
@@ -37,29 +37,35 @@ class PlanetOrbit:
         return hypot(*self.place)
 
     @property
+    def angular_momentum(self) -> float:
+        """About the star, of each kilogram; positive counter-clockwise."""
+        (x, y), (vx, vy) = self.place, self.velocity
+        return x * vy - y * vx
+
+    @property
     def sense(self) -> float:
         """1 where it goes round counter-clockwise, else −1."""
-        (x, y), (vx, vy) = self.place, self.velocity
-        return 1.0 if x * vy >= y * vx else -1.0
+        return copysign(1.0, self.angular_momentum)
 
     @property
-    def pull(self) -> tuple[float, float]:
-        """The eccentricity vector, which points to the perihelion: v × L/GM − r/r."""
+    def eccentricity_vector(self) -> tuple[float, float]:
+        """It points to the periapsis: v × h/GM − r/r."""
         (x, y), (vx, vy) = self.place, self.velocity
-        turning = x * vy - y * vx
-        return vy * turning / self.attraction - x / self.distance, -vx * turning / self.attraction - y / self.distance
+        h, mu = self.angular_momentum, self.gravitational_parameter
+        return vy * h / mu - x / self.distance, -vx * h / mu - y / self.distance
 
     @property
-    def parameter(self) -> float:
-        """The semi-latus rectum, L²/GM."""
-        (x, y), (vx, vy) = self.place, self.velocity
-        return (x * vy - y * vx) ** 2 / self.attraction
+    def semi_latus_rectum(self) -> float:
+        """h²/GM."""
+        return self.angular_momentum**2 / self.gravitational_parameter
 
     @property
     def period(self) -> float | None:
         """By Kepler's third law; None of what does not return."""
-        left = 1.0 - hypot(*self.pull) ** 2
-        return 2.0 * pi * sqrt((self.parameter / left) ** 3 / self.attraction) if left > 0.0 else None
+        left = 1.0 - hypot(*self.eccentricity_vector) ** 2
+        if left <= 0.0:
+            return None
+        return 2.0 * pi * sqrt((self.semi_latus_rectum / left) ** 3 / self.gravitational_parameter)
 
 
 def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
@@ -84,7 +90,7 @@ def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
     return found if 2 * len(found) == len(mechanism.coordinates) else []
 
 
-def gone(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Motion]]) -> Trace:
+def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Motion]]) -> Trace:
     """A motion in which planets go as formulas of the time (n,) say."""
 
     def sample(times: Array) -> State:
@@ -101,30 +107,25 @@ def gone(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Motion]]
 def with_velocities(trace: Trace, velocity: Told) -> Trace:
     """A motion along the same paths in the same times, with other velocities."""
     found = orbits(trace.mechanism)
-
-    def sample(times: Array) -> State:
-        state = trace.sample(times)
-        return State(
-            trace.mechanism,
-            times,
-            lambda: (state.q, _told(state, found, velocity)),
-            lambda _, __: Dynamics(state.a, {}, {}, {}),
-        )
-
-    return replace(_read(trace, sample), knots=trace.knots)
+    return _retold(trace, lambda state: (_told(state, found, velocity), state.a))
 
 
 def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
     """The same motion, whose accelerations are taken to be others."""
     found = orbits(trace.mechanism)
+    return _retold(trace, lambda state: (state.v, _told(state, found, acceleration)))
+
+
+def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trace:
+    """The places of a motion with other velocities and accelerations, (n, c) each."""
 
     def sample(times: Array) -> State:
         state = trace.sample(times)
         return State(
             trace.mechanism,
             times,
-            lambda: (state.q, state.v),
-            lambda _, __: Dynamics(_told(state, found, acceleration), {}, {}, {}),
+            lambda: (state.q, rates(state)[0]),
+            lambda _, __: Dynamics(rates(state)[1], {}, {}, {}),
         )
 
     return replace(_read(trace, sample), knots=trace.knots)

@@ -1,6 +1,6 @@
 """The MuJoCo engine: the same mechanism through another program, as a witness.
 
-`specification` writes the mechanism down for MjSpec and `compiled_model` compiles it: they alone talk to the library.
+`specification` writes the mechanism down for MjSpec and `compiled_model` compiles it: they talk to the library.
 `balance` lets its solver find forces and impulses free of the softness of its constraints; `forces` reads from them
 what is taut, sticks or slides; `event_detection` foresees events; `engine` goes from event to event in steps of RK4;
 `record` keeps what the steps leave. `changing_equations` does the same for mechanisms that the library's own

@@ -80,7 +80,7 @@ class EventDetector:
         Raises:
             SceneError: two sites of a string coincide, or two bodies overlap.
         """
-        self._plant = model
+        self._model = model
         mechanism = model.mechanism
         self.slack: Array = np.array([slack_of(string) for string in mechanism.strings])
         self._strings = model.gradients[: len(mechanism.strings)]
@@ -97,13 +97,13 @@ class EventDetector:
         self._ends = np.vstack([self._ends, gradient])
 
     def _read_runs(self) -> None:
-        mechanism, seen = self._plant.mechanism, set[tuple[str, str]]()
+        mechanism, seen = self._model.mechanism, set[tuple[str, str]]()
         for line in mechanism.lines:
             for first, last in zip(line.through, line.through[1:], strict=False):
                 if (first, last) in seen:
                     continue
                 seen.add((first, last))
-                (start, moves), (stop, moved) = self._plant.site(first), self._plant.site(last)
+                (start, moves), (stop, moved) = self._model.site(first), self._model.site(last)
                 apart, gradient = stop - start, moved - moves
                 length = float(np.linalg.norm(apart))
                 if np.abs(gradient).max(initial=0.0) <= MOVES:
@@ -114,8 +114,8 @@ class EventDetector:
                 self._end("reach", (first, last), length, apart @ gradient / length)
 
     def _read_limits(self) -> None:
-        for number, coordinate in zip(self._plant.coordinates, self._plant.mechanism.coordinates, strict=True):
-            unit = np.zeros(self._plant.size)
+        for number, coordinate in zip(self._model.coordinates, self._model.mechanism.coordinates, strict=True):
+            unit = np.zeros(self._model.size)
             unit[number] = 1.0
             if coordinate.lower > -inf:
                 self._end("limit", (coordinate.name,), -coordinate.lower, unit)
@@ -123,12 +123,12 @@ class EventDetector:
                 self._end("limit", (coordinate.name,), coordinate.upper, -unit)
 
     def _read_pairs(self) -> None:
-        pairs = self._plant.mechanism.meetings
+        pairs = self._model.mechanism.meetings
         self._apart = np.zeros((len(pairs), 3))
-        self._moves = np.zeros((len(pairs), 3, self._plant.size))
+        self._moves = np.zeros((len(pairs), 3, self._model.size))
         self._distance = np.array([pair.distance for pair in pairs])
         for number, pair in enumerate(pairs):
-            (a, a_moves), (b, b_moves) = self._plant.center(pair.names[0]), self._plant.center(pair.b)
+            (a, a_moves), (b, b_moves) = self._model.center(pair.names[0]), self._model.center(pair.b)
             self._apart[number], self._moves[number] = b - a, b_moves - a_moves
             if np.linalg.norm(b - a) < pair.distance - TOUCHING:
                 raise SceneError(pair.names[0], f"it overlaps {pair.b} at the start", "move them apart")
@@ -158,7 +158,7 @@ class EventDetector:
             soonest = float(self.strings(q, v, a).used_up()[loose].min())
         if len(self._distance):
             soonest = min(soonest, float(self.approach(q, v, a).gaps.used_up().min()))
-        rubs = self._plant.rubs
+        rubs = self._model.rubs
         return min(soonest, float(_stops(sliding * v[rubs], sliding * a[rubs]).min(initial=inf)))
 
     def too_far(self, q: Array, v: Array, duration: float) -> float:
@@ -177,7 +177,7 @@ class EventDetector:
 
         What has come within a hair of its end is not looked at: there a run may have passed through nothing.
         """
-        model = self._plant
+        model = self._model
         if np.all(np.abs(model.lengths - model.bare @ model.q) <= BENT):
             return False
         return bool(np.all(self.finish(model.q, model.v, model.v).value > NEARLY))
