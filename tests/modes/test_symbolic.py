@@ -37,7 +37,8 @@ from sim2reason.filters.few_symbols import FewSymbols
 from sim2reason.grading import formula
 from sim2reason.modes.parts import formula_validity
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
-from sim2reason.modes.parts.variations import EACH, Variation, Variations
+from sim2reason.modes.parts.variation import Variation
+from sim2reason.modes.parts.variations import EACH, Variations
 from sim2reason.prose.formula_numbers import said_in
 from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.questions import MODES, Query, Question, Study, Target
@@ -328,7 +329,8 @@ def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: py
 @pytest.mark.parametrize(("recipe", "difficulty"), [("rolling", "medium"), ("rotation", "medium")])
 def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: str) -> None:
     """Where the answer is an angle, or an angle stands in the formula as a number."""
-    drawn = (make(Request(recipe, difficulty, "symbolic", 2311, index)).item for index in range(40))
+    weights = (("threshold", 0.0),)
+    drawn = (make(Request(recipe, difficulty, "symbolic", 2311, index, weights=weights)).item for index in range(40))
     item = next(found for found in drawn if found is not None and "in radians" in found.prompt)
     held = item.answer.formula
     assert held is not None
@@ -455,7 +457,7 @@ def test_a_string_that_goes_slack_where_no_sum_turns_its_sign_is_not_missed() ->
 
 def test_what_sticks_where_no_sum_turns_its_sign_is_not_missed() -> None:
     """Blocks that rest on a box that is drawn the other way go with it, at a corner of eight numbers."""
-    found = make(Request("box", "hard", "symbolic", 1140, 8)).item
+    found = make(Request("box", "hard", "symbolic", 1140, 8, weights=(("threshold", 0.0),))).item
     assert found is not None
     assert "block A slides to the right on the box" in found.prompt
 

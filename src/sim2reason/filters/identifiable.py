@@ -19,11 +19,9 @@ class Identifiable(Filter):
         question, words = candidate.question, candidate.words
         if not question.unknown or words is None:
             return ""
-        symbol = next(found.symbol for found in words.unknowns if found.path == question.unknown).strip("$")
+        alone = next(found.symbol for found in words.unknowns if found.path == question.unknown).strip("$")
         text = " ".join(candidate.sentences)
-        if f"${symbol}$" not in text or re.search(
-            rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$", text
-        ):
+        if not any(_speaks_of(symbol, text) for symbol in (alone, words.symbols.get(question.unknown, alone))):
             return "the text has no words for the unknown"
         return candidate.study.once(("unfixed", question), lambda: unfixed(question, candidate.study))
 
@@ -35,6 +33,12 @@ class Identifiable(Filter):
             values = [*values, *far_from(values, question.answer, question.unit)]
             low, high = (join_unit(f"{value:.3g}", question.unit) for value in (min(values), max(values)))
             yield f"from {low} to {high} no value of {question.unknown} but {question.answer:.4g} gives the result"
+
+
+def _speaks_of(symbol: str, text: str) -> bool:
+    """Whether a text has a symbol, and not only as the value of the same: *R = $R$*."""
+    own = rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$"
+    return f"${symbol}$" in text and re.search(own, text) is None
 
 
 def _plain(symbol: str) -> str:

@@ -24,6 +24,7 @@ from sim2reason.solutions import STRATEGIES, Setting
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together
 from sim2reason.solutions.derivation import derivation
+from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.strategies import Strategy
 
 DRAWS = 3  # of questions of one kind
@@ -74,10 +75,11 @@ class Symbolic(QuestionMode):
         whole = _derived(query, study, words)
         if spoken is None or whole is None:
             return None
-        symbols = _symbols(study, spoken)
+        symbols = _symbols(study, spoken, query.hides)
         if not {held.symbol for held in symbols}.issuperset(whole.symbols()):
             return None  # it goes by where the motion starts, which the text does not tell
-        varied = FormulaValidity(Variations(study, query, symbols), factor(question.unit))
+        times = factor(question.unit)
+        varied = FormulaValidity(Variations(study, query, symbols, whole, times), times)
         if not varied.of_scene(whole):
             return None
         held = varied.told(whole, rng, spoken, signed=bool(question.sign))
@@ -139,7 +141,7 @@ def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
     spoken = _spoken(words, query)
     if spoken is None:
         return None
-    setting = Setting(study.scene, words, words.symbols, study, query)
+    setting = forward(Setting(study.scene, words, words.symbols, study, query))
     tried = [held for held in _fitting(study) if query.kind in held.formulas(study.mechanism)]
     if all(strategy.refusal(setting) for strategy in tried):
         return None
@@ -170,12 +172,12 @@ def _spoken(words: Words, query: Query) -> Words | None:
         if found is None or unit in own:
             return None
         own[unit] = found
-    return replace(words, symbolic=True, own=own)
+    return words.in_symbols(own)
 
 
-def _symbols(study: Study, words: Words) -> list[ProblemSymbol]:
-    """All symbols of a problem in the order in which it tells them."""
-    parameters = {p.path: p for p in study.scene.parameters}
+def _symbols(study: Study, words: Words, hidden: str) -> list[ProblemSymbol]:
+    """All symbols of a problem in the order in which it tells them, but that of the number which it asks for."""
+    parameters = {p.path: p for p in study.scene.parameters if p.path != hidden}
     found = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]
     said = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path, p.signed) for symbol, p in found if p.value]
     return [*said, *(ProblemSymbol(own.symbol, words.units.spell(unit), own.value) for unit, own in words.own.items())]

@@ -71,6 +71,15 @@ class Trial:
         turns = self._turns(range_of(self._scene, self._path)) if self._roughly() is not None else []
         return self.between(*turns[0]) if len(turns) == 1 else None
 
+    def changes_at(self, value: float, *, above: bool) -> bool:
+        """Whether the outcome comes about just above a value and not just below it, or else the other way round."""
+        return self(value * (1.0 + SAME)) is above and self(value * (1.0 - SAME)) is not above
+
+    def rough_change(self) -> float | None:
+        """Where the outcome changes, if a few points of the range show just one change."""
+        turn = self._roughly()
+        return self.between(*turn) if turn is not None else None
+
     def usual_change(self) -> float | None:
         """Where the outcome changes near what is drawn, if a few points of the range show just one change.
 

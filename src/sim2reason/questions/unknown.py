@@ -1,7 +1,7 @@
 """Numbers that a text may leave unknown: which they are, what they are called, and where they may lie."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, exp, inf, log
 from typing import Self, cast
 
@@ -46,7 +46,16 @@ class Unknown:
         like = [p for p in scene.parameters if p.measure.noun == measure.noun and p.path.rpartition(".")[0] == owner]
         named = measure.noun in OWN and len(like) == 1 and owner in scene.bodies and bool(scene.bodies[owner].letters)
         own = (f"the {measure.noun} of {mentions[owner]}",) if named else ()
-        return cls(parameter.path, measure.noun, measure.unit, shown, (*own, f"the {measure.noun} {shown}", shown))
+        return cls(parameter.path, measure.noun, measure.unit, shown, (*own, *_by_symbol(measure.noun, shown)))
+
+    def called(self, symbol: str) -> Self:
+        """The same in a text that has another symbol for it."""
+        shown = f"${symbol}$"
+        return replace(self, symbol=shown, phrases=(*self.phrases[:-2], *_by_symbol(self.name, shown)))
+
+
+def _by_symbol(name: str, shown: str) -> tuple[str, str]:
+    return f"the {name} {shown}", shown
 
 
 def unknowns(scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, str]) -> list[Unknown]:

@@ -1,7 +1,7 @@
 """What a question needs to know of the text before it."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Self
 
 from sim2reason.dsl.constancy import may_turn_back
@@ -43,6 +43,11 @@ class Words:
         said = frozenset(p.path for p in scene.parameters if p.value is not None and not p.hidden)
         offered = unknowns(scene, mentions, unknown or {})
         return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {})
+
+    def in_symbols(self, own: Mapping[str, OwnSymbol]) -> Self:
+        """Those of the text that has symbols in place of numbers, and some for the question's own."""
+        unknowns = [found.called(self.symbols[found.path]) for found in self.unknowns if found.path in self.symbols]
+        return replace(self, symbolic=True, own=own, unknowns=unknowns)
 
     @cached_property
     def turns_back(self) -> bool:

@@ -9,7 +9,8 @@ from math import inf
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.modes.parts.variations import Variation, Variations
+from sim2reason.modes.parts.variation import Variation
+from sim2reason.modes.parts.variations import Variations
 
 Margin = Callable[[Variation], float | None]
 """How far a scene is from where something is no longer done; None where that says nothing."""

@@ -9,7 +9,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from sim2reason.dsl.state import Array
-from sim2reason.modes.parts.variations import Variation, Variations
+from sim2reason.modes.parts.variation import Variation
+from sim2reason.modes.parts.variations import Variations
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.algebra.functions import values
 

@@ -9,7 +9,8 @@ import numpy as np
 from sim2reason.modes.parts.corners import Margin, leaving
 from sim2reason.modes.parts.counterexample import counterexample
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
-from sim2reason.modes.parts.variations import Variation, Variations
+from sim2reason.modes.parts.variation import Variation
+from sim2reason.modes.parts.variations import Variations
 from sim2reason.questions import Formula, Study, Words
 from sim2reason.questions.regimes import FEW, Regime, regimes
 from sim2reason.solutions.algebra.expressions import Expression
@@ -71,7 +72,7 @@ class FormulaValidity:
         self, formula: ClosedForm, rng: np.random.Generator, words: Words
     ) -> tuple[ClosedForm, tuple[Regime, ...] | None]:
         """Its absolute value, and what it assumes; no bars around what has one sign wherever that is so."""
-        found = formula.of_sizes([other.values for other in self._wide])
+        found = formula.of_sizes([other.values for other in (*self._near, *self._wide)])
         assumed = self.assumed(found, rng, words)
         if not assumed:
             return found, assumed
@@ -213,6 +214,8 @@ class FormulaValidity:
         """The regimes of all scenes that are near."""
         own, *others = self._near
         found = regimes(own.study, words, own.until)
+        if own.query.hides:  # the text does not tell the motion
+            found = [held for held in found if held.at_start]
         return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
 
     def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:

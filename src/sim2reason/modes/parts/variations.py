@@ -1,9 +1,10 @@
 """The same question about scenes with other numbers, each simulated by the exact engine."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
-from math import copysign, exp, inf, isfinite
+from math import copysign, exp, inf
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.lazy import cached_property
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.signs import sign_of, sums_in, turns
+from sim2reason.modes.parts.variation import Variation, answered
 from sim2reason.questions import KINDS, Query, Study
 from sim2reason.questions.dependence import roomy
 from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
@@ -33,48 +35,18 @@ FARTHEST = 2.0  # times the largest of a unit: how far numbers with a sign are s
 
 
 @dataclass(frozen=True)
-class Variation:
-    """A scene with other numbers: their values as formulas count them, its motion, and the answer in it."""
-
-    values: Mapping[str, float]
-    study: Study
-    query: Query
-    answer: float
-
-    @property
-    def until(self) -> float:
-        """When all that the answer depends on has happened, s."""
-        return KINDS[self.query.kind].time(self.query, self.study) or 0.0
-
-    @property
-    def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """What happens before that, in order; turns change nothing."""
-        return self.study.trace.story(self.until)
-
-    @property
-    def finer(self) -> "Variation | None":
-        """The same followed by the finest steps; None if it is by then, or has no answer any more."""
-        scene, trace = self.study.scene, self.study.trace
-        if not trace.tolerance:
-            return None
-        try:
-            found = _answered(self.query, Study(scene, ENGINES[RECORDED](scene.mechanism, trace.state.times)))
-        except SimulationError:
-            return None
-        return None if found is None else Variation(self.values, *found)
-
-
-@dataclass(frozen=True)
 class Variations:
     """A query about a scene, in all of whose numbers others can be put."""
 
     study: Study
     query: Query
     symbols: Sequence[ProblemSymbol]
+    formula: Expression | None = None  # which likely gives the answers, if one is known
+    factor: float = 1.0  # which makes the engine's answers those of formulas
 
     def own(self) -> Variation | None:
         """With the numbers that it has."""
-        found = _answered(self.query, self.study)
+        found = answered(self.query, self.study)
         return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
 
     def drawn(
@@ -238,7 +210,7 @@ class Variations:
     ) -> Variation | None:
         """With these numbers, followed to each of some times, s, by default as long as it may take."""
         said = dict(zip(self.symbols, values, strict=True))
-        query, seen = self._asking([value for held, value in said.items() if not held.path]), None
+        query, seen = self._asking(values), None
         error = FINEST if unanswered is None else ENOUGH  # far away nothing is recorded: a formula holds or does not
         try:
             scene = self._roomy.having_all({held.path: value for held, value in said.items() if held.path})
@@ -247,7 +219,7 @@ class Variations:
             ends = ends or self._ends(query)
             for end in ends if unanswered is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
                 seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
-                found = _answered(query, seen)
+                found = answered(query, seen)
                 if found is not None:
                     return Variation(self._counted(values), *found)
         except (SceneError, SimulationError, UnsupportedError, ValueError):
@@ -264,9 +236,16 @@ class Variations:
     def _counted(self, values: Sequence[float]) -> dict[str, float]:
         return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
 
-    def _asking(self, numbers: Sequence[float]) -> Query:
+    def _asking(self, values: Sequence[float]) -> Query:
+        """The query with some numbers, and with the answer that it likely has with them."""
         moment = self.query.moment
-        return replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
+        numbers = [value for held, value in zip(self.symbols, values, strict=True) if not held.path]
+        query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
+        if self.formula is None:
+            return query
+        with suppress(ValueError, ArithmeticError):
+            return KINDS[query.kind].expecting(query, self.formula.value(self._counted(values)).real / self.factor)
+        return KINDS[query.kind].expecting(query, 0.0)
 
     @staticmethod
     def _waits(query: Query) -> bool:
@@ -285,12 +264,3 @@ class Variations:
         sooner = SOONER if mechanism.attractions else SOONER[-1:] if changing(mechanism) else ()
         tried = sooner if comes and LATER * here > least else ()
         return tuple(max(factor * here, least) for factor in (*tried, LATER))
-
-
-def _answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:
-    """A motion with the answer in it; None if it has none as far as it is followed."""
-    answer = KINDS[query.kind].loose_answer(query, study)
-    time = KINDS[query.kind].time(query, study)
-    if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:
-        return None
-    return study, query, answer

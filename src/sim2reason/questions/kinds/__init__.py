@@ -79,6 +79,11 @@ class Kind(ABC):
         """What a reader may answer in another scene, even where this kind would not ask; by default the answer."""
         return self.answer(query, study)
 
+    def expecting(self, query: Query, answer: float) -> Query:
+        """A query with the answer that it likely has, where that helps to find it; by default as it is."""
+        del answer
+        return query
+
     def far_answer(self, query: Query, study: Study) -> float | None:
         """The answer of who takes the scene for another one, looked for far away, too; by default the loose one."""
         return self.loose_answer(query, study)

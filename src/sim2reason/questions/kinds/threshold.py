@@ -60,7 +60,6 @@ class ThresholdKind(Kind):
     """What is the least or the greatest value for which something does not happen, or that beyond which it does?"""
 
     name = "threshold"
-    of_symbols = False
     share = 0.25
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
@@ -92,6 +91,20 @@ class ThresholdKind(Kind):
         if study.mechanism is not study.scene.mechanism:
             return trial.close_to(query.about, CLOSE) if study.change is not None and query.about else None
         return trial.near(query.about) if query.about else trial.change()
+
+    def loose_answer(self, query: Query, study: Study) -> float | None:
+        """Where the outcome changes the way that is asked about, there or between a few values of the whole range."""
+        assert isinstance(query, ThresholdQuery)
+        trial, above = query.trial(study), query.greatest is not query.happens
+        if query.about and trial.changes_at(query.about, above=above):
+            return query.about
+        found = trial.rough_change()
+        return found if found is not None and trial.changes_at(found, above=above) else None
+
+    def expecting(self, query: Query, answer: float) -> Query:
+        """Where the outcome likely changes."""
+        assert isinstance(query, ThresholdQuery)
+        return replace(query, about=answer)
 
     def far_answer(self, query: Query, study: Study) -> float | None:
         """Where the outcome changes in a changed scene, also far from where it should."""

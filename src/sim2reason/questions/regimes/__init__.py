@@ -22,10 +22,12 @@ class Regime(ABC):
 
     Class data:
         of: the kind of subject.
+        at_start: whether it is of where things are at the start, whatever they are and come to do.
         unseen: whether it may end though no sum in a formula turns its sign there; then that is looked for by `margin`.
     """
 
     of: ClassVar[Subject]
+    at_start: ClassVar[bool] = False
     unseen: ClassVar[bool] = False
 
     name: str

@@ -1,9 +1,22 @@
 """The last touch to a formula: no minus sign that a square takes away, no fraction under a root under a fraction."""
 
+from collections.abc import Mapping
 from functools import reduce
 
-from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Product, Quotient, Sum, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    multiplied,
+    ratio,
+)
 from sim2reason.solutions.algebra.functions import Absolute, Call, Power, Root
+
+AT_ZERO: Mapping[str, Expression] = {"sin": ZERO, "cos": ONE, "arcsin": ZERO, "arctan": ZERO}
 
 
 def tidied(held: Expression) -> Expression:
@@ -16,12 +29,25 @@ def tidied(held: Expression) -> Expression:
             return _raised(base, exponent)
         case Absolute(inside) | Call(_, inside) if inside.negative:
             return _outward(found, _opposite(inside))
+        case Call(function, Number(0.0)):
+            return AT_ZERO.get(function, found)
+        case Product(factors):
+            return _fraction(_cancelled([_signed(factor) for factor in factors]))
+        case _:
+            return _fraction(found)
+
+
+def _fraction(held: Expression) -> Expression:
+    """A fraction without a minus sign where a difference below it can be taken the other way round; else as it is."""
+    match held:
+        case Product((Number(-1.0), Quotient(above, Sum() as below))):
+            return _upright(above, -below)
+        case Quotient(above, Sum() as below) if _signed(above).negative:
+            return _upright(-_signed(above), -below)
         case Quotient(above, below):
             return _upright(above, below) if above == _signed(above) else -_upright(-above, below)
-        case Product(factors):
-            return _cancelled([_signed(factor) for factor in factors])
         case _:
-            return found
+            return held
 
 
 def _raised(base: Expression, exponent: int) -> Expression:
@@ -45,8 +71,8 @@ def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
             return Absolute(opposite)
         case Call("cos"):
             return Call("cos", opposite)
-        case Call("sin"):
-            return -Call("sin", opposite)
+        case Call("sin" | "arcsin" | "arctan" as function):
+            return -Call(function, opposite)
         case _:
             return held
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.lazy import cached_property
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes.rises import Rises
@@ -15,7 +16,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.reverse import Inversion
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
@@ -30,6 +31,13 @@ class LimitingCase(Strategy):
     name = "limiting case"
     cost = 1.0
     kinds = frozenset({"threshold"})
+
+    def unfit(self, mechanism: Mechanism) -> str:
+        """Whether nothing that is let go could slip, or be lifted."""
+        lifted = mechanism.lines or mechanism.forces
+        if any(c.speed for c in mechanism.coordinates) or not (lifted or any(f.friction for f in mechanism.faces)):
+            return "nothing is let go that could stay at rest"
+        return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
         """Why it does not apply."""
