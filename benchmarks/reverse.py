@@ -38,13 +38,15 @@ def of_number(read: ParsedPrompt, path: str, answer: float) -> tuple[Function, n
     scene, query = read.study.scene, read.query
     reach = range_of(scene, path, answer)
     low, high = reach[0], reach[-1]
+    kind = KINDS[query.kind]
+    answered = kind.loose_answer if query.hides else kind.answer  # each value of a limit is a search of its own
 
     def result(value: float) -> float | None:
         try:
             other = scene.having(path, value)
             for times in (1.0, LONGER):
                 study = Study.of(other, np.array([0.0, times * other.horizon]))
-                found = KINDS[query.kind].answer(query, study)
+                found = answered(query, study)
                 if found is not None:
                     return float(found)
         except (Sim2ReasonError, ValueError):
@@ -136,7 +138,8 @@ def verdict(prompt: str, answer: float, rng: np.random.Generator) -> str:
     elif given is None:
         return "it states no result"
     else:
-        unknowns = Words.of(read.scene, read.reading.mentions, read.reading.unknown).unknowns
+        words = Words.of(read.scene, read.reading.mentions, read.reading.unknown)
+        unknowns = [found for found in words.unknowns if found.path != read.query.hides]
         if len(unknowns) != 1:
             return f"it leaves {len(unknowns)} numbers unknown"
         result, values = of_number(read, unknowns[0].path, answer)

@@ -137,6 +137,8 @@ class QueryRecord(Record):
     event: str | None = None
     unknown: str | None = None
     """The address of the number that the text leaves open, if it does."""
+    limit_of: str | None = None
+    """The address of the number whose limit is asked for, or given, if one is; the text leaves it open, too."""
     given: FiniteFloat | None = None
     """What the prompt says that the quantity is, where the answer is the unknown, or the time (in `given_unit`)."""
     given_unit: str | None = None

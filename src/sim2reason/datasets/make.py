@@ -90,6 +90,7 @@ def _query_of(found: CertifiedQuestion) -> QueryRecord:
         time=kind.time(query, found.study),
         event=query.moment.label if query.moment is not None else None,
         unknown=found.question.unknown or None,
+        limit_of=query.hides or None,
         given=given.value if given is not None else None,
         given_unit=given.unit if given is not None else None,
     )

@@ -17,7 +17,8 @@ def problem(item: Item) -> str:
     """
     asked = item.asked
     event = without_numbers(asked.event or "")
-    question = item.mode, item.kind, asked.quantity, asked.subject, asked.unknown or "", event
+    left_open = ", ".join(dict.fromkeys(filter(None, (asked.unknown, asked.limit_of))))
+    question = item.mode, item.kind, asked.quantity, asked.subject, left_open, event
     return "\n".join((*question, without_numbers(item.scene)))
 
 

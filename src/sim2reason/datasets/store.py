@@ -38,6 +38,7 @@ SCHEMA = pa.schema(
                 "time": REAL,
                 "event": TEXT,
                 "unknown": TEXT,
+                "limit_of": TEXT,
                 "given": REAL,
                 "given_unit": TEXT,
             }

@@ -61,7 +61,8 @@ def _stated(item: Item) -> list[float | None]:
         parameters = load(item.scene).parameters
     except SceneError:
         return [*numbers_in(item.scene)]
-    return [each.value for each in parameters if not each.hidden and each.path != item.asked.unknown]
+    left_open = item.asked.unknown, item.asked.limit_of
+    return [each.value for each in parameters if not each.hidden and each.path not in left_open]
 
 
 def hashed(variant: Variant) -> int:

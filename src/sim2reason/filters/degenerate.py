@@ -60,7 +60,7 @@ def _least(candidate: Candidate) -> float:
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
     """The numbers of a unit in the text of the scene; of any unit g and those of the question, with which it ends."""
     for parameter in candidate.study.scene.parameters:
-        open_to_all = not parameter.hidden and parameter.path != candidate.question.unknown
+        open_to_all = not parameter.hidden and parameter.path not in candidate.question.left_open
         alike = parameter.measure.unit == unit or parameter.path.startswith("world.")
         if open_to_all and parameter.value is not None and alike:
             yield parameter.value

@@ -7,6 +7,7 @@ from sim2reason.dsl.measures import join_unit
 from sim2reason.filters import FILTERS, Candidate, Filter
 from sim2reason.modes.reverse import unfixed
 from sim2reason.questions.unknown import far_from, range_of
+from sim2reason.questions.words import Words
 
 
 class Identifiable(Filter):
@@ -19,11 +20,10 @@ class Identifiable(Filter):
         question, words = candidate.question, candidate.words
         if not question.unknown or words is None:
             return ""
-        alone = next(found.symbol for found in words.unknowns if found.path == question.unknown).strip("$")
         text = " ".join(candidate.sentences)
-        if not any(_speaks_of(symbol, text) for symbol in (alone, words.symbols.get(question.unknown, alone))):
+        if not all(_speaks_of(path, words, text) for path in question.left_open):
             return "the text has no words for the unknown"
-        return candidate.study.once(("unfixed", question), lambda: unfixed(question, candidate.study))
+        return candidate.study.once(("unfixed", question), lambda: unfixed(question, candidate.study, words))
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """The number, and the range of the others that were tried."""
@@ -35,10 +35,14 @@ class Identifiable(Filter):
             yield f"from {low} to {high} no value of {question.unknown} but {question.answer:.4g} gives the result"
 
 
-def _speaks_of(symbol: str, text: str) -> bool:
-    """Whether a text has a symbol, and not only as the value of the same: *R = $R$*."""
-    own = rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$"
-    return f"${symbol}$" in text and re.search(own, text) is None
+def _speaks_of(path: str, words: Words, text: str) -> bool:
+    """Whether a text has the symbol of a number, alone or one of many, and not only as its own value: *R = $R$*."""
+    alone = next(found.symbol for found in words.unknowns if found.path == path).strip("$")
+    for symbol in (alone, words.symbols.get(path, alone)):
+        own = rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$"
+        if f"${symbol}$" in text and re.search(own, text) is None:
+            return True
+    return False
 
 
 def _plain(symbol: str) -> str:

@@ -38,7 +38,7 @@ class Precision(Filter):
 def _miscounted(candidate: Candidate) -> Iterator[str]:
     """The addresses of numbers that change what is counted as soon as they are rounded."""
     study, question = candidate.study, candidate.question
-    for parameter in (parameter for given in givens(study.scene, question.unknown) for parameter in given.parameters):
+    for parameter in (parameter for given in givens(study.scene, question.left_open) for parameter in given.parameters):
         value = float(study.scene.value(parameter.path))
         half = 0.5 * 10.0 ** -parameter.measure.places(value)
         others = (study.with_values({parameter.path: value + shift}, candidate.until) for shift in (half, -half))

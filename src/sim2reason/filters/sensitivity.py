@@ -24,7 +24,7 @@ class Sensitivity(Filter):
     def reason(self, candidate: Candidate) -> str:
         """Count those that move it beyond the tolerance when they are halved or doubled."""
         scene, query = candidate.study.scene, candidate.question.query
-        given = [given for given in givens(scene, candidate.question.unknown) if given.owner != "world"]
+        given = [given for given in givens(scene, candidate.question.left_open) if given.owner != "world"]
         aside = [effect.subject for effect in effects(candidate, part=True) if effect.close]
         own = _cancelling(candidate.study.mechanism, query.subject)
         excused = [g for g in given if own & {*g.paths} or any(_belongs(g, name) for name in aside)]

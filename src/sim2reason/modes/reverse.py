@@ -5,6 +5,7 @@ from math import isfinite
 
 import numpy as np
 
+from sim2reason.modes.parts.likely_answers import likely_answers
 from sim2reason.questions import (
     KINDS,
     Kind,
@@ -26,7 +27,7 @@ from sim2reason.questions.only_root import Scan
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.study import COARSE, ENOUGH
 from sim2reason.questions.targets import Target, targets
-from sim2reason.questions.unknown import far_from, range_of, some
+from sim2reason.questions.unknown import Unknown, far_from, range_of, some
 
 FIXED = 1e-2  # relative: how well what is given must fix the answer
 DIGITS = (2, 3)  # of what is given: as few as do
@@ -60,13 +61,16 @@ class Reverse(QuestionMode):
         if result is None or not isfinite(result):
             return None
         unit = words.units.spell(asked.measured(query).unit)
-        for unknown in some(words.unknowns, study.scene, rng):
-            drawn, dependence = float(study.scene.value(unknown.path)), Dependence(query, study, unknown.path)
+        for unknown in some(_besides(query, words), study.scene, rng):
+            likely = likely_answers(query, study, words, unknown.path)
+            dependence = Dependence(query, study, unknown.path, likely=likely)
+            drawn = float(study.scene.value(unknown.path))
             dependence.know(drawn, result)
             found = _fixed(dependence, drawn, result, unit)
             values = range_of(study.scene, unknown.path)
             if found is not None and values[0] <= found[1] <= values[-1]:
                 given, answer, elasticity = found
+                query = asked.expecting(query, given.value)
                 text = sentence(chosen(asking_for(unknown, query, given, words, _noun(query, words)), rng))
                 return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
         return None
@@ -92,6 +96,8 @@ class Reverse(QuestionMode):
         heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
             for query, unit in _stated(heard, study, words):
+                if any(other.path not in (unknown.path, query.hides) for other in words.unknowns):
+                    continue
                 noun = _noun(query, words)
                 for given in dict.fromkeys(StatedResult.found(text, unit)):
                     if any(sentence(shape) == text for shape in asking_for(unknown, query, given, words, noun)):
@@ -106,14 +112,14 @@ class Reverse(QuestionMode):
         """The only value in its range for which the query has the answer that is given."""
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
-        for unknown in words.unknowns:
+        for unknown in _besides(asked.query, words):
             dependence = Dependence(asked.query, study, unknown.path, ENOUGH, roomy(study.scene))
             found = roots(dependence, range_of(study.scene, unknown.path), asked.given.value)
             return found[0] if len(found) == 1 else None
         return None
 
 
-def unfixed(question: Question, study: Study) -> str:
+def unfixed(question: Question, study: Study, words: Words) -> str:
     """Why a result does not fix a question's unknown: another value that it does not exclude, or an edge beside it.
 
     Empty where nothing of the kind is seen. With other values bodies may go farther; how far strings let them, no text
@@ -122,7 +128,8 @@ def unfixed(question: Question, study: Study) -> str:
     if question.given is None or not question.unknown:
         return ""
     scene = roomy(study.scene)
-    fine = Dependence(question.query, study, question.unknown, ENOUGH, scene)
+    likely = likely_answers(question.query, study, words, question.unknown)
+    fine = Dependence(question.query, study, question.unknown, ENOUGH, scene, likely)
     if scene is study.scene:
         fine.know(question.answer, question.given.value)
     scan = Scan(fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE))
@@ -140,6 +147,15 @@ def unfixed(question: Question, study: Study) -> str:
         return f"end: behind {end:.3g} {question.unit} there may be another number"
     far = scan.far(far_from(values, question.answer, question.unit))
     return f"far: {far:.3g} {question.unit} is not excluded, or a number before it" if far is not None else ""
+
+
+def _besides(query: Query, words: Words) -> list[Unknown]:
+    """The numbers that a text may leave unknown, or does, but for the one whose limit a query is about.
+
+    Nor is any of the same symbol.
+    """
+    symbols = {found.symbol for found in words.unknowns if found.path == query.hides}
+    return [found for found in words.unknowns if found.path != query.hides and found.symbol not in symbols]
 
 
 def _noun(query: Query, words: Words) -> Noun | None:

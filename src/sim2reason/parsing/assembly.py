@@ -1,5 +1,6 @@
 """From what was read to a scene: told numbers where they belong, hidden ones drawn afresh."""
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,8 @@ from sim2reason.errors import TextError
 from sim2reason.parsing.declarations import thing_at
 from sim2reason.parsing.parse_state import ParsedConnection, ParseState
 from sim2reason.scene_files.mistakes import explained
+
+MOST = 2  # numbers that a text leaves unknown: one that it asks for, and one whose limit it gives
 
 
 def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -> Scene:
@@ -30,11 +33,16 @@ def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -
     return Scene(entities=tuple(entities), connections=connections, world=World.model_validate(told))
 
 
+def untold(symbols: Iterable[str]) -> TextError:
+    """That a text leaves more numbers unknown than its question asks for."""
+    return TextError("text", f"it does not tell {' and '.join(symbols)}", "leave one number unknown")
+
+
 def _guessed(state: ParseState, share: float) -> ParseState:
     """A state with numbers in place of symbols; TextError for symbols of several numbers, or of what has no range."""
     unknowns = state.unknowns
-    if len(unknowns) > 1:
-        raise TextError("text", f"it does not tell {' and '.join(unknowns.values())}", "leave one number unknown")
+    if len(unknowns) > MOST:
+        raise untold(unknowns.values())
     values = dict(state.values)
     for path, symbol in unknowns.items():
         owner, _, name = path.rpartition(".")

@@ -66,6 +66,11 @@ class Question:
     assumed: tuple[Regime, ...] = ()
 
     @property
+    def left_open(self) -> tuple[str, ...]:
+        """The addresses of the numbers that the text must not tell: its unknown, and that whose limit is meant."""
+        return tuple(path for path in dict.fromkeys((self.unknown, self.query.hides)) if path)
+
+    @property
     def result(self) -> float:
         """The answer to its query: what is given where a number is unknown, else the answer itself."""
         return self.given.value if self.given is not None and self.unknown else self.answer
@@ -116,8 +121,9 @@ class QuestionMode(ABC):
         return question
 
     def described(self, question: Question, description: Description) -> Description:
-        """The text of the scene as a question needs it; by default with its unknown, if it has one, by its name."""
-        return with_names(description.voiced(hiding(question.unknown))) if question.unknown else description
+        """The text of the scene as a question needs it; by default with what it leaves open by its name."""
+        left_open = question.left_open
+        return with_names(description.voiced(hiding(*left_open))) if left_open else description
 
     @abstractmethod
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:

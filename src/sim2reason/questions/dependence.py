@@ -17,7 +17,7 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import flies_off, nothing_new
-from sim2reason.questions.study import BEYOND, SHORTEST, Study
+from sim2reason.questions.study import BEYOND, COARSE, SHORTEST, Study
 from sim2reason.questions.unknown import LENGTHS
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
@@ -42,14 +42,22 @@ class Dependence:
     """How a query's answer depends on the number at an address of the scene, all others being what they are."""
 
     def __init__(
-        self, query: Query, study: Study, path: str, error: float = FINEST, scene: Scene | None = None
+        self,
+        query: Query,
+        study: Study,
+        path: str,
+        error: float = FINEST,
+        scene: Scene | None = None,
+        likely: Callable[[float], float] | None = None,
     ) -> None:
         """`study` is that of any scene in which that number has some value; `error` is what a step may err by.
 
-        `scene` may be another one that a text can not tell from it.
+        `scene` may be another one that a text can not tell from it. `likely` answers are looked for first, where a kind
+        looks for its answers.
         """
         moment = query.moment.first() if query.moment is not None else None
         self._query, self._study, self._path = replace(query, moment=moment), study, path
+        self._likely = likely
         self._scene = scene or study.scene
         self._as_asked = moment == query.moment
         self._error = error
@@ -66,7 +74,7 @@ class Dependence:
 
     def coarser(self, error: float) -> "Dependence":
         """The same with steps that may err by more; what one learns of when to wait for an answer the other knows."""
-        found = Dependence(self._query, self._study, self._path, error, self._scene)
+        found = Dependence(self._query, self._study, self._path, error, self._scene, self._likely)
         found._times, found._late = self._times, self._late
         return found
 
@@ -104,9 +112,10 @@ class Dependence:
         What can not be followed any longer is as late as what is not: something may come yet.
         """
         kind = KINDS[self._query.kind]
+        query = kind.expecting(self._query, self._likely(value) if self._likely is not None else 0.0)
         for until in stages:
             other = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, until]), self._error))
-            found = kind.loose_answer(self._query, other)
+            found = kind.loose_answer(query, other)
             self._late.discard(value)
             if found is not None:
                 self._note(value, other)
@@ -281,8 +290,9 @@ def roots(dependence: Dependence, values: Sequence[float], given: float) -> list
 
     Between a value that has an answer and one that has none the last ones that do are looked for, too.
     """
-    tried = sorted({*values, *(at for pair in pairwise(values) for at in towards_border(dependence, *pair))})
-    excess = [(at, found - given) for at in tried if (found := dependence(at)) is not None]
+    coarse = dependence.coarser(COARSE)
+    tried = sorted({*values, *(at for pair in pairwise(values) for at in towards_border(coarse, *pair))})
+    excess = [(at, found - given) for at in tried if (found := coarse(at)) is not None]
     pairs = [(low, high) for (low, a), (high, b) in pairwise(excess) if (a > 0.0) != (b > 0.0)]
     found = (dependence.between(given, low, high) for low, high in pairs)
     return [root for root in found if root is not None]

@@ -11,6 +11,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import SimulationError, TextError
 from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
+from sim2reason.parsing.assembly import untold
 from sim2reason.prose.symbol_names import without_names
 from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Study, Words
 from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMBOLIC, WHOLE
@@ -65,7 +66,7 @@ class ParsedPrompt:
 
     def _factor(self, words: Words) -> float:
         """What to multiply by what the scene and its motion count in, to have it in the unit that the text asks for."""
-        unknown = next(iter(words.unknowns), None)
+        unknown = next((found for found in words.unknowns if found.path != self.query.hides), None)
         if self.asked.given is not None and unknown is not None:
             unit = unknown.unit
         else:
@@ -127,6 +128,8 @@ def _understood(
     words = _in_symbols(_words(reading), draft, given) if given else _words(reading)
     asked = (mode.parsed(draft.question, study, words) for mode in MODES.values())
     found = next((each for each in asked if each is not None), None)
+    if found is None and len(reading.unknown) > 1:
+        raise untold(reading.unknown.values())
     if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
     if "start" in reading.without and KINDS[found.query.kind].of_motion(found.query):

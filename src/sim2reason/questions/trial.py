@@ -71,14 +71,23 @@ class Trial:
         turns = self._turns(range_of(self._scene, self._path)) if self._roughly() is not None else []
         return self.between(*turns[0]) if len(turns) == 1 else None
 
-    def changes_at(self, value: float, *, above: bool) -> bool:
-        """Whether the outcome comes about just above a value and not just below it, or else the other way round."""
-        return self(value * (1.0 + SAME)) is above and self(value * (1.0 - SAME)) is not above
+    def changes_at(self, value: float, *, above: bool, error: float = FINEST) -> bool:
+        """Whether the outcome comes about just above a value and not just below it, or else the other way round.
 
-    def rough_change(self) -> float | None:
-        """Where the outcome changes, if a few points of the range show just one change."""
+        `error` is what a step may err by, up to what still tells these sides apart.
+        """
+        error = min(error, ENOUGH)
+        return self(value * (1.0 + SAME), error) is above and self(value * (1.0 - SAME), error) is (not above)
+
+    def rough_change(self, *, above: bool, error: float = FINEST) -> float | None:
+        """Where the outcome changes, if a few points of the range show just one change, the way that `above` says.
+
+        `error` is what a step may err by; where that is much, it is not closed in on as far.
+        """
         turn = self._roughly()
-        return self.between(*turn) if turn is not None else None
+        if turn is None or self(turn[1], COARSE) is not above:
+            return None
+        return self.between(*turn, EXACT if error <= ENOUGH else ROUGH, error)
 
     def usual_change(self) -> float | None:
         """Where the outcome changes near what is drawn, if a few points of the range show just one change.

@@ -20,11 +20,15 @@ LONGEST = 40  # formulas put into each other
 def forward(setting: Setting) -> Setting:
     """Of *when is the speed 2.1 m/s?*: what is the speed at the time t, the answer; of a threshold the limiting case.
 
-    Else the setting itself.
+    There the number whose limit is meant has that value; where a result states it, another number is the unknown. Else
+    the setting itself.
     """
     if isinstance(setting.query, ThresholdQuery) and setting.answer is not None and setting.sought is None:
-        path, value = setting.query.parameter, setting.answer
-        return replace(setting, scene=setting.scene.having(path, value), unknown=path, sought=value)
+        path, sought = setting.query.parameter, setting.answer
+        limit = sought if setting.stated is None else setting.stated.value
+        unknown = path if setting.stated is None else setting.unknown
+        scene = setting.scene.having(path, limit)
+        return replace(setting, scene=scene, unknown=unknown, stated=None, sought=sought)
     moment = setting.query.moment
     if not isinstance(moment, Reached) or setting.answer is None:
         return setting

@@ -123,7 +123,9 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
     letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
     nouns = {type(body): _noun(mentions[address]) for address, body in scene.bodies.items() if address in mentions}
     named = Writer(scene, Names(letters, nouns), np.random.default_rng(0), numeric).symbols
-    study, given, unknown = parsed.study, parsed.asked.given, next(iter(parsed.reading.unknown), "")
+    study, given = parsed.study, parsed.asked.given
+    limited = parsed.query.hides if given is not None else ""
+    unknown = next((path for path in parsed.reading.unknown if path != limited), "")
     if unknown and given is not None:
         answer = parsed.counted
         if answer is None:

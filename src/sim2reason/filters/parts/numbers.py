@@ -1,6 +1,6 @@
 """How much an answer moves with each stated number."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 from sim2reason.dsl.model import Parameter
@@ -53,11 +53,11 @@ class Elasticity:
     reordered: bool  # whether the shift changes what happens on the way, or the answer is gone
 
 
-def givens(scene: Scene, unknown: str = "") -> list[Given]:
-    """What the text says in numbers; zeros, what a word tells and what is `unknown` are not among it."""
+def givens(scene: Scene, left_open: Collection[str] = ()) -> list[Given]:
+    """What the text says in numbers; zeros, what a word tells and what it has `left_open` are not among it."""
     found: dict[tuple[str, str], list[Parameter]] = {}
     for parameter in scene.parameters:
-        if parameter.path != unknown and _is_said(scene, parameter):
+        if parameter.path not in left_open and _is_said(scene, parameter):
             name = parameter.measure.name
             owner = parameter.path.rpartition(".")[0]
             found.setdefault((owner, name) if name in VECTORS else (parameter.path, ""), []).append(parameter)
@@ -76,7 +76,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
     """That of the answer to all that is given, each shifted by one part in a thousand."""
     study = candidate.study
     before = study.trace.story(candidate.time)
-    for given in givens(study.scene, candidate.question.unknown):
+    for given in givens(study.scene, candidate.question.left_open):
         other = shifted(study, given, candidate.until)
         answer = candidate.response(other)
         if other is None or answer is None:

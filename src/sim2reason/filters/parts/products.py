@@ -130,7 +130,7 @@ def _halves(power: float) -> int | None:
 def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
     """The numbers on which what is seen of the answer hangs; None if one is a vector, or the answer is lost with it."""
     study, question, found = candidate.study, candidate.question, list[Factor]()
-    for given in givens(study.scene, question.unknown):
+    for given in givens(study.scene, question.left_open):
         other = shifted(study, given, candidate.until)
         there = candidate.response(other)
         if other is None or there is None:

@@ -80,7 +80,10 @@ class Kind(ABC):
         return self.answer(query, study)
 
     def expecting(self, query: Query, answer: float) -> Query:
-        """A query with the answer that it likely has, where that helps to find it; by default as it is."""
+        """A query with the answer that it likely has, where that helps to find it; with 0 it is not known.
+
+        By default as it is.
+        """
         del answer
         return query
 

@@ -18,6 +18,7 @@ from sim2reason.questions.unknown import is_usual, some
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import WITNESS, Certificate
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import FINEST
 
 CLOSE = NEARLY * TOLERANCE  # relative: how far from it one of a changed mechanism is looked for
 FAR = 4.0  # times: how far from it a wrong answer is looked for
@@ -96,10 +97,10 @@ class ThresholdKind(Kind):
         """Where the outcome changes the way that is asked about, there or between a few values of the whole range."""
         assert isinstance(query, ThresholdQuery)
         trial, above = query.trial(study), query.greatest is not query.happens
-        if query.about and trial.changes_at(query.about, above=above):
+        error = study.trace.tolerance or FINEST
+        if query.about and trial.changes_at(query.about, above=above, error=error):
             return query.about
-        found = trial.rough_change()
-        return found if found is not None and trial.changes_at(found, above=above) else None
+        return trial.rough_change(above=above, error=error)
 
     def expecting(self, query: Query, answer: float) -> Query:
         """Where the outcome likely changes."""
@@ -145,18 +146,22 @@ class ThresholdKind(Kind):
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """As in: what is the mass of B above which A begins to slip; what is the greatest for which A stays at rest?"""
+        return tuple(shape for called in self.called(query, words, noun) for shape in _asking(called))
+
+    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """As in: the mass of B above which A begins to slip; the greatest mass of B for which A stays at rest."""
         del noun
         assert isinstance(query, ThresholdQuery)
         assert query.outcome is not None
         phrases = next((found.phrases for found in words.unknowns if found.path == query.parameter), ())
-        clauses = query.outcome.does(words) if query.happens else query.outcome.does_not(words)
         if query.happens:
             side = "below which" if query.greatest else "above which"
             limits = tuple(f"{_value(phrase)} {side}" for phrase in phrases)
         else:
             extremes = ("greatest", "largest") if query.greatest else ("least", "smallest")
             limits = tuple(f"{_extreme(*found)} for which" for found in product(extremes, phrases))
-        return tuple(shape for limit, clause in product(limits, clauses) for shape in _asking(f"{limit} {clause}"))
+        clauses = query.outcome.does(words) if query.happens else query.outcome.does_not(words)
+        return tuple(f"{limit} {clause}" for limit, clause in product(limits, clauses))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Every outcome of whatever is named, with every number that the text may leave unknown."""

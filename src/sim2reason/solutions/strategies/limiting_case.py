@@ -48,13 +48,12 @@ class LimitingCase(Strategy):
 
     def write(self, setting: Setting, book: Book) -> str:
         """Newton's laws as if it moved, the acceleration set to zero."""
-        query, sought = setting.query, book.sought
-        assert isinstance(query, ThresholdQuery)
+        path, sought = setting.unknown, book.sought
         draft = book.copy()
         self._written(setting, draft)
-        value = draft.values[sought] / setting.lexicon.givens[query.parameter].scale
+        value = draft.values[sought] / setting.lexicon.givens[path].scale
         book.values[sought] = draft.values[sought]  # the engine has it as well as it sees what moves
-        return self._written(replace(setting, scene=setting.scene.having(query.parameter, value)), book)
+        return self._written(replace(setting, scene=setting.scene.having(path, value)), book)
 
     def _written(self, setting: Setting, book: Book) -> str:
         query = setting.query
@@ -80,11 +79,10 @@ class LimitingCase(Strategy):
 
 def _moving(setting: Setting, query: ThresholdQuery) -> Segment:
     """The start of the motion next to the limit, on the side where it comes about."""
-    assert setting.sought is not None
-    trial = query.trial(setting.study)
+    trial, limit = query.trial(setting.study), float(setting.scene.value(query.parameter))
     for side in (1.0 + ASIDE, 1.0 - ASIDE):
-        if trial(setting.sought * side):
-            scene = setting.scene.having(query.parameter, setting.sought * side)
+        if trial(limit * side):
+            scene = setting.scene.having(query.parameter, limit * side)
             return motion(scene.mechanism, INSTANT).segments[0]
     raise UnsolvedError("it comes about on neither side of the limit")
 
