@@ -30,7 +30,8 @@ sys.path += [str(HERE), str(SUPPORT)]
 
 from fake_makers import steady  # noqa: E402 - it lies where the path now leads
 from sim2reason.datasets.dataset import Dataset  # noqa: E402 - the same
-from sim2reason.datasets.plan import Made, Request  # noqa: E402 - the same
+from sim2reason.datasets.plan import Made  # noqa: E402 - the same
+from sim2reason.datasets.request import Request  # noqa: E402 - the same
 from sim2reason.datasets.store import count  # noqa: E402 - the same
 from sim2reason.errors import Sim2ReasonError  # noqa: E402 - the same
 

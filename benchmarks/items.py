@@ -25,8 +25,8 @@ from time import process_time
 from against import PHASE, ROOT, Figures, checked_out, compare, fixed_loop, medians, parser, told
 
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.worker import collect_seldom
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SimulationError, UnsupportedError
@@ -55,7 +55,7 @@ from against import PHASE, fixed_loop
 from sim2reason import filters
 from sim2reason.datasets import worker
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 count, mode, recipes = int(sys.argv[1]), sys.argv[2], sys.argv[3].split(",")
 kinds, refusing = (set(names.split(",")) - {{""}} for names in sys.argv[4:6])
 if refusing:

@@ -20,7 +20,7 @@ from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
-from sim2reason.datasets.plan import SI, Request
+from sim2reason.datasets.request import SI, Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve

@@ -21,7 +21,7 @@ import sympy
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import FormulaRecord, Item
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.errors import TextError
 from sim2reason.prose.formula_numbers import said_in
 from sim2reason.questions.parse_prompt import parse_prompt

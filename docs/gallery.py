@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.errors import FigureWarning
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing

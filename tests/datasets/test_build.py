@@ -11,7 +11,8 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.journal import FOLDER
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, refused
 from sim2reason.datasets.places.here import cores
-from sim2reason.datasets.plan import LARGEST, Config
+from sim2reason.datasets.plan import Config
+from sim2reason.datasets.request import LARGEST
 from sim2reason.errors import DatasetError
 
 Make = Callable[..., Manifest]

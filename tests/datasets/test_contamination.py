@@ -17,7 +17,7 @@ from sim2reason.datasets import benchmark_files, contamination
 from sim2reason.datasets.contamination import RUN, Benchmarks, words
 from sim2reason.datasets.generate import Order, generate
 from sim2reason.datasets.manifest import refused
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.errors import DatasetError
 
 ORIGINAL = (

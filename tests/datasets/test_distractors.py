@@ -9,7 +9,7 @@ from sim2reason.datasets.grade import grade_answer
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.items import item
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading
 from sim2reason.recipes import Difficulty
 from sim2reason.rewards import boxed

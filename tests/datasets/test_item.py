@@ -8,7 +8,7 @@ from pydantic import ValidationError
 from fake_makers import steady
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.store import read, write
 
 

@@ -13,7 +13,8 @@ import fake_makers
 from sim2reason.datasets import lazy
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.lazy import MOST, LazyProblems
-from sim2reason.datasets.plan import Config, Made, Request
+from sim2reason.datasets.plan import Config, Made
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.splits import split_of
 from sim2reason.errors import DatasetError, DrawError
 

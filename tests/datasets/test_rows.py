@@ -117,7 +117,7 @@ READERS: list[Rows] = [
 def items() -> list[Item]:
     """A number with a sign, one without a unit, and a formula."""
     from fake_makers import steady
-    from sim2reason.datasets.plan import Request
+    from sim2reason.datasets.request import Request
 
     bindings = tuple(Binding(numbers=(angle, 9.8), answer=9.8 * np.sin(angle)) for angle in (0.5, 0.6, 0.7, 0.8))
     formula = FormulaRecord(latex=r"g\sin\theta", symbols=(r"\theta", "g"), units=("deg", "m/s^2"), bindings=bindings)

@@ -9,7 +9,7 @@ from shared_items import SharedItems
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import Manifest
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.splits import problem, split_of
 
 Make = Callable[..., Manifest]

@@ -12,7 +12,7 @@ import pytest
 from fake_makers import steady
 from sim2reason.benchmarks.parts import files
 from sim2reason.datasets import store
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 
 
 class Watched(BytesIO):

@@ -17,7 +17,8 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.distinct import Marks, doubles
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import Manifest, refused
-from sim2reason.datasets.plan import Config, Request
+from sim2reason.datasets.plan import Config
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.variants import variant
 
 Make = Callable[..., Manifest]

@@ -8,7 +8,7 @@ import pytest
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.items import item, stream
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import check, in_drawn_order, weight
 from sim2reason.errors import DatasetError
 from sim2reason.filters.few_laws import FEW_LAWS

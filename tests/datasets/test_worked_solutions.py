@@ -12,7 +12,8 @@ from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.plan import Config, Request
+from sim2reason.datasets.plan import Config
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.store import read, write
 from sim2reason.datasets.worked_solutions import recorded
 from sim2reason.solutions import Solution

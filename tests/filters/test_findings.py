@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.filters import FILTERS
 
 

@@ -10,8 +10,8 @@ import pytest
 from plain_scenes import atwood, ramp, row, table
 from sim2reason.bodies.ball import Ball
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.measures import join_unit
 from sim2reason.dsl.scene import Scene

@@ -9,8 +9,8 @@ from plain_scenes import half_atwood
 from sim2reason.bodies.ball import Ball
 from sim2reason.bodies.hanger import LightRod
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.pendulum import Pendulum

@@ -11,9 +11,9 @@ from sim2reason.bodies.block import Block
 from sim2reason.bodies.hanger import Cord, LightRod
 from sim2reason.bodies.plane import Plane
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
+from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.pendulum import Pendulum

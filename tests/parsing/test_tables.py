@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.questions.parse_prompt import parse_prompt
 
 

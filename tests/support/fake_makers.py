@@ -6,7 +6,8 @@ import time
 from dataclasses import replace
 
 from sim2reason.datasets.item import Answer, Binding, Distractor, FormulaRecord, Item, Provenance, QueryRecord
-from sim2reason.datasets.plan import Made, Request
+from sim2reason.datasets.plan import Made
+from sim2reason.datasets.request import Request
 
 BAD = 7  # the index of the item that goes wrong
 

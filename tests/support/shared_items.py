@@ -6,7 +6,7 @@ from pathlib import Path
 
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import make
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 
 SEED = 77
 NONE = "null"

@@ -14,7 +14,7 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.items import stream
 from sim2reason.datasets.names import modes_named
-from sim2reason.datasets.plan import LARGEST
+from sim2reason.datasets.request import LARGEST
 
 __all__ = ["SYNTHETIC", "Synthetic", "benchmark_item"]
 

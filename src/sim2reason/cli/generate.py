@@ -11,7 +11,8 @@ from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.generate import ITEMS, Order, configured
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
-from sim2reason.datasets.plan import DISTANCE, LARGEST, LARGEST_SHARD, LICENSE, MAKER, SHARD
+from sim2reason.datasets.plan import DISTANCE, LARGEST_SHARD, LICENSE, MAKER, SHARD
+from sim2reason.datasets.request import LARGEST
 
 EXAMPLE = """\b
 Example:
@@ -36,6 +37,7 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
 @options.seed("Another seed, other problems.")
 @options.weights()
 @options.units()
+@options.tolerance()
 @click.option("--solutions", is_flag=True, help="With a worked solution of each problem, where there is one.")
 @click.option("--unfiltered", is_flag=True, help="A control: keep any question that has an answer.")
 @click.option(

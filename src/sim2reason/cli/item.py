@@ -22,6 +22,7 @@ Example:
 @options.index("Which problem of the series.")
 @options.weights()
 @options.units()
+@options.tolerance()
 @click.option("--solutions", is_flag=True, help="With its worked solution, where there is one.")
 @options.figure(printing=True)
 @click.option("--scene", "with_scene", is_flag=True, cls=options.Printing, help="Print the scene too.")
@@ -34,6 +35,7 @@ def command(
     index: int,
     weights: dict[str, float],
     units: str,
+    tolerance: float,
     solutions: bool,
     figure: Path | None,
     with_scene: bool,
@@ -46,7 +48,7 @@ def command(
 
     if figure is not None:
         canvas.check(figure)
-    request = requested(recipe, difficulty, mode, seed, index, weights, units, solutions=solutions)
+    request = requested(recipe, difficulty, mode, seed, index, weights, units, tolerance=tolerance, solutions=solutions)
     item, found = made(request)
     if figure is not None:
         with results.warnings_told(), results.written(figure) as path:

@@ -10,6 +10,7 @@ from sim2reason.cli.console import RESULT, words
 
 ALL = "all"
 LARGEST = 2**63 - 1  # as of a seed of a dataset, whose module would load too much for --help
+STRICTEST, TOLERANCE = 0.005, 0.05  # as of an item's answer, likewise
 Names = str | tuple[str, ...]
 """One name, several, or all."""
 F = TypeVar("F", bound=Callable[..., Any])
@@ -125,6 +126,13 @@ def units() -> Callable[[F], F]:
     """In which units texts speak."""
     text = "In which texts speak: SI, cgs, or mixed (cm, g and km/h, else SI)."
     return click.option("--units", default="SI", show_default=True, help=text)
+
+
+def tolerance() -> Callable[[F], F]:
+    """Which relative error an answer may have."""
+    text = "The relative error that an answer may have, and by which filters judge; from 0.005 on."
+    kind = click.FloatRange(STRICTEST, TOLERANCE)
+    return click.option("--tolerance", type=kind, default=TOLERANCE, show_default=True, help=text)
 
 
 def out(text: str, *, required: bool = False, printing: bool = True) -> Callable[[F], F]:

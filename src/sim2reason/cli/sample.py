@@ -21,12 +21,21 @@ It is the scene of: sim2reason item --recipe pulley --difficulty medium --seed 7
 @options.seed("Which series of scenes.")
 @options.index("Which scene of the series.")
 @options.weights()
+@options.tolerance()
 @options.out("Where to write it; standard output if left out.")
 def command(
-    recipe: str, difficulty: str, mode: str, seed: int, index: int, weights: dict[str, float], out: Path | None
+    recipe: str,
+    difficulty: str,
+    mode: str,
+    seed: int,
+    index: int,
+    weights: dict[str, float],
+    tolerance: float,
+    out: Path | None,
 ) -> None:
     """Draw a random scene: that of the problem of the same recipe, difficulty, mode, seed and index."""
     from sim2reason.datasets.items import sample
     from sim2reason.scene_files import dump
 
-    results.tell(dump(sample(recipe, difficulty, mode, seed=seed, index=index, weights=weights)), out)
+    scene = sample(recipe, difficulty, mode, seed=seed, index=index, weights=weights, tolerance=tolerance)
+    results.tell(dump(scene), out)

@@ -13,7 +13,9 @@ from sim2reason.datasets.examples import Example
 from sim2reason.datasets.histograms import SHOWN
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest
 from sim2reason.datasets.pictures import of_example, of_histogram
-from sim2reason.datasets.plan import DATA, DISTANCE, LICENSE, SI, TRAIN, Config
+from sim2reason.datasets.plan import DATA, DISTANCE, LICENSE, TRAIN, Config
+from sim2reason.datasets.request import SI
+from sim2reason.questions.tolerance import TOLERANCE
 
 SIZES = (
     *((10**3, "n<1K"), (10**4, "1K<n<10K"), (10**5, "10K<n<100K"), (10**6, "100K<n<1M"), (10**7, "1M<n<10M")),
@@ -184,6 +186,7 @@ def command(config: Config) -> str:
         f"--mode {','.join(config.modes)} --seed {config.seed} --shard-size {config.shard}",
         f"--weights {_pairs(config.weights)}" * bool(config.weights),
         f"--units {config.units}" * (config.units != SI),
+        f"--tolerance {config.tolerance:g}" * (config.tolerance != TOLERANCE),
         "--solutions" * config.solutions,
         "--unfiltered" * config.unfiltered,
         f"--split {_pairs(config.split)}" * (list(config.split) != [TRAIN]),

@@ -5,7 +5,8 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.plan import MAKER, Config, Request
+from sim2reason.datasets.plan import MAKER, Config
+from sim2reason.datasets.request import Request
 from sim2reason.errors import FigureWarning, MissingExtraError, Sim2ReasonError
 
 EXAMPLES = 6

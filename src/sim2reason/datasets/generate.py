@@ -12,12 +12,13 @@ from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.places import HERE
-from sim2reason.datasets.plan import ALL, MAKER, SI, Config, Names, numbers, whole
+from sim2reason.datasets.plan import ALL, MAKER, Config, Names, numbers
+from sim2reason.datasets.request import SI, whole
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.questions.spoken_units import system_named
 
 ITEMS = 1000
-AS_GIVEN = "seed", "shard", "maker", "solutions", "unfiltered", "weights", "split", "distance", "license"
+AS_GIVEN = "seed", "shard", "maker", "solutions", "unfiltered", "weights", "split", "distance", "license", "tolerance"
 NUMBERS = "items", "seed", "shard"
 
 
@@ -33,6 +34,8 @@ class Order(TypedDict, total=False):
     """How often kinds of question are asked: ``{"period": 2, "reverse.count": 0}``."""
     units: str
     """The system in which texts speak: ``SI``, ``cgs`` or ``mixed``."""
+    tolerance: float
+    """The relative error that an answer may have, and by which filters judge: from 0.005 to 0.05."""
     solutions: bool
     """Whether items come with worked solutions."""
     unfiltered: bool

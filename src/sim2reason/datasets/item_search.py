@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import NOTHING, CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import in_drawn_order
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.filters.few_laws import FEW_LAWS
@@ -99,6 +99,7 @@ class ItemSearch:
                     self._difficulty,
                     unfiltered=self._request.unfiltered,
                     quantities=frozenset(self._request.quantities),
+                    tolerance=self._request.tolerance,
                 )
             except (SceneError, SimulationError, UnsupportedError) as error:
                 self.rejected[_counted(error)] += 1

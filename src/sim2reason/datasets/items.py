@@ -6,12 +6,14 @@ from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of, make
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
-from sim2reason.datasets.plan import ALL, SI, Config, Names, Request, numbers, whole
+from sim2reason.datasets.plan import ALL, Config, Names, numbers
 from sim2reason.datasets.question_search import CertifiedQuestion
+from sim2reason.datasets.request import SI, Request, whole
 from sim2reason.datasets.weights import check
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError
 from sim2reason.questions.spoken_units import system_named
+from sim2reason.questions.tolerance import TOLERANCE
 
 
 def item(  # noqa: PLR0913 - the coordinates of a problem, by name
@@ -23,20 +25,24 @@ def item(  # noqa: PLR0913 - the coordinates of a problem, by name
     index: int = 0,
     weights: Mapping[str, float] | None = None,
     units: str = SI,
+    tolerance: float = TOLERANCE,
     solutions: bool = False,
 ) -> Item:
     """The `index`-th problem of a recipe, difficulty, mode and seed: the same one wherever and whenever it is made.
 
     `weights` say how often kinds of question are asked, compared with others: ``{"period": 2, "reverse.count": 0}``.
     `units` is the system in which it is told: ``SI``, ``cgs``, or ``mixed`` (cm, g and km/h beside the SI).
+    `tolerance` is the relative error that an answer may have, and by which filters judge: from 0.005 to 0.05.
     With `solutions` it has its worked solution.
 
     Raises:
         DatasetError: a weight that makes no sense.
         UnknownNameError: no such recipe, difficulty, mode or units.
-        DrawError: a negative seed or index, or no draw passed the filters within the budget; take another index.
+        DrawError: a negative seed or index, a tolerance out of range, or no draw passed the filters within the budget;
+            take another index.
     """
-    return made(requested(recipe, difficulty, mode, seed, index, weights, units, solutions=solutions))[0]
+    how = weights, units
+    return made(requested(recipe, difficulty, mode, seed, index, *how, tolerance=tolerance, solutions=solutions))[0]
 
 
 def sample(
@@ -47,9 +53,10 @@ def sample(
     seed: int = 0,
     index: int = 0,
     weights: Mapping[str, float] | None = None,
+    tolerance: float = TOLERANCE,
 ) -> Scene:
     """The scene of the `item` of these coordinates; it raises what that does."""
-    return _found(requested(recipe, difficulty, mode, seed, index, weights, SI)).study.scene
+    return _found(requested(recipe, difficulty, mode, seed, index, weights, SI, tolerance=tolerance)).study.scene
 
 
 def stream(  # noqa: PLR0913 - the same
@@ -61,12 +68,13 @@ def stream(  # noqa: PLR0913 - the same
     start: int = 0,
     weights: Mapping[str, float] | None = None,
     units: str = SI,
+    tolerance: float = TOLERANCE,
     solutions: bool = False,
 ) -> Iterator[Item]:
     """Problems without end, dealt in turn to the recipes, difficulties and modes; `start` goes straight to a position.
 
-    The few requests that no draw fills are passed over, as in a dataset. `weights`, `units` and `solutions` are those
-    of `item`.
+    The few requests that no draw fills are passed over, as in a dataset. `weights`, `units`, `tolerance` and
+    `solutions` are those of `item`.
 
     Raises:
         UnknownNameError: no such recipe, difficulty, mode or units.
@@ -82,6 +90,7 @@ def stream(  # noqa: PLR0913 - the same
         seed=whole("seed", seed),
         weights=numbers("weights", weights or {}),
         units=system_named(units).name,
+        tolerance=tolerance,
         solutions=solutions,
     )
     check(config.weights, config.modes, config.recipes)
@@ -101,13 +110,15 @@ def requested(  # noqa: PLR0913 - the same
     weights: Mapping[str, float] | None,
     units: str,
     *,
+    tolerance: float = TOLERANCE,
     solutions: bool = False,
 ) -> Request:
     """The request of some coordinates; it raises what `item` does of them."""
     given = numbers("weights", weights or {})
     check(given, modes_named((mode,)), recipes_named((recipe,)))
     ordered = tuple(sorted(given.items()))
-    return Request(recipe, difficulty, mode, seed, index, ordered, system_named(units).name, solutions)
+    how = system_named(units).name, solutions
+    return Request(recipe, difficulty, mode, seed, index, ordered, *how, tolerance=tolerance)
 
 
 def made(request: Request) -> tuple[Item, CertifiedQuestion]:

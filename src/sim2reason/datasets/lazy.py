@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.item import Item
-from sim2reason.datasets.plan import TRAIN, Config, Request, load_maker
+from sim2reason.datasets.plan import TRAIN, Config, load_maker
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.splits import split_of
 from sim2reason.errors import DatasetError, DrawError
 

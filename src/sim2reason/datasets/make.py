@@ -10,8 +10,9 @@ from sim2reason.datasets.distractors import distractors, idle_numbers, idle_part
 from sim2reason.datasets.in_units import told_in
 from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, Provenance, QueryRecord
 from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.plan import Made, Request, versions
+from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.question_search import CertifiedQuestion
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import recorded, worked
 from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named

@@ -13,7 +13,8 @@ from sim2reason.datasets.atomic_files import canonical
 from sim2reason.datasets.cells import Cell, empty
 from sim2reason.datasets.histograms import Counted
 from sim2reason.datasets.item import Record
-from sim2reason.datasets.plan import Config, Request
+from sim2reason.datasets.plan import Config
+from sim2reason.datasets.request import Request
 from sim2reason.errors import DatasetError
 
 MANIFEST, SHARDS = "manifest.json", "shards.jsonl"

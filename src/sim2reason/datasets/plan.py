@@ -6,31 +6,28 @@ import platform
 import re
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
 from importlib.metadata import version
 from itertools import product
 from math import isclose
 from numbers import Real
-from operator import index as as_index
-from typing import Annotated, Self, SupportsIndex, cast
+from typing import Annotated, cast
 
 from annotated_types import Ge, Le, MinLen
 from pydantic import Field, field_validator
 
 from sim2reason.datasets.benchmark_files import BenchmarkFile
 from sim2reason.datasets.item import Item, Record
+from sim2reason.datasets.request import LARGEST, SI, Request, Weights
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.lazy import cached_property
+from sim2reason.questions.tolerance import STRICTEST, TOLERANCE
 from sim2reason.recipes import DIFFICULTIES
 
 MAKER = "sim2reason.datasets.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
-LARGEST = 2**63 - 1
-"""The largest seed and index: columns of a shard hold no more."""
-SI = "SI"
-"""The system of units of which a text speaks by default."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
 LARGEST_SHARD = 100_000  # rows: what a process holds in memory at once, some 300 MB
 DATA = "data"
@@ -50,19 +47,10 @@ SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 ALL = "all"
 Names = str | Sequence[str]
 """One name, several, or ``all``."""
-Weights = tuple[tuple[str, float], ...]
-"""Pairs of a name and a weight."""
-UNFILTERED = "unfiltered"
-"""What stands in the id of an item that no filter has seen."""
 SHARES = "--split train=0.9,test=0.1"
 """What shares of splits look like."""
 _SPLIT = re.compile(r"[a-z][a-z0-9_]{0,30}")
 _LICENSE = re.compile(r"[a-z0-9][a-z0-9.+-]{0,39}")
-_ID = re.compile(
-    r"(?P<recipe>[^-].{0,80}?)-(?P<difficulty>[a-z]{1,20})-(?P<mode>[a-z]{1,20})-(?P<seed>\d{1,19})-(?P<index>\d{1,19})"
-    rf"(?:-(?P<units>(?!{UNFILTERED})[a-z]{{1,20}}(?<![0-9a-f]{{8}})))?(?P<unfiltered>-{UNFILTERED})?"
-    r"(?:-(?P<weights>[0-9a-f]{8}))?"
-)
 
 
 def several(what: str, names: object) -> tuple[str, ...]:
@@ -82,80 +70,6 @@ def numbers(what: str, pairs: object) -> dict[str, float]:
         if not isinstance(name, str) or not isinstance(size, Real):
             raise DatasetError(f"{what}: {name!r}: {size!r} is no number of that name; write as in {{'period': 2}}")
     return cast("dict[str, float]", dict(found))
-
-
-def whole(name: str, value: object) -> int:
-    """A coordinate: a whole number from 0 on, but not True or False; DrawError names it."""
-    try:
-        found = as_index(cast("SupportsIndex", value)) if not isinstance(value, bool) else -1
-    except TypeError:
-        found = -1
-    if not 0 <= found <= LARGEST:
-        raise DrawError(f"{name}: {value!r} is no whole number from 0 to {LARGEST}; give one")
-    return found
-
-
-@dataclass(frozen=True, slots=True)
-class Request:
-    """An order for one item: the `index`-th of its recipe, difficulty, mode and seed."""
-
-    recipe: str
-    difficulty: str
-    mode: str
-    seed: int
-    index: int
-    weights: Weights = ()
-    """Of kinds of question, by name, where they are not those that the library declares."""
-    units: str = SI
-    solutions: bool = False
-    """Whether the item comes with its worked solution; it is the same problem either way."""
-    unfiltered: bool = False
-    """Whether any question that has an answer will do, whatever the filters say of it."""
-    quantities: tuple[str, ...] = ()
-    """Those that may be asked about; none: any."""
-
-    def __post_init__(self) -> None:
-        """DrawError for coordinates that no item has; whole numbers of other packages become Python's."""
-        for name in ("seed", "index"):
-            object.__setattr__(self, name, whole(name, getattr(self, name)))
-
-    @property
-    def id(self) -> str:
-        """A name that no other request has."""
-        name = f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
-        tail = f"-{self.units}" if self.units != SI else ""
-        tail += f"-{UNFILTERED}" if self.unfiltered else ""
-        chosen = (*self.weights, *self.quantities)
-        return f"{name}{tail}-{_digest(chosen)}" if chosen else f"{name}{tail}"
-
-    @classmethod
-    def named(cls, name: str, weights: Weights = ()) -> Self:
-        """The request of an id, made with `weights`; DrawError for what is none, or for one of other weights."""
-        match = _ID.fullmatch(name)
-        if match is None:
-            raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")
-        seed, index, units = int(match["seed"]), int(match["index"]), match["units"] or SI
-        request = cls(
-            match["recipe"],
-            match["difficulty"],
-            match["mode"],
-            seed,
-            index,
-            weights,
-            units,
-            unfiltered=bool(match["unfiltered"]),
-        )
-        if request.id != name:
-            raise DrawError(
-                f"{name!r}: its weights or quantities do not stand in its id; see: sim2reason explain DATASET --id ID"
-            )
-        return request
-
-    @classmethod
-    def of(cls, item: Item) -> Self:
-        """The request that an item answers; DrawError for an item of some quantities alone, which no id names."""
-        solved = item.solution is not None or bool(item.unsolved)
-        return replace(cls.named(item.id, tuple(sorted(item.provenance.weights.items()))), solutions=solved)
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,6 +102,8 @@ class Config(Record):
     weights: dict[str, float] = Field(default_factory=dict[str, float])
     """How often kinds of question are asked, by name: ``period``, ``reverse.period``, ``springs.reverse.period``."""
     units: str = SI
+    tolerance: Annotated[float, Ge(STRICTEST), Le(TOLERANCE)] = TOLERANCE
+    """The relative error that an answer may have."""
     solutions: bool = False
     """Whether items come with worked solutions."""
     unfiltered: bool = False
@@ -235,11 +151,12 @@ class Config(Record):
         turn, place = divmod(position, len(self._cells))
         cell = self._cells[place]
         index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
-        return Request(*cell, self.seed, index, self._weights, self.units, self.solutions, self.unfiltered)
+        how = self._weights, self.units, self.solutions, self.unfiltered
+        return Request(*cell, self.seed, index, *how, tolerance=self.tolerance)
 
     def named(self, name: str) -> Request:
-        """The request of an id; DrawError for what is no id of this configuration's weights."""
-        return Request.named(name, self._weights)
+        """The request of an id; DrawError for what is no id of this configuration's weights and tolerance."""
+        return Request.named(name, self._weights, self.tolerance)
 
     @cached_property
     def _weights(self) -> Weights:
@@ -275,11 +192,6 @@ class Config(Record):
 def file_name(number: int, total: int, split: str = TRAIN) -> str:
     """The file of a shard and a split, named as the Hugging Face hub does."""
     return f"{DATA}/{split}-{number:05}-of-{total:05}.parquet"
-
-
-def _digest(chosen: tuple[tuple[str, float] | str, ...]) -> str:
-    """A short name for weights and quantities."""
-    return hashlib.sha256(json.dumps(chosen).encode()).hexdigest()[:8]
 
 
 @cache

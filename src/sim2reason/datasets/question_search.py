@@ -16,6 +16,7 @@ from sim2reason.prose.description import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
 from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND
+from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
@@ -88,10 +89,11 @@ class QuestionSearch:
         *,
         unfiltered: bool = False,
         quantities: frozenset[str] = frozenset(),
+        tolerance: float = TOLERANCE,
     ) -> None:
         """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all."""
         self._difficulty: Difficulty = difficulty
-        self._quantities = quantities
+        self._quantities, self._tolerance = quantities, tolerance
         self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
@@ -180,7 +182,9 @@ class QuestionSearch:
         description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
         prompt = shaped(description, question, rng)
         said, level = description.sentences, self._difficulty
-        candidate = Candidate(study, question, prompt.text, said, self.words, difficulty=level)
+        candidate = Candidate(
+            study, question, prompt.text, said, self.words, difficulty=level, tolerance=self._tolerance
+        )
         return _Told(candidate, description, prompt.shape)
 
     def _leaving_out(self, topics: frozenset[Topic]) -> Description:

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
-from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import generator
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, TextError

@@ -9,7 +9,7 @@ from math import isfinite
 
 import numpy as np
 
-from sim2reason.datasets.plan import Weights
+from sim2reason.datasets.request import Weights
 from sim2reason.errors import DatasetError
 from sim2reason.questions import KINDS, MODES
 from sim2reason.recipes import RECIPES

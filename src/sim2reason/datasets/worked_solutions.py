@@ -1,8 +1,8 @@
 """Worked solutions of problems, as their texts ask for the answer."""
 
 from sim2reason.datasets.item import SolutionRecord, SolutionStep
-from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import CertifiedQuestion
+from sim2reason.datasets.request import Request
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.writing.asked_units import told_in

@@ -2,4 +2,6 @@
 
 TOLERANCE = 0.05
 """The relative error that an answer may have, by default: that of the paper."""
+STRICTEST = 0.005
+"""The smallest one that is of use: answers are asked for to three digits."""
 NEARLY = 1.2  # of the tolerance: an answer that is off by less may be paid, or nearly

@@ -13,7 +13,8 @@ from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.generate import configured
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.lazy import MOST, LazyProblems
-from sim2reason.datasets.plan import ALL, LARGEST, MAKER, SI, TRAIN
+from sim2reason.datasets.plan import ALL, MAKER, TRAIN
+from sim2reason.datasets.request import LARGEST, SI
 from sim2reason.errors import DatasetError, EvaluationError, Sim2ReasonError
 from sim2reason.exports import EXPORTS, Export, Place
 from sim2reason.policies.parts.settings import settings_in

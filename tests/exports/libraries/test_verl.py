@@ -236,7 +236,7 @@ def test_drawn_rows_are_paid_too(manager: object, described: Path, right: Callab
     from verl.trainer.ppo.utils import create_rl_dataset
 
     from sim2reason.datasets.make import make
-    from sim2reason.datasets.plan import Request
+    from sim2reason.datasets.request import Request
 
     described.write_text("items: 6\nrecipe: [projectile, collision]\nmode: [numeric, symbolic]\nseed: 8\n")
     data = create_rl_dataset(str(described), manager.config.data, manager.tokenizer, None)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.long_chains import LONG, ROWS, TIME, VELOCITY, in_rows

@@ -12,7 +12,7 @@ from sim2reason.bodies.polygonal_prism import LongPrism
 from sim2reason.bodies.rocket import AirlessPlanet, Rocket
 from sim2reason.bodies.star import HeavyPlanet, Star
 from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.dsl.entity import Entity, Named
 from sim2reason.dsl.scene import Scene
 from sim2reason.entities.rocket_entity import RocketEntity

@@ -12,8 +12,8 @@ from sim2reason.bodies.charge import ChargedBead, Launched
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
-from sim2reason.datasets.plan import Request
 from sim2reason.datasets.question_search import QuestionSearch
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.dsl.entity import Named
 from sim2reason.dsl.scene import Scene

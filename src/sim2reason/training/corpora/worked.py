@@ -12,7 +12,7 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import CORPORA, Corpus, Row

@@ -8,8 +8,8 @@ from pydantic import field_validator
 
 from sim2reason.benchmarks import Benchmark, BenchmarkItem, benchmark_from, items_of
 from sim2reason.benchmarks.scoring import SCORINGS
-from sim2reason.datasets.plan import LARGEST
 from sim2reason.datasets.random_scenes import generator
+from sim2reason.datasets.request import LARGEST
 from sim2reason.errors import Sim2ReasonError
 from sim2reason.lazy import cached_property
 from sim2reason.training.problem import Problem

@@ -12,7 +12,8 @@ from sim2reason.datasets.chosen import Chosen
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.make import make
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
-from sim2reason.datasets.plan import LARGEST, SI, Config, Request
+from sim2reason.datasets.plan import Config
+from sim2reason.datasets.request import LARGEST, SI, Request
 from sim2reason.datasets.variants import variant
 from sim2reason.datasets.weights import check
 from sim2reason.lazy import cached_property

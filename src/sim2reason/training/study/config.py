@@ -7,7 +7,7 @@ from typing import Annotated, Any, NamedTuple, Self, cast
 from annotated_types import Ge, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, TypeAdapter, model_validator
 
-from sim2reason.datasets.plan import LARGEST
+from sim2reason.datasets.request import LARGEST
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.lazy import cached_property
 from sim2reason.policies import Name

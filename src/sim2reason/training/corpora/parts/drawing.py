@@ -7,7 +7,7 @@ from itertools import count
 from math import ceil
 from multiprocessing import get_context
 
-from sim2reason.datasets.plan import Request
+from sim2reason.datasets.request import Request
 from sim2reason.training.corpora import Row
 from sim2reason.training.prefetch import begin_worker
 from sim2reason.training.sources.fresh import Fresh
