@@ -21,10 +21,20 @@ class Plane(Body):
     nouns = ("plane",)
     letters = ""
     lone = ("a fixed {surface} {tilt}", "a {surface}, fixed {tilt}")
-    again = ("another fixed {tilt} with a {surface} surface", "another fixed {tilt} whose surface is {surface}")
+    again = ("another fixed {with}", "another fixed {whose}")
     words = {
         "surface": Smoothness,
         "tilt": Word("angle", {0.0: "horizontal plane"}, "plane inclined at {angle} to the horizontal"),
+        "with": Word(
+            "angle",
+            {0.0: "horizontal plane with a {surface} surface"},
+            "plane with a {surface} surface inclined at {angle} to the horizontal",
+        ),
+        "whose": Word(
+            "angle",
+            {0.0: "horizontal plane whose surface is {surface}"},
+            "plane whose {surface} surface is inclined at {angle} to the horizontal",
+        ),
         "uphill": Word("angle", {0.0: "to the right along the plane"}, "up the slope"),
         "downhill": Word("angle", {0.0: "to the left along the plane"}, "down the slope"),
         "above": Word("angle", {0.0: "from the right"}, "from above, along the slope"),

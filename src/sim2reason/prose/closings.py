@@ -92,7 +92,7 @@ RELEASES = (
     "until t = 0 everything is held at rest{taut}.",
     "the system starts from rest{taut}.",
     "the bodies are held at rest{taut}, and then let go.",
-    "to begin with, everything is held at rest{taut}, then let go.",
+    "to begin with, everything is held at rest{taut}, and is then let go.",
 )
 LONE_RELEASES = (
     "the motion starts from rest{taut}.",
