@@ -31,10 +31,10 @@ scene:
 
 @pytest.mark.parametrize("wording", range(6))
 def test_a_second_plane_tells_nothing_of_the_first(wording: int) -> None:
-    """No *another smooth plane* after a rough one."""
+    """No *another smooth plane* after a rough one; and no horizontal has a surface."""
     told = describe(load(TWO_SLOPES), wording).text
     assert re.search(
-        r"nother fixed plane inclined at \d+° to the horizontal (with a|whose surface is) (smooth|rough)", told
+        r"nother fixed plane (with a|whose) (smooth|rough) surface (is )?inclined at \d+° to the horizontal", told
     )
     assert parse_scene(told).scene.joints
 
