@@ -60,7 +60,7 @@ def test_the_first_that_can_be_had_is_drawn_by_its_weight() -> None:
         ("numeric.box.sum", 1.0, "weights: numeric.box.sum: 'numeric.box' is no recipe"),
         ("a.box.numeric.sum", 1.0, "'a.box.numeric' is no recipe"),
         ("symbolic.count", 1.0, "weights: symbolic.count: the mode symbolic has no 'count'; it has: "),
-        ("box.reverse.threshold", 0.5, "weights: box.reverse.threshold: the mode reverse has no 'threshold'"),
+        ("box.reverse.count", 0.5, "weights: box.reverse.count: the mode reverse has no 'count'"),
         ("sum", -1.0, "weights: sum: -1.0 is no weight; give a number that is not negative"),
         ("sum", float("nan"), "weights: sum: nan is no weight"),
     ],
