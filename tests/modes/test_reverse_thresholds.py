@@ -1,6 +1,6 @@
 """A limit is given, and another number asked for: by statics and energy worked out by hand, and read back."""
 
-from math import atan, cos, degrees, radians, sin, sqrt
+from math import asin, cos, degrees, radians, sin
 
 import numpy as np
 import pytest
@@ -44,14 +44,9 @@ def asked(scene: Scene, outcome: str, parameter: str) -> list[Question]:
     """Questions that give the limit of one number."""
     search = QuestionSearch(scene, 0)
     drawn = (REVERSE.ask(search.study, search.words, "threshold", np.random.default_rng(seed)) for seed in range(60))
-    found = [question for question in drawn if question is not None]
-    return [q for q in found if q.query.hides == parameter and isinstance_of(q, outcome)]
-
-
-def isinstance_of(question: Question, outcome: str) -> bool:
-    query = question.query
-    assert isinstance(query, ThresholdQuery)
-    return isinstance(query.outcome, OUTCOMES[outcome])
+    held = [(q, q.query) for q in drawn if q is not None and q.query.hides == parameter]
+    wanted = OUTCOMES[outcome]
+    return [q for q, query in held if isinstance(query, ThresholdQuery) and isinstance(query.outcome, wanted)]
 
 
 def test_a_slope_follows_from_the_heaviest_that_its_block_holds() -> None:
@@ -61,12 +56,8 @@ def test_a_slope_follows_from_the_heaviest_that_its_block_holds() -> None:
     for question in found:
         assert question.given is not None
         given = question.given.value
-        expected = given / sin(radians(30.0)) if question.unknown == SLOPING else degrees(asin_of(given / 2.0))
+        expected = given / sin(radians(30.0)) if question.unknown == SLOPING else degrees(asin(given / 2.0))
         assert question.answer == pytest.approx(expected, rel=1e-6)
-
-
-def asin_of(ratio: float) -> float:
-    return atan(ratio / sqrt(1.0 - ratio**2))
 
 
 def test_an_angle_follows_from_the_speed_that_goes_right_round() -> None:

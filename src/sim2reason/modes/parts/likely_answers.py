@@ -1,10 +1,11 @@
 """Answers that a formula leads to, so that engines need only say whether they hold."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.questions import KINDS, Query, Study, Words
+from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together
 from sim2reason.solutions.derivation import derivation
 
@@ -23,13 +24,15 @@ def likely_answers(query: Query, study: Study, words: Words, path: str) -> Calla
         return None
     if whole is None:
         return None
-    symbol = words.symbols[path]
+    symbol, formula = words.symbols[path], whole
     given = factor(next(p.measure.unit for p in study.scene.parameters if p.path == path))
     wanted = factor(KINDS[query.kind].measured(query).unit)
 
-    def answer(value: float) -> float:
-        with suppress(ValueError, ArithmeticError):
-            return whole.value({**solution.values, symbol: given * value}).real / wanted
-        return 0.0
+    return lambda value: likely_answer(formula, {**solution.values, symbol: given * value}, wanted)
 
-    return answer
+
+def likely_answer(formula: Expression, at: Mapping[str, float], factor: float) -> float:
+    """The answer that a formula leads to, which counts in `factor` of its unit; 0 where it has no value."""
+    with suppress(ValueError, ArithmeticError):
+        return formula.value(at).real / factor
+    return 0.0

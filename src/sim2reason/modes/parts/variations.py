@@ -1,7 +1,6 @@
 """The same question about scenes with other numbers, each simulated by the exact engine."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
 from math import copysign, exp, inf
@@ -13,6 +12,7 @@ from sim2reason.dsl.scene import Scene
 from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.lazy import cached_property
+from sim2reason.modes.parts.likely_answers import likely_answer
 from sim2reason.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.modes.parts.signs import sign_of, sums_in, turns
 from sim2reason.modes.parts.variation import Variation, answered
@@ -243,9 +243,8 @@ class Variations:
         query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
         if self.formula is None:
             return query
-        with suppress(ValueError, ArithmeticError):
-            return KINDS[query.kind].expecting(query, self.formula.value(self._counted(values)).real / self.factor)
-        return KINDS[query.kind].expecting(query, 0.0)
+        answer = likely_answer(self.formula, self._counted(values), self.factor)
+        return KINDS[query.kind].expecting(query, answer)
 
     @staticmethod
     def _waits(query: Query) -> bool:
