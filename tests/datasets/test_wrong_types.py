@@ -17,6 +17,9 @@ ORDERS: list[tuple[dict[str, Any], str]] = [
     ({"weights": {"period": "2"}}, "weights: 'period': '2' is no number"),
     ({"split": "train"}, "split: 'train' is no mapping"),
     ({"license": ""}, "license: '' is no licence"),
+    ({"decontaminate": None}, "decontaminate: None names no files; give a path, or several in a list"),
+    ({"decontaminate": [5]}, r"decontaminate: \[5\] names no files"),
+    ({"decontaminate": "none.jsonl"}, "none.jsonl"),
 ]
 
 

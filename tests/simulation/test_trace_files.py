@@ -1,6 +1,7 @@
 """Traces in Parquet files: what is written is read, with its meaning."""
 
 import json
+import os
 from pathlib import Path
 
 import numpy as np
@@ -62,3 +63,20 @@ def test_other_files_are_refused(tmp_path: Path) -> None:
         trace_files.read_trace(tmp_path / "table")
     with pytest.raises(OSError, match="missing"):
         trace_files.read_trace(tmp_path / "missing")
+
+
+@pytest.mark.parametrize("about", [None, "{", "[]", '{"events": [[0.0]], "stable_until": 1.0, "cut": null, "engine": ""}'])
+def test_damaged_traces_are_refused(tmp_path: Path, about: str | None) -> None:
+    path = tmp_path / "trace.parquet"
+    trace_files.write_trace(ENGINES["exact"](machines.carts(), TIMES), path)
+    table = pq.read_table(path)
+    spoiled = {"format": table.schema.metadata[b"format"]} | ({"trace": about} if about is not None else {})
+    pq.write_table(table.replace_schema_metadata(spoiled), path)
+    with pytest.raises(SceneError, match="damaged"):
+        trace_files.read_trace(path)
+
+
+def test_a_name_need_not_be_utf_8(tmp_path: Path) -> None:
+    path = tmp_path / os.fsdecode(b"trace-\xff.parquet")
+    trace_files.write_trace(ENGINES["exact"](machines.carts(), TIMES), path)
+    assert len(trace_files.read_trace(path).times) == len(TIMES)

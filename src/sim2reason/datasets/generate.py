@@ -44,7 +44,7 @@ class Order(TypedDict, total=False):
     """The shares of the splits: ``{"train": 0.9, "test": 0.1}``."""
     distance: float
     """How far apart, relatively, some number of two variants of a problem is at least."""
-    decontaminate: Sequence[Path | str]
+    decontaminate: Path | str | Sequence[Path | str]
     """Files of benchmarks with which no problem may share a run of words."""
     license: str
     """Of the data, as the Hugging Face hub calls it."""
@@ -74,7 +74,7 @@ def generate(
         TypeError: an order of what there is not.
         MissingExtraError: the place needs a package that is not installed.
     """
-    benchmarks = Benchmarks(order.get("decontaminate", ()))
+    benchmarks = Benchmarks(_files(order))
     build(out, configured(**order), workers=workers, advance=advance, on=on, benchmarks=benchmarks)
     return Dataset(out)
 
@@ -94,7 +94,7 @@ def configured(**order: Unpack[Order]) -> Config:
         "difficulties": difficulties_named(order.get("difficulty", ALL)),
         "modes": modes_named(order.get("mode", "numeric"), check=ours),
         "units": system_named(order.get("units", SI)).name,
-        "decontaminate": tuple(described(Path(path)) for path in order.get("decontaminate", ())),
+        "decontaminate": tuple(described(path) for path in _files(order)),
         **{name: value for name, value in given.items() if value != {}},
     }
     try:
@@ -106,3 +106,12 @@ def configured(**order: Unpack[Order]) -> Config:
         fault = error.errors()[0]
         problem = fault["msg"].removeprefix("Value error, ")
         raise DatasetError(f"{'.'.join(map(str, fault['loc']))}: {problem}") from None
+
+
+def _files(order: Order) -> tuple[Path, ...]:
+    """The files of benchmarks in an order: one, or several."""
+    given = order.get("decontaminate", ())
+    try:
+        return tuple(map(Path, (given,) if isinstance(given, str | Path) else given))
+    except TypeError:
+        raise DatasetError(f"decontaminate: {given!r} names no files; give a path, or several in a list") from None

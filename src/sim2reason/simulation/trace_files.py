@@ -76,15 +76,23 @@ def read_trace(path: str | Path) -> Recording:
         OSError: it can't be read.
     """
     arrow, parquet = _arrow()
-    try:
-        table: Any = parquet.read_table(str(path))
-    except arrow.ArrowInvalid as error:
-        raise SceneError(str(path), f"this is no Parquet file: {error}") from error
+    with Path(path).open("rb") as file:  # by its own name pyarrow opens only what is UTF-8
+        try:
+            table: Any = parquet.read_table(file)
+        except arrow.ArrowInvalid as error:
+            raise SceneError(str(path), f"this is no Parquet file: {error}") from error
     about: dict[bytes, bytes] = table.schema.metadata or {}
     if about.get(b"format") != FORMAT.encode():
         raise SceneError(
             str(path), "this is no trace", "write one with: sim2reason simulate scene.yaml -o trace.parquet"
         )
+    try:
+        return _recorded(table, json.loads(about[b"trace"]))
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise SceneError(str(path), f"this trace is damaged: {error!r}") from error
+
+
+def _recorded(table: Any, about: dict[str, Any]) -> Recording:  # noqa: ANN401 - pyarrow has no types
     parts: dict[Channel, list[Array]] = {}
     units: dict[str, str] = {}
     for field, column in zip(table.schema, table.columns, strict=True):
@@ -93,12 +101,7 @@ def read_trace(path: str | Path) -> Recording:
             units[meaning["quantity"]] = meaning["unit"]
             parts.setdefault(Channel(meaning["subject"], meaning["quantity"]), []).append(column.to_numpy())
     values = {channel: p[0] if len(p) == 1 else np.stack(p, axis=1) for channel, p in parts.items()}
-    return _recording(json.loads(about[b"trace"]), table["time"].to_numpy(), values, units)
-
-
-def _recording(
-    about: dict[str, Any], times: Array, values: Mapping[Channel, Array], units: Mapping[str, str]
-) -> Recording:
+    times = table["time"].to_numpy()
     events = tuple(Event(float(time), kind, tuple(subjects)) for time, kind, subjects in about["events"])
     return Recording(about["engine"], times, values, units, events, float(about["stable_until"]), about["cut"])
 

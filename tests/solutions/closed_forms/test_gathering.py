@@ -1,4 +1,4 @@
-"""What terms share stands before them, where that is shorter; values stay."""
+"""What terms share stands before them, where that is shorter, or always; values stay."""
 
 from math import isclose
 
@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.expressions import (
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.closed_forms.gathering import gathered
+from sim2reason.solutions.closed_forms.gathering import gathered, with_factors_in_front
 from sim2reason.solutions.closed_forms.rewriting import length
 from sim2reason.solutions.closed_forms.tidying import tidied
 
@@ -56,6 +56,22 @@ def test_what_terms_share_stands_before_them(held: Expression, latex: str) -> No
     assert gathered(held).latex() == latex
 
 
+@pytest.mark.parametrize(
+    ("held", "latex"),
+    [
+        (A * G - B * G, r"g \left(m_A - m_B\right)"),
+        (Number(10.0) * A * G + Number(14.0) * A * C, r"2\,m_A \left(5\,g + 7\,m_C\right)"),
+        (Number(0.5) * A + Number(0.25) * B, r"\tfrac{1}{2} m_A + \tfrac{1}{4} m_B"),
+        (-A * G - B * G, r"-g \left(m_A + m_B\right)"),
+        (A - B, "m_A - m_B"),
+        (Quotient(A * G * D, A * B - A * C), r"\frac{g m_D}{m_B - m_C}"),
+        (Root(Number(2.0) * A + Number(2.0) * B), r"\sqrt{2\,\left(m_A + m_B\right)}"),
+    ],
+)
+def test_factors_of_all_terms_come_to_the_front(held: Expression, latex: str) -> None:
+    assert with_factors_in_front(held).latex() == latex
+
+
 def formulas() -> st.SearchStrategy[Expression]:
     pairs = st.tuples
     return st.recursive(
@@ -78,6 +94,7 @@ def test_gathered_and_tidied_formulas_keep_their_value(held: Expression) -> None
     near = {"rel_tol": 1e-9, "abs_tol": 1e-9 * (1.0 + sum(abs(part.value(AT)) for part in held.parts))}
     assert isclose(gathered(held).value(AT).real, value, **near)
     assert isclose(tidied(held).value(AT).real, value, **near)
+    assert isclose(with_factors_in_front(held).value(AT).real, value, **near)
     assert length(gathered(held)) <= length(held)
 
 

@@ -168,5 +168,5 @@ def test_only_factors_of_both_signs_stand_between_bars() -> None:
     """p (q − p)/(s − q), where q < p throughout, and s − q has either sign."""
     points = [{"p": 3.0, "q": 2.0, "s": 5.0}, {"p": 3.0, "q": 2.0, "s": 1.0}]
     found = closed_form(solution(("x", a * (b - a) / (c - b)))).of_sizes(points)
-    assert found.latex == r"\frac{p^{2} - p q}{\left|q - s\right|}"
+    assert found.latex == r"\frac{p \left(p - q\right)}{\left|q - s\right|}"
     assert all(found.value(at) > 0.0 for at in points)

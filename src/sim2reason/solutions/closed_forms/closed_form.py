@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.expressions import (
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, plain
-from sim2reason.solutions.closed_forms.gathering import gathered
+from sim2reason.solutions.closed_forms.gathering import gathered, with_factors_in_front
 from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.solution import Solution
@@ -112,7 +112,8 @@ def shortened(whole: Expression) -> ClosedForm:
 @lru_cache(maxsize=512)
 def _written(whole: Expression) -> ClosedForm:
     """As short as is found; many scenes differ in their numbers alone, and lead to one formula."""
-    found = min((tidied(gathered(tidied(held))) for held in (shortest(whole, LONGEST), whole)), key=length)
+    short = min((tidied(gathered(tidied(held))) for held in (shortest(whole, LONGEST), whole)), key=length)
+    found = tidied(with_factors_in_front(short))
     return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
-from math import copysign, isclose, sqrt
+from math import copysign, gcd, isclose, sqrt
 
 from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.expressions import (
@@ -55,6 +55,37 @@ def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Ex
         return found
     terms = [_term(term) for term in found.terms]
     return min((found, _plain(_merged(terms)), _product(terms)), key=size)
+
+
+def with_factors_in_front(held: Expression) -> Expression:
+    """A formula with the same value, each of whose sums has what all its terms share before it, however long.
+
+    Where it then stands above and below a fraction, it cancels.
+    """
+    if not held.parts:
+        return held
+    found = held.built_of([with_factors_in_front(part) for part in held.parts])
+    match found:
+        case Sum():
+            return _in_front([_term(term) for term in found.terms]) or found
+        case Quotient():
+            whole = _term(found)
+            plain = _cancelled(whole)
+            return found if plain == whole else plain.written
+        case _:
+            return found
+
+
+def _in_front(terms: Sequence[Term]) -> Expression | None:
+    """What all terms share, times a sum of the rest; None if they share nothing."""
+    shared = _shared(terms)
+    numbers = [abs(term.number) for term in terms]
+    if all(number.is_integer() for number in numbers):
+        shared = replace(shared, number=copysign(gcd(*map(int, numbers)), shared.number))
+    if shared.written in (ONE, Number(-1.0)):
+        return None
+    rest = _plain([term.without(shared) for term in terms])
+    return Term(shared.number, (*shared.factors, rest), shared.below).written
 
 
 def symbols_in(held: Expression) -> int:
