@@ -40,6 +40,7 @@ class Trial:
         self._scene, self._outcome, self._path, self._engine = study.scene, outcome, path, engine
         self._change = study.change
         self._known: dict[tuple[float, float], _Found | None] = {}
+        self._doublings: dict[float, int] = {}  # of the outcome's own duration, until it was clear
 
     def __call__(self, value: float, error: float = FINEST) -> bool | None:
         """Whether it does; None if there is no such motion. `error` is what a step may err by."""
@@ -49,21 +50,26 @@ class Trial:
     def _tried(self, value: float, error: float) -> _Found | None:
         if (value, error) not in self._known:
             try:
-                self._known[value, error] = self._followed(self._scene.having(self._path, value), error)
+                self._known[value, error] = self._followed(value, error)
             except (SceneError, SimulationError, UnsupportedError, ValueError):
                 self._known[value, error] = None
         return self._known[value, error]
 
-    def _followed(self, scene: Scene, error: float) -> _Found | None:
-        """Whether it does in one scene, which is followed for ever longer until that is clear."""
+    def _followed(self, value: float, error: float) -> _Found | None:
+        """Whether it does with one value: the motion is followed for ever longer until that is clear.
+
+        That takes about as long as with the nearest value that was tried, which is where it begins.
+        """
+        scene = self._scene.having(self._path, value)
         duration = self._outcome.duration(scene)
         mechanism = scene.mechanism if self._change is None else self._change(scene.mechanism)
-        for _ in range(LONGER):
-            trace = ENGINES[self._engine](mechanism, np.linspace(0.0, duration, SAMPLES), error)
+        near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
+        for doublings in range(self._doublings[near] if near is not None else 0, LONGER):
+            trace = ENGINES[self._engine](mechanism, np.linspace(0.0, duration * 2**doublings, SAMPLES), error)
             found = self._outcome.happens(trace)
             if found is not None:
+                self._doublings[value] = doublings
                 return _Found(found, self._outcome.excess(trace) if found is self._outcome.tells else None)
-            duration *= 2.0
         return None
 
     def change(self) -> float | None:

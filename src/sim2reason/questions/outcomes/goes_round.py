@@ -30,11 +30,12 @@ class GoesRound(Swinging):
         return {name: said for name, said in words.called(cls.of).items() if name in turning}
 
     def happens(self, trace: Trace) -> bool | None:
-        """No if it turns back, yes if it has gone round, which takes long where it hardly gets over the top."""
+        """Whether it has gone round before it turns back first, which takes long where it hardly gets over the top."""
         hinges = {name for name, _ in turning_axes(trace.mechanism, self.name)}
-        if any(event.kind == "turn" and event.subjects[0] in hinges for event in trace.events):
-            return False
-        return bool(np.abs(AngleTurned.evaluate(trace.state, self.name)).max() >= FULL) or None
+        back = next((event.time for event in trace.events if event.kind == "turn" and event.subjects[0] in hinges), None)
+        state = trace.state if back is None else trace.at(back)
+        round_once = bool(np.abs(AngleTurned.evaluate(state, self.name)).max() >= FULL)
+        return round_once or (None if back is None else False)
 
     def excess(self, trace: Trace) -> float:
         """The square of the least rate at which it turns: it grows as the energy that is left at the top does."""
