@@ -23,6 +23,7 @@ from sim2reason.bodies.sphere import Sphere
 from sim2reason.bodies.uniform_rod import UniformRod
 from sim2reason.connections.pivot import Pivot
 from sim2reason.connections.weld import Weld
+from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.datasets.random_scenes import sample
 from sim2reason.dsl.connection import Link
 from sim2reason.dsl.entity import Named
@@ -41,6 +42,7 @@ from sim2reason.entities.parts.pieces import (
     CappedPiece,
     HoledPiece,
     RoundPiece,
+    Side,
     TiltedPiece,
 )
 from sim2reason.entities.rigid_pendulum import RigidPendulum
@@ -48,6 +50,7 @@ from sim2reason.entities.rotation_entity import RotationEntity
 from sim2reason.errors import SceneError
 from sim2reason.prose.description import describe
 from sim2reason.quantities import QUANTITIES
+from sim2reason.quantities.subjects.swinging_lines import SwingingLines
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8
@@ -290,6 +293,26 @@ def test_two_small_balls_have_places_of_their_own() -> None:
     with pytest.raises(ValueError, match="overlap"):
         RotationEntity(pieces=(ball, ball), angle=9.0)
     assert len(RotationEntity(pieces=(ball, across), angle=9.0).pieces) == 2
+
+
+def test_a_rod_ends_in_what_is_thick_on_its_own_side_alone() -> None:
+    ball = RoundPiece(body=Sphere(mass=2.0, radius=0.1), distance=0.2)
+    rod = AxialPiece(body=UniformRod(mass=1.0, length=0.5), distance=0.1, axis="along the arm")
+    assert len(RotationEntity(pieces=(ball, rod), angle=9.0).pieces) == 2
+    with pytest.raises(ValueError, match="overlap"):
+        RotationEntity(pieces=(ball, rod.model_copy(update={"side": OTHER})), angle=9.0)
+
+
+@pytest.mark.parametrize(("side", "angle", "line"), [(OTHER, 150.0, "all that turns"), (SAME, 30.0, "the arm")])
+def test_an_arm_that_carries_bodies_on_both_sides_does_not_point(side: Side, angle: float, line: str) -> None:
+    """Its centre of mass is on the side of the ball at 2 m, not at 0.5 m; that on the other side is at 180° − 30°."""
+    near = BallPiece(body=FixedBall(mass=1.0), distance=0.5)
+    arm = RotationEntity(pieces=(near, near.model_copy(update={"distance": 2.0, "side": side})), angle=30.0)
+    search = QuestionSearch(Scene(entities=(Named(name="it", entity=arm),)), 0)
+    (name, phrase), *others = search.words.called(SwingingLines()).items()
+    assert not others
+    assert phrase.endswith(line)
+    assert QUANTITIES["deflection"].evaluate(search.study.trace.at(0.0), name)[0] == pytest.approx(angle)
 
 
 def test_the_start_is_where_the_text_says() -> None:

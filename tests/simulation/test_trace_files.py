@@ -65,7 +65,9 @@ def test_other_files_are_refused(tmp_path: Path) -> None:
         trace_files.read_trace(tmp_path / "missing")
 
 
-@pytest.mark.parametrize("about", [None, "{", "[]", '{"events": [[0.0]], "stable_until": 1.0, "cut": null, "engine": ""}'])
+@pytest.mark.parametrize(
+    "about", [None, "{", "[]", '{"events": [[0.0]], "stable_until": 1.0, "cut": null, "engine": ""}']
+)
 def test_damaged_traces_are_refused(tmp_path: Path, about: str | None) -> None:
     path = tmp_path / "trace.parquet"
     trace_files.write_trace(ENGINES["exact"](machines.carts(), TIMES), path)

@@ -8,7 +8,7 @@ import click
 from sim2reason.cli import console, options
 from sim2reason.datasets.build import Work, build, build_part
 from sim2reason.datasets.contamination import Benchmarks
-from sim2reason.datasets.generate import ITEMS, Order, configured
+from sim2reason.datasets.generate import ITEMS, Order, configured, files_to_avoid
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
 from sim2reason.datasets.plan import DISTANCE, LARGEST_SHARD, LICENSE, MAKER, SHARD
@@ -86,7 +86,7 @@ def command(
     out: Path, part: str | None, workers: int | None, on: str, to_json: bool, patience: float, **order: Unpack[Order]
 ) -> int:
     """Generate problems into the folder OUT: Parquet shards, manifest.json and a dataset card."""
-    config, benchmarks = configured(**order), Benchmarks(order.get("decontaminate", ()))
+    config, benchmarks = configured(**order), Benchmarks(files_to_avoid(order))
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("problems", config.items) as advance:
         work = Work(workers=workers, on=on, patience=patience, advance=advance, benchmarks=benchmarks)

@@ -74,7 +74,7 @@ def generate(
         TypeError: an order of what there is not.
         MissingExtraError: the place needs a package that is not installed.
     """
-    benchmarks = Benchmarks(_files(order))
+    benchmarks = Benchmarks(files_to_avoid(order))
     build(out, configured(**order), workers=workers, advance=advance, on=on, benchmarks=benchmarks)
     return Dataset(out)
 
@@ -94,7 +94,7 @@ def configured(**order: Unpack[Order]) -> Config:
         "difficulties": difficulties_named(order.get("difficulty", ALL)),
         "modes": modes_named(order.get("mode", "numeric"), check=ours),
         "units": system_named(order.get("units", SI)).name,
-        "decontaminate": tuple(described(path) for path in _files(order)),
+        "decontaminate": tuple(described(path) for path in files_to_avoid(order)),
         **{name: value for name, value in given.items() if value != {}},
     }
     try:
@@ -108,8 +108,8 @@ def configured(**order: Unpack[Order]) -> Config:
         raise DatasetError(f"{'.'.join(map(str, fault['loc']))}: {problem}") from None
 
 
-def _files(order: Order) -> tuple[Path, ...]:
-    """The files of benchmarks in an order: one, or several."""
+def files_to_avoid(order: Order) -> tuple[Path, ...]:
+    """The files of benchmarks in an order: one, or several; DatasetError for what is no file."""
     given = order.get("decontaminate", ())
     try:
         return tuple(map(Path, (given,) if isinstance(given, str | Path) else given))

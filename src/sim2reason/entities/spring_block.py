@@ -78,9 +78,9 @@ class SpringBlock(Entity):
             "at the start {block} is at ({x}, {y}).",
         ),
         starting(
-            "from there it is launched with the velocity ({launch.x}, {launch.y}).",
-            "it starts from there with the velocity ({launch.x}, {launch.y}).",
-            "it leaves this point with the velocity ({launch.x}, {launch.y}).",
+            "at t = 0 {block} is launched with the velocity ({launch.x}, {launch.y}).",
+            "{block} starts off at t = 0 with the velocity ({launch.x}, {launch.y}).",
+            "{block} is given the velocity ({launch.x}, {launch.y}) at t = 0.",
             topic="start",
         ),
     )

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.study import COARSE, ENOUGH, Study
@@ -65,7 +64,7 @@ class Trial:
         mechanism = scene.mechanism if self._change is None else self._change(scene.mechanism)
         near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
         for doublings in range(self._doublings[near] if near is not None else 0, LONGER):
-            trace = ENGINES[self._engine](mechanism, np.linspace(0.0, duration * 2**doublings, SAMPLES), error)
+            trace = ENGINES[self._engine](mechanism, np.linspace(0.0, duration * 2.0**doublings, SAMPLES), error)
             found = self._outcome.happens(trace)
             if found is not None:
                 self._doublings[value] = doublings

@@ -62,9 +62,9 @@ class WeldedArm(Entity):
         ),
         placing("initially {start}.", "at the start {start}.", "when the motion begins, {start}."),
         starting(
-            "{arm} starts turning at {rate}, {sent}.",
+            "at t = 0 {arm} starts turning at {rate}, {sent}.",
             "at t = 0 {arm} turns at {rate}, {sent}.",
-            "{arm} is set turning with an angular velocity of {rate}, {sent}.",
+            "{arm} is set turning at t = 0 with an angular velocity of {rate}, {sent}.",
             topic="start",
         ),
     )
@@ -121,13 +121,15 @@ def holds_axle(piece: WeldedPiece) -> bool:
 def overlap(one: WeldedPiece, other: WeldedPiece) -> bool:
     """Whether two pieces would be in one another.
 
-    A thin rod may cross another, or be beside what is small; one along the arm may end in what is thick. What is small
-    has its own place.
+    A thin rod may cross another, or be beside what is small; one along the arm may end in what is thick on its own side
+    of the axle. What is small has its own place.
     """
     thin = [piece for piece in (one, other) if isinstance(piece.shape, UniformRod)]
     small = [piece for piece in (one, other) if piece not in thin and piece.span[0] == piece.span[1]]
     if len(small) == 2:
         return one.span == other.span
-    if len(thin) == 2 or (thin and (small or thin[0].span[0] < thin[0].span[1])):
+    if len(thin) == 2 or (thin and small):
+        return False
+    if thin and thin[0].span[0] < thin[0].span[1] and one.place * other.place > 0.0:
         return False
     return one.span[0] < other.span[1] and other.span[0] < one.span[1]

@@ -41,7 +41,9 @@ class SwingingLines(Subject):
         found: dict[str, str] = {}
         for name in self.names(mechanism):
             body = mechanism.body.get(name)
-            if name in known and (body is None or is_light_rod(body) or _is_thin(mechanism, body)):
+            if body is not None and is_light_rod(body) and carries_on_both_sides(mechanism, name):
+                found[name] = "the line from the axle to the centre of mass of all that turns"
+            elif name in known and (body is None or is_light_rod(body) or _is_thin(mechanism, body)):
                 found[name] = known[name]
             elif body is not None and name in mentions:
                 point = "the centre of mass of " if any(body.inertia) else ""
@@ -111,11 +113,22 @@ def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
 
 
 def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
-    """About what a body turns: its axle, the hinge of its rod, or the centre of the round face on which it moves."""
-    face, body = mechanism.contacts.get(name), mechanism.body[name]
+    """About what a body turns: its axle, or the centre of the round face on which it moves."""
+    face = mechanism.contacts.get(name)
     if face is not None and face.turning:
         return f"the centre of {surface(mechanism, name, mentions)}"
-    return "the axle" if any(body.inertia) or not body.mass else "the hinge"
+    return "the axle"
+
+
+def carries_on_both_sides(mechanism: Mechanism, rod: str) -> bool:
+    """Whether what is welded to a light rod is not all on one side of its axle."""
+    places = [body.at for body in carried_by(mechanism, rod) if is_welded(body, rod)]
+    return any(inner(places[0], place) < 0.0 for place in places[1:])
+
+
+def is_welded(body: RigidBody, rod: str) -> bool:
+    """Whether a body with a mass is fixed to a rod."""
+    return body.parent == rod and body.mass > 0.0 and not body.coordinates
 
 
 def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:

@@ -32,7 +32,9 @@ class GoesRound(Swinging):
     def happens(self, trace: Trace) -> bool | None:
         """Whether it has gone round before it turns back first, which takes long where it hardly gets over the top."""
         hinges = {name for name, _ in turning_axes(trace.mechanism, self.name)}
-        back = next((event.time for event in trace.events if event.kind == "turn" and event.subjects[0] in hinges), None)
+        back = next(
+            (event.time for event in trace.events if event.kind == "turn" and event.subjects[0] in hinges), None
+        )
         state = trace.state if back is None else trace.at(back)
         round_once = bool(np.abs(AngleTurned.evaluate(state, self.name)).max() >= FULL)
         return round_once or (None if back is None else False)

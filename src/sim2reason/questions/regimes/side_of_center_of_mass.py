@@ -4,11 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Self
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.vectors import inner
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.paths import carried_by
-from sim2reason.quantities.subjects.swinging_lines import is_light_rod, load_center
+from sim2reason.quantities.subjects.swinging_lines import (
+    carries_on_both_sides,
+    is_light_rod,
+    is_welded,
+    load_center,
+)
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
@@ -28,8 +32,8 @@ class SideOfCenterOfMass(Regime):
         """Of arms that carry something on both sides of the axle."""
         mechanism, named = study.mechanism, words.called(cls.of)
         rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
-        fixed = [_fixed(mechanism, rod) for rod in rods]
-        firsts = [each[0] for each in fixed if any(_beyond(mechanism, each[0], other) for other in each[1:])]
+        both = [rod for rod in rods if carries_on_both_sides(mechanism, rod)]
+        firsts = [next(body.name for body in carried_by(mechanism, rod) if is_welded(body, rod)) for rod in both]
         return [cls(name, same) for name in firsts if name in named for same in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
@@ -43,14 +47,3 @@ class SideOfCenterOfMass(Regime):
         """As in: the centre of mass of all that turns is on the same side of the axle as disc A."""
         where = "on the same side of the axle as" if self.same else "on the side of the axle opposite to"
         return f"the centre of mass of all that turns is {where} {words.called(self.of)[self.name]}"
-
-
-def _fixed(mechanism: Mechanism, rod: str) -> list[str]:
-    """What is welded to an arm and has a mass."""
-    carried = carried_by(mechanism, rod)
-    return [body.name for body in carried if body.parent == rod and body.mass > 0.0 and not body.coordinates]
-
-
-def _beyond(mechanism: Mechanism, one: str, other: str) -> bool:
-    """Whether two bodies are on different sides of the axle."""
-    return inner(mechanism.body[one].at, mechanism.body[other].at) < 0.0

@@ -34,8 +34,8 @@ class LinearElectric(ElectricField):
 
     says = (
         either(
-            "an electric field has a component in the {way} direction only, which is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "there is an electric field, in the {way} direction alone: at {axis} = 0 its strength is {strength}, and its component in that direction {trend} with {axis} at a rate of {slope}.",
+            "an electric field has only one component, that in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "there is an electric field with no component but that in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
             "at {axis} = 0 an electric field of strength {strength} points in the {way} direction; it has no other component anywhere, and its component in that direction {trend} with {axis} at a rate of {slope}.",
         ),
     )
