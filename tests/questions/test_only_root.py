@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import inf
+from math import inf, sqrt
 
 import numpy as np
 import pytest
@@ -76,6 +76,18 @@ def test_the_top_of_a_round_hill_is_looked_at(top: float, height: float, *, excl
         return 1.0 - (value - ROOT) / 4.0 if value < 4.0 else height - 0.05 * (value - top) ** 2
 
     assert (found(result) is None) is excluded
+
+
+@pytest.mark.parametrize("last", [5.3, 6.7581, 20.0])
+def test_where_results_come_back_just_before_they_end_is_looked_at(last: float) -> None:
+    """As the square root of how far the end is, as what goes slack near the top of a circle does; 4e-5 of it suffice."""
+
+    def result(value: float) -> float:
+        return max(1.0 - (value - ROOT) / 4.0, 1.0 + 3.0 * (sqrt(4e-5) - sqrt(abs(1.0 - value / last))))
+
+    known = Known(result, ends=(-inf, last))
+    at = Scan(known, ROOT, result(ROOT), MARGIN).another(VALUES)  # type: ignore[arg-type]
+    assert at == pytest.approx(last, rel=1e-4)
 
 
 def test_between_numbers_for_which_different_things_happen_more_are_tried() -> None:

@@ -24,7 +24,7 @@ from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
 LONGER = 2.0  # times the scene's own horizon, until which something is waited for that may come later;
 LATEST = 8.0  # or, where it would be another answer however late it came
-BORDER = 10  # bisections towards where there is no answer
+BORDER = 12  # bisections towards where there is no answer
 SAME_TIME = 1e-6  # relative
 STEP = 1e-4  # relative: for a rate of change
 SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative

@@ -34,8 +34,8 @@ class LinearElectric(ElectricField):
 
     says = (
         either(
-            "an electric field has only one component, that in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "there is an electric field with no component but that in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "an electric field points in the {way} direction at {axis} = 0, where its strength is {strength}; its only component, that in this direction, {trend} with {axis} at a rate of {slope}.",
+            "there is an electric field, parallel to one line everywhere: at {axis} = 0 it points in the {way} direction with a strength of {strength}, and its component in that direction {trend} with {axis} at a rate of {slope}.",
             "at {axis} = 0 an electric field of strength {strength} points in the {way} direction; it has no other component anywhere, and its component in that direction {trend} with {axis} at a rate of {slope}.",
         ),
     )

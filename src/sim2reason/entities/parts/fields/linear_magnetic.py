@@ -29,8 +29,8 @@ class LinearMagnetic(MagneticField):
 
     says = (
         either(
-            "a magnetic field has only one component, that in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
-            "there is a magnetic field with no component but that in the {way} direction, which is {strength} at {axis} = 0 and {trend} with {axis} at a rate of {slope}.",
+            "a magnetic field points in the {way} direction at {axis} = 0, where its strength is {strength}; its only component, that in this direction, {trend} with {axis} at a rate of {slope}.",
+            "there is a magnetic field, parallel to one line everywhere: at {axis} = 0 it points in the {way} direction with a strength of {strength}, and its component in that direction {trend} with {axis} at a rate of {slope}.",
             "at {axis} = 0 a magnetic field of strength {strength} points in the {way} direction; it has no other component anywhere, and its component in that direction {trend} with {axis} at a rate of {slope}.",
         ),
     )
