@@ -67,7 +67,7 @@ def test_no_benchmark_shares_nothing() -> None:
     assert Benchmarks([]).overlap(VARIANT) is None
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.lists(st.sampled_from(["red", "green", "blue", "grey", "gold", "pink"]), max_size=40), st.integers(0, 30))
 def test_a_run_is_found_wherever_it_stands_and_one_word_less_is_not(
     tmp_path_factory: pytest.TempPathFactory, colours: list[str], start: int

@@ -80,13 +80,13 @@ def _close(left: tuple[float, ...], right: tuple[float, ...], distance: float) -
     return distance > 0.0 and all(abs(a - b) < np.float32(log1p(distance)) for a, b in pairs)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(ROWS, st.sampled_from([0.0, 0.03, 0.05, 0.6]))
 def test_the_pass_leaves_out_what_comparing_all_pairs_does(rows: list[Row], distance: float) -> None:
     assert left_out(rows, distance) == expected(rows, distance)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(ROWS, st.data())
 def test_the_pass_may_be_repeated_after_some_are_gone_and_grows(rows: list[Row], data: st.DataObject) -> None:
     gone = left_out(rows, 0.05)

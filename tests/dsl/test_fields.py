@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sim2reason.dsl.fields import Central, Law, Magnetic, Profile, Push, Resistance
@@ -44,7 +44,6 @@ def far(law: Law, place: Vector) -> bool:
     return not isinstance(law, Central) or math.dist(law.center, place) > 0.3
 
 
-@settings(deadline=None)
 @given(law=WITH_POTENTIAL, place=VECTOR)
 def test_a_force_is_the_downhill_slope_of_its_potential(law: Law, place: Vector) -> None:
     if not far(law, place):
@@ -59,7 +58,6 @@ def test_a_force_is_the_downhill_slope_of_its_potential(law: Law, place: Vector)
         assert force[axis] == pytest.approx(-(up - down) / (2.0 * H), rel=1e-5, abs=1e-5)
 
 
-@settings(deadline=None)
 @given(law=LAW, place=VECTOR, velocity=VECTOR, time=SIZE, by=VECTOR)
 def test_a_law_about_another_origin_is_the_same_law(
     law: Law, place: Vector, velocity: Vector, time: float, by: Vector
@@ -71,7 +69,6 @@ def test_a_law_about_another_origin_is_the_same_law(
         )
 
 
-@settings(deadline=None)
 @given(law=LAW, place=VECTOR, velocity=VECTOR, time=SIZE, other=VECTOR, later=SIZE)
 def test_a_law_that_calls_itself_constant_is(
     law: Law, place: Vector, velocity: Vector, time: float, other: Vector, later: float
@@ -80,7 +77,6 @@ def test_a_law_that_calls_itself_constant_is(
         assert law.force(place, velocity, time, math) == law.force(other, place, later, math)
 
 
-@settings(deadline=None)
 @given(law=LAW, place=VECTOR, velocity=VECTOR, time=SIZE)
 def test_floats_and_arrays_give_the_same(law: Law, place: Vector, velocity: Vector, time: float) -> None:
     if far(law, place):
@@ -113,13 +109,11 @@ def test_a_push_that_changes_aside_has_no_potential(value: float, slope: float, 
     assert (law.potential((0.0, 0.0, 0.0), math) is None) == (slope != 0.0 and aside)
 
 
-@settings(deadline=None)
 @given(region=REGION, place=VECTOR, by=VECTOR)
 def test_a_region_elsewhere_has_the_same_borders(region: Region, place: Vector, by: Vector) -> None:
     assert region.moved(by).margins(shifted(place, by), math) == pytest.approx(region.margins(place, math), abs=1e-7)
 
 
-@settings(deadline=None)
 @given(region=REGION, place=VECTOR, step=WAY)
 def test_a_margin_is_a_distance(region: Region, place: Vector, step: Vector) -> None:
     """One step of length h changes none by more than h."""

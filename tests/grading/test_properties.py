@@ -14,7 +14,7 @@ from formula_trees import NAMES, Tree, leaf, mutant, values
 from sim2reason.dsl.units import parse_unit
 from sim2reason.grading import Outcome, Score, formula, number
 
-steady = settings(deadline=None, derandomize=True, max_examples=400)
+steady = settings(derandomize=True, max_examples=400)
 
 EXACT = 1e-9  # as a tolerance, so that only the very value passes
 

@@ -63,7 +63,7 @@ def test_a_second_run_asks_only_for_what_is_missing(tmp_path: Path) -> None:
     assert all(found.seed == sample_seed(0, *found.key) for found in held)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(cut=st.integers(1, 4000))
 def test_wherever_a_kill_cuts_the_last_lines_no_sample_is_lost_or_asked_twice(
     cut: int, tmp_path_factory: pytest.TempPathFactory

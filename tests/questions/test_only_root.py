@@ -80,7 +80,7 @@ def test_the_top_of_a_round_hill_is_looked_at(top: float, height: float, *, excl
 
 @pytest.mark.parametrize("last", [5.3, 6.7581, 20.0])
 def test_where_results_come_back_just_before_they_end_is_looked_at(last: float) -> None:
-    """As the square root of how far the end is, as what goes slack near the top of a circle does; 4e-5 of it suffice."""
+    """As the root of how far the end is, as what goes slack near the top of a circle does; 4e-5 of it suffice."""
 
     def result(value: float) -> float:
         return max(1.0 - (value - ROOT) / 4.0, 1.0 + 3.0 * (sqrt(4e-5) - sqrt(abs(1.0 - value / last))))

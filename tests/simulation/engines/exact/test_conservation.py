@@ -29,13 +29,13 @@ def assert_energy_is_kept(found: Motion, floor: float) -> None:
     assert np.ptp(total) <= CLOSE * max(kinetic.max(), floor)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(seed=seeds)
 def test_energy_of_pulleys(seed: int) -> None:
     assert_energy_is_kept(motion(pulleys(seed).finish(), 1.0), 1.0)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(seed=seeds)
 def test_energy_and_momentum_of_wedges(seed: int) -> None:
     found = motion(wedges(seed).finish(), 1.0)
@@ -45,13 +45,13 @@ def test_energy_and_momentum_of_wedges(seed: int) -> None:
     assert np.ptp(along) <= CLOSE * max(1.0, np.abs(along).max())
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(seed=seeds)
 def test_energy_of_elastic_discs(seed: int) -> None:
     assert_energy_is_kept(motion(table(seed, 1.0).finish(), 3.0), 1e-3)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(seed=seeds)
 def test_momentum_of_discs(seed: int) -> None:
     found = motion(table(seed).finish(), 3.0)
@@ -72,7 +72,7 @@ def moved(seed: int) -> Motion:
         reject()
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(seed=seeds)
 def test_friction_and_jerks_only_take_energy(seed: int) -> None:
     found = moved(seed)
@@ -80,7 +80,7 @@ def test_friction_and_jerks_only_take_energy(seed: int) -> None:
     assert (np.diff(total) <= CLOSE * max(1.0, kinetic.max())).all()
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(seed=seeds)
 def test_forces_stay_within_their_laws(seed: int) -> None:
     """Tension and normal force are never negative, |f| ≤ µN, and f opposes the sliding."""

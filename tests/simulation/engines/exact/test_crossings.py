@@ -23,7 +23,6 @@ def first(margin: Margin, start: float | None = None) -> Crossing | None:
     return found[0][1] if found else None
 
 
-@settings(deadline=None)
 @given(root=st.floats(0.01, 0.99), speed=st.floats(0.1, 50.0))
 def test_a_margin_that_is_used_up_has_an_interval_around_its_root(root: float, speed: float) -> None:
     found = first(lambda x: speed * (root - x))
@@ -31,7 +30,7 @@ def test_a_margin_that_is_used_up_has_an_interval_around_its_root(root: float, s
     assert found.low <= root <= found.high
 
 
-@settings(deadline=None, max_examples=500)
+@settings(max_examples=500)
 @given(place=st.floats(0.02, 0.98), radius=st.floats(0.004, 0.1), aside=st.floats(0.0, 0.6))
 def test_a_straight_path_past_a_small_disc_is_not_stepped_over(place: float, radius: float, aside: float) -> None:
     """The margin is a hyperbola with a narrow dip; the path is a hundred to ten radii long."""

@@ -14,7 +14,6 @@ from sim2reason.simulation.engines.exact.redundant_supports import nonnegative
 seeds = st.integers(0, 2**32 - 1)
 
 
-@settings(deadline=None)
 @given(seed=seeds, size=st.integers(1, 9))
 def test_regular_systems(seed: int, size: int) -> None:
     rng = np.random.default_rng(seed)
@@ -25,7 +24,6 @@ def test_regular_systems(seed: int, size: int) -> None:
     assert matrix @ found.x == pytest.approx(right, abs=1e-9)
 
 
-@settings(deadline=None)
 @given(seed=seeds, size=st.integers(2, 8), rank=st.integers(1, 7))
 def test_singular_systems(seed: int, size: int, rank: int) -> None:
     rng = np.random.default_rng(seed)
@@ -46,7 +44,6 @@ def test_a_contradiction() -> None:
     assert solve([]).x == []
 
 
-@settings(deadline=None)
 @given(seed=seeds, rows=st.integers(1, 6), columns=st.integers(1, 8))
 def test_least_squares_without_negative_unknowns(seed: int, rows: int, columns: int) -> None:
     """The optimum of Karush, Kuhn and Tucker: x ≥ 0, no gain left, and none where x > 0."""
@@ -88,7 +85,7 @@ def test_when_a_speed_passes_zero() -> None:
     assert halt(2.0, 4.0) == halt(0.0, -1.0) == halt(1.0, 0.0) == inf
 
 
-@settings(deadline=None, max_examples=300)
+@settings(max_examples=300)
 @given(seed=seeds)
 def test_the_first_hit_among_all_times(seed: int) -> None:
     """Against a fine scan of the distance, for straight and bent paths, from apart and from touching."""

@@ -23,7 +23,7 @@ def best(matrix: Array, right: Array) -> float:
     return found
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(seed=st.integers(0, 10**6), rows=st.integers(1, 4), columns=st.integers(1, 6))
 def test_nothing_comes_nearer(seed: int, rows: int, columns: int) -> None:
     rng = np.random.default_rng(seed)

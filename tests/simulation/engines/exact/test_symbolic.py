@@ -31,7 +31,7 @@ def recorded(matrix: np.ndarray) -> tuple[Tape, list[list[Number]]]:
     return tape, [[float(entry) * t if entry else 0.0 for entry in row] for row in matrix.tolist()]
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(seed=st.integers(0, 10**6), n=st.integers(1, 6), share=st.integers(0, 3))
 def test_it_solves_what_numpy_solves(seed: int, n: int, share: int) -> None:
     rows = min(share, n)

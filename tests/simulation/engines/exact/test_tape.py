@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sim2reason.dsl.triples import Maths, Number
@@ -42,7 +42,6 @@ def recorded(formulas: list[Formula]) -> tuple[Tape, list[Number]]:
     return tape, [formula(inputs, tape) for formula in formulas]
 
 
-@settings(deadline=None)
 @given(formulas=st.lists(FORMULAS, min_size=1, max_size=4), point=st.tuples(VALUES, VALUES, VALUES))
 def test_code_values_and_plain_arithmetic_are_one(formulas: list[Formula], point: tuple[float, float, float]) -> None:
     tape, outputs = recorded(formulas)

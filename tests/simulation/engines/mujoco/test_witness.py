@@ -46,7 +46,7 @@ def test_engines_agree_far_below_the_tolerance(name: str) -> None:
     assert [turn.time for turn in turns] == pytest.approx([turn.time for turn in seen], abs=1e-7)
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=150, derandomize=True)
 @given(seed=st.integers(0, 10**6))
 def test_engines_agree_on_random_trains(seed: int) -> None:
     """Until they part, which ever smaller jerks or a lift may make them do, every sample agrees."""
