@@ -64,9 +64,9 @@ def test_a_dataset_keeps_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize("size", [0.0, STRICTEST / 2.0, 2.0 * TOLERANCE, float("nan")])
 def test_what_is_none_is_refused(size: float, tmp_path: Path) -> None:
     """Looser than the paper's none is; stricter ones than three digits tell would refuse right answers."""
-    with pytest.raises(DrawError, match="tolerance"):
+    with pytest.raises(DrawError, match=r"^tolerance: .* from 0\.005 to 0\.05$"):
         sim2reason.item(tolerance=size)
-    with pytest.raises(DatasetError, match="tolerance"):
+    with pytest.raises(DatasetError, match=r"^tolerance: .* from 0\.005 to 0\.05$"):
         sim2reason.generate(tmp_path / "out", items=1, tolerance=size)
 
 

@@ -1,5 +1,6 @@
 """Where outcomes change, by formulas from textbooks, and whether the second engine sees it."""
 
+from dataclasses import dataclass
 from math import acos, cos, degrees, radians, sin, sqrt, tan
 
 import numpy as np
@@ -22,17 +23,19 @@ from sim2reason.entities.parts.mass_systems import Hanging, OnPlane
 from sim2reason.entities.parts.rolling import Rough
 from sim2reason.entities.pendulum import Pendulum
 from sim2reason.entities.rolling_entity import RollingEntity
+from sim2reason.errors import SimulationError
 from sim2reason.prose.description import describe
 from sim2reason.prose.voices import hiding
 from sim2reason.questions import KINDS, MODES, Study, Words
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.questions.outcomes import OUTCOMES
+from sim2reason.questions.outcomes import OUTCOMES, Onset
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import prompt, words_of
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.questions.trial import Trial
 from sim2reason.simulation.scenes import simulate
+from sim2reason.simulation.trace import Trace
 
 G = 9.8
 
@@ -49,6 +52,39 @@ def pendulum(hanger: Cord | LightRod, angle: float, speed: float) -> Scene:
     return Scene(
         entities=(Named(name="p", entity=Pendulum(bob=Ball(mass=0.5), hanger=hanger, angle=angle, speed=speed)),)
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Slow(Onset):
+    """It shows late where friction is below 0.3; above, it shows at once, and a longer motion is none."""
+
+    def happens(self, trace: Trace) -> bool | None:
+        duration, rough = trace.state.times[-1], trace.mechanism.contacts["ramp.blocks.0"].friction > 0.3
+        if rough and duration > 1.0:
+            raise SimulationError("it can't be followed for so long")
+        return True if rough or duration > 4.0 else None
+
+    @classmethod
+    def candidates(cls, words: Words) -> dict[str, str]:
+        del words
+        return {}
+
+    def duration(self, scene: Scene) -> float:
+        del scene
+        return 1.0
+
+    def does(self, words: Words) -> tuple[str, ...]:
+        del words
+        return ()
+
+    does_not = does
+
+
+def test_what_fails_when_followed_for_long_is_followed_for_less() -> None:
+    """The nearest value that was tried needs a longer motion, which this one does not have."""
+    trial = Trial(study(ramp(angle=20.0, friction=0.2)), Slow("ramp.blocks.0"), "ramp.plane.friction")
+    assert trial(0.28) is True
+    assert trial(0.32) is True
 
 
 def test_what_changes_far_from_what_is_drawn_is_not_closed_in_on() -> None:

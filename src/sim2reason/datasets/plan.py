@@ -23,7 +23,7 @@ from sim2reason.datasets.item import Item, Record
 from sim2reason.datasets.request import LARGEST, SI, Request, Weights
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.lazy import cached_property
-from sim2reason.questions.tolerance import STRICTEST, TOLERANCE
+from sim2reason.questions.tolerance import TOLERANCE, out_of_range
 from sim2reason.recipes import DIFFICULTIES
 
 MAKER = "sim2reason.datasets.make:make"
@@ -102,7 +102,7 @@ class Config(Record):
     weights: dict[str, float] = Field(default_factory=dict[str, float])
     """How often kinds of question are asked, by name: ``period``, ``reverse.period``, ``springs.reverse.period``."""
     units: str = SI
-    tolerance: Annotated[float, Ge(STRICTEST), Le(TOLERANCE)] = TOLERANCE
+    tolerance: float = TOLERANCE
     """The relative error that an answer may have."""
     solutions: bool = False
     """Whether items come with worked solutions."""
@@ -131,6 +131,14 @@ class Config(Record):
         if not isclose(total, 1.0, abs_tol=1e-9):
             raise ValueError(f"the shares add up to {total:.12g}; give all of them, which add up to 1, as in {SHARES}")
         return dict(sorted(value.items()))
+
+    @field_validator("tolerance")
+    @classmethod
+    def _of_use(cls, value: float) -> float:
+        """One that an answer may have."""
+        if fault := out_of_range(value):
+            raise ValueError(fault)
+        return value
 
     @field_validator("license")
     @classmethod

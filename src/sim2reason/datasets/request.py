@@ -9,7 +9,7 @@ from typing import Self, SupportsIndex, cast
 
 from sim2reason.datasets.item import Item
 from sim2reason.errors import DrawError
-from sim2reason.questions.tolerance import STRICTEST, TOLERANCE
+from sim2reason.questions.tolerance import TOLERANCE, out_of_range
 
 LARGEST = 2**63 - 1
 """The largest seed and index: columns of a shard hold no more."""
@@ -60,8 +60,8 @@ class Request:
 
     def __post_init__(self) -> None:
         """DrawError for what no item has; whole numbers of other packages become Python's."""
-        if not STRICTEST <= self.tolerance <= TOLERANCE:
-            raise DrawError(f"tolerance: {self.tolerance!r} is none; give a number from {STRICTEST} to {TOLERANCE}")
+        if fault := out_of_range(self.tolerance):
+            raise DrawError(f"tolerance: {fault}")
         for name in ("seed", "index"):
             object.__setattr__(self, name, whole(name, getattr(self, name)))
 

@@ -48,22 +48,29 @@ class Trial:
 
     def _tried(self, value: float, error: float) -> _Found | None:
         if (value, error) not in self._known:
-            try:
-                self._known[value, error] = self._followed(value, error)
-            except (SceneError, SimulationError, UnsupportedError, ValueError):
-                self._known[value, error] = None
+            self._known[value, error] = None
+            for begin in sorted({self._usual_doublings(value), 0}, reverse=True):
+                try:
+                    self._known[value, error] = self._followed(value, error, begin)
+                    break
+                except (SceneError, SimulationError, UnsupportedError, ValueError):
+                    continue  # what is amiss may come after it is clear
         return self._known[value, error]
 
-    def _followed(self, value: float, error: float) -> _Found | None:
+    def _usual_doublings(self, value: float) -> int:
+        """Those with the nearest value that was tried: it takes about as long with this one."""
+        near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
+        return self._doublings[near] if near is not None else 0
+
+    def _followed(self, value: float, error: float, begin: int) -> _Found | None:
         """Whether it does with one value: the motion is followed for ever longer until that is clear.
 
-        That takes about as long as with the nearest value that was tried, which is where it begins.
+        At first it is as long as so many doublings make it.
         """
         scene = self._scene.having(self._path, value)
         duration = self._outcome.duration(scene)
         mechanism = scene.mechanism if self._change is None else self._change(scene.mechanism)
-        near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
-        for doublings in range(self._doublings[near] if near is not None else 0, LONGER):
+        for doublings in range(begin, LONGER):
             trace = ENGINES[self._engine](mechanism, np.linspace(0.0, duration * 2.0**doublings, SAMPLES), error)
             found = self._outcome.happens(trace)
             if found is not None:

@@ -122,19 +122,19 @@ def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
 
 def carries_on_both_sides(mechanism: Mechanism, rod: str) -> bool:
     """Whether what is welded to a light rod is not all on one side of its axle."""
-    places = [body.at for body in carried_by(mechanism, rod) if is_welded(body, rod)]
+    places = [body.at for body in welded_to(mechanism, rod)]
     return any(inner(places[0], place) < 0.0 for place in places[1:])
 
 
-def is_welded(body: RigidBody, rod: str) -> bool:
-    """Whether a body with a mass is fixed to a rod."""
-    return body.parent == rod and body.mass > 0.0 and not body.coordinates
+def welded_to(mechanism: Mechanism, rod: str) -> list[RigidBody]:
+    """What is fixed to a rod and has a mass."""
+    carried = carried_by(mechanism, rod)
+    return [body for body in carried if body.parent == rod and body.mass > 0.0 and not body.coordinates]
 
 
 def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
     """The centre of mass of what is fixed to a light rod, or else of where things hang from it, in its frame."""
-    fixed = [b for b in carried_by(mechanism, rod.name) if b.parent == rod.name]
-    heavy = [(b.mass, add(b.at, b.center)) for b in fixed if b.mass > 0.0 and not b.coordinates]
-    loads = heavy or [(1.0, b.at) for b in fixed]
+    heavy = [(b.mass, add(b.at, b.center)) for b in welded_to(mechanism, rod.name)]
+    loads = heavy or [(1.0, b.at) for b in carried_by(mechanism, rod.name) if b.parent == rod.name]
     total = sum(mass for mass, _ in loads)
     return scale(1.0 / total, add(*(scale(mass, place) for mass, place in loads))) if loads else ZERO

@@ -6,12 +6,11 @@ from typing import Self
 
 from sim2reason.dsl.vectors import inner
 from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import carried_by
 from sim2reason.quantities.subjects.swinging_lines import (
     carries_on_both_sides,
     is_light_rod,
-    is_welded,
     load_center,
+    welded_to,
 )
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
@@ -32,8 +31,7 @@ class SideOfCenterOfMass(Regime):
         """Of arms that carry something on both sides of the axle."""
         mechanism, named = study.mechanism, words.called(cls.of)
         rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
-        both = [rod for rod in rods if carries_on_both_sides(mechanism, rod)]
-        firsts = [next(body.name for body in carried_by(mechanism, rod) if is_welded(body, rod)) for rod in both]
+        firsts = [welded_to(mechanism, rod)[0].name for rod in rods if carries_on_both_sides(mechanism, rod)]
         return [cls(name, same) for name in firsts if name in named for same in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
