@@ -46,8 +46,77 @@ class Relation:
 
 
 @dataclass(frozen=True, slots=True)
+class Coordinate:
+    """A coordinate of an integrated phase: the symbols of its value and derivatives, and its initial values."""
+
+    place: str
+    rate: str
+    acceleration: str
+    initial_place: Expression
+    initial_rate: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Accumulated:
+    """A quantity that a phase adds up over time, such as work, impulse or path length: its rate and initial value."""
+
+    name: str
+    rate: Expression
+    initial: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """The end of an integrated phase: the `occurrence`-th zero of an expression after the phase begins.
+
+    `direction` is 1 if only zeros count where the expression increases, -1 where it decreases, 0 if all count.
+    """
+
+    expression: Expression
+    direction: int = 0
+    occurrence: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Integration:
+    """The stated initial-value problem of one phase, complete enough to be integrated from this data alone.
+
+    Attributes:
+        time: symbol of the time, s, which counts from the start of the motion.
+        begin: value of the time at which the phase begins.
+        coordinates: the generalised coordinates with their initial values.
+        unknowns: symbols of forces that the equations determine at each instant together with the accelerations.
+        equations: equations of motion and constraints, linear in the accelerations and unknowns.
+        until: the condition that ends the phase.
+        ends: pairs of a symbol of the phase and the name that its value at the end of the phase gets.
+        accumulated: quantities that are added up over the phase.
+    """
+
+    time: str
+    begin: Expression
+    coordinates: tuple[Coordinate, ...]
+    unknowns: tuple[str, ...]
+    equations: tuple[Relation, ...]
+    until: Condition
+    ends: tuple[tuple[str, str], ...]
+    accumulated: tuple[Accumulated, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Phase:
+    """A part of the motion between two events, during which the same forces and constraints act."""
+
+    begins: str
+    ends: str
+
+
+@dataclass(frozen=True, slots=True)
 class Step:
-    """One step: its sentence, its relations, the names that it gives a value, and the steps that it needs."""
+    """One step: its sentence, its relations, the names that it gives a value, and the steps that it needs.
+
+    `phase` is the index of the phase of the motion to which it belongs. An `integration` is the initial-value problem
+    that the step states; the names of its `ends` are among those that the step gives.
+    """
 
     id: int
     kind: str
@@ -55,6 +124,8 @@ class Step:
     relations: tuple[Relation, ...]
     gives: tuple[str, ...]
     needs: tuple[int, ...]
+    phase: int = 0
+    integration: Integration | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +144,7 @@ class Solution:
     formula: str = ""  # the answer to a problem in symbols
     scale: float = 1.0  # what one of `unit` is in the unit of the answer, degrees but for those
     keen: float = 1.0  # relative: by how much what is given changes with the answer, where that is unknown
+    phases: tuple[Phase, ...] = ()  # empty if the motion has a single phase
     asked_unit: tuple[str, float] | None = (
         None  # the unit that the text asks for, and what one of the answer's is in it
     )
