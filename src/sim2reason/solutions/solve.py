@@ -91,7 +91,15 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     stated = tuple(name for name in book.stated if name not in book.constants)
     values = book.observed | book.values
     found = Solution(
-        strategy.name, steps, values, goal, unit=unit, stated=stated, constants=book.constants, keen=book.keen
+        strategy.name,
+        steps,
+        values,
+        goal,
+        unit=unit,
+        stated=stated,
+        constants=book.constants,
+        keen=book.keen,
+        phases=tuple(book.phases),
     )
     unknown = setting.lexicon.givens.get(setting.unknown)
     if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:
@@ -161,7 +169,7 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
 
 def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
     """What the solution takes from the text."""
-    used = {name for step in steps for relation in step.relations for name in relation.symbols()} | {goal}
+    used = {name for step in steps for name in step.symbols()} | {goal}
     said: dict[str, str] = {}
     relations: list[Relation] = []
     for given in setting.lexicon.givens.values():
