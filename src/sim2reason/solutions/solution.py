@@ -148,6 +148,7 @@ class Solution:
     asked_unit: tuple[str, float] | None = (
         None  # the unit that the text asks for, and what one of the answer's is in it
     )
+    whole: bool = False  # the answer is a count
 
     @property
     def derived(self) -> bool:
