@@ -10,13 +10,15 @@ from numpy.polynomial.chebyshev import chebroots
 from sim2reason.solutions.checking.bracket import zero
 from sim2reason.solutions.checking.collocation import COEFFICIENTS, Piece, pieces, tail
 from sim2reason.solutions.checking.instant import Instant
-from sim2reason.solutions.checking.trees import Array, TreeError, check, compiled, compiled_for_many
+from sim2reason.solutions.checking.trees import Array, TreeError, check, compiled, compiled_for_many, terms
 
 SMOOTH, TINY = 1e-8, 1e-14  # how large the last coefficients of a condition may be: relative, absolute
 TRIMMED, REAL = 1e-13, 1e-6  # relative: coefficients that count; the imaginary part of a real zero
 ZERO = 1e-9  # relative to the largest coefficient of a condition in the first step: what is zero at the beginning
 NARROW, RESTING = 1e-9, 1e-4  # parts of a step in which signs are not trusted; where it begins with such a zero
+ROUNDING = 1e-12  # relative to the largest term of a condition: a value of which the sign is not trusted
 SIZE, MOST = 40, 10_000  # coordinates and unknowns; occurrences of an event
+ENDLESS = "a phase does not come to the end that is stated"
 
 
 class PhaseError(ValueError):
@@ -87,6 +89,7 @@ class _Phase:
         if not 1 <= self._occurrence <= MOST or self._direction not in (-1, 0, 1):
             raise TreeError("the end of a phase has no such occurrence or direction")
         self._condition = compiled_for_many(until["expression"])
+        self._terms = [compiled_for_many(term) for term in terms(until["expression"])]
         self._held: list[Piece] = []  # the last two pieces
 
     def _slope(self, times: Array, states: Array) -> Array:
@@ -135,12 +138,14 @@ class _Phase:
                     if not zeros:
                         return self._found(zero(self._excess_at, before.time, sample.time)), taken
                 before = sample
-        raise TreeError("a phase does not come to the end that is stated")
+        raise TreeError(ENDLESS)
 
     def _between_zeros(self, piece: Piece, *, first: bool) -> Iterator[Sample]:
         """Instants of a step between the zeros of the condition, one between every two of them."""
         coefficients = COEFFICIENTS @ self._excess(piece.times, piece.states)
         large = np.abs(coefficients).max()
+        if not np.isfinite(large):
+            raise TreeError(ENDLESS)
         if not large:
             return
         kept = np.nonzero(np.abs(coefficients) > TRIMMED * large)[0][-1] + 1
@@ -149,9 +154,14 @@ class _Phase:
         resting = first and abs(self._excess_at(piece.begin)) <= ZERO * large
         shortest = RESTING if resting else NARROW
         for one, other in pairwise([-1.0, *map(float, inside), 1.0]):
-            if other - one > shortest:
-                time = piece.begin + 0.25 * piece.length * (one + other + 2.0)
-                yield Sample(time, self._excess_at(time))
+            time = piece.begin + 0.25 * piece.length * (one + other + 2.0)
+            excess = self._excess_at(time)
+            if other - one > shortest and abs(excess) > ROUNDING * self._largest_term():
+                yield Sample(time, excess)
+
+    def _largest_term(self) -> float:
+        """That of the condition, at the instant that was looked at last."""
+        return max(abs(float(np.ravel(term(self._instant.at))[0])) for term in self._terms)
 
     def _found(self, time: float) -> dict[str, float]:
         """The values at the end, by the names that they get."""

@@ -1,7 +1,7 @@
 """Recompute the answer of a worked solution from its data alone."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
@@ -19,10 +19,14 @@ WHOLE = 1e-9  # how far a count may be from a whole number
 
 @dataclass(frozen=True, slots=True)
 class Recomputed:
-    """The answer to which the data of a solution leads, in the unit of the question, and what is wrong with it."""
+    """The answer to which the data of a solution leads, in the unit of the question, and what is wrong with it.
+
+    `values` are those of all names that have one.
+    """
 
     answer: float | None
     faults: tuple[str, ...]
+    values: Mapping[str, float] = field(default_factory=dict[str, float])
 
     def agrees(self, answer: float, within: float) -> bool:
         """Whether there is no fault, and the answer is another one but for a relative deviation."""
@@ -73,7 +77,7 @@ class _Reading:
             faults += self._undetermined()
         if answer is not None and self._data["whole"] and abs(answer - round(answer)) > WHOLE:
             faults.append(f"a count is {answer:.6g}")
-        return Recomputed(answer, tuple(dict.fromkeys(faults)))
+        return Recomputed(answer, tuple(dict.fromkeys(faults)), known.values)
 
     def _read(self, step: Mapping[str, Any]) -> None:
         """One step: its relations, its integration, and what that is said to give."""

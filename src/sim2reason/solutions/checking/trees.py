@@ -36,9 +36,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]
     "ln": (math.log, lambda x: 1.0 / x),
     "exp": (math.exp, math.exp),
 }  # each with its derivative
-VECTORS: Mapping[str, Callable[[Any], Any]] = {
-    name: getattr(np, {"ln": "log"}.get(name, name)) for name in FUNCTIONS
-}
+VECTORS: Mapping[str, Callable[[Any], Any]] = {name: getattr(np, {"ln": "log"}.get(name, name)) for name in FUNCTIONS}
 ARITY = {"/": 2, "^": 2, "pi": 0, "worked": 2, "root": 3, "solve": 1} | dict.fromkeys(FUNCTIONS, 1)
 
 
@@ -152,10 +150,14 @@ def value(tree: Tree, at: Values) -> float:
     return compiled(tree)(at) if isinstance(tree, list) else float(tree)
 
 
+def terms(tree: Tree) -> list[Tree]:
+    """The terms of a sum; of anything else itself."""
+    return tree[1:] if isinstance(tree, list) and tree[0] == "+" else [tree]
+
+
 def size(tree: Tree, at: Values) -> float:
     """The absolute value of the largest term of a tree."""
-    terms = tree[1:] if isinstance(tree, list) and tree[0] == "+" else [tree]
-    return max(abs(value(term, at)) for term in terms)
+    return max(abs(value(term, at)) for term in terms(tree))
 
 
 def derivatives(tree: Tree, at: Values) -> tuple[float, dict[str, float]]:
@@ -189,7 +191,9 @@ def derivatives(tree: Tree, at: Values) -> tuple[float, dict[str, float]]:
             return function(x), _combined([(slope(x), slopes)]) if slopes else {}
 
 
-def _combined(parts: "Iterator[tuple[float, dict[str, float]]] | list[tuple[float, dict[str, float]]]") -> dict[str, float]:
+def _combined(
+    parts: "Iterator[tuple[float, dict[str, float]]] | list[tuple[float, dict[str, float]]]",
+) -> dict[str, float]:
     found: dict[str, float] = {}
     for factor, slopes in parts:
         for name, slope in slopes.items():
