@@ -12,6 +12,7 @@ from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "verified", "trial", "condition"]
 WELL = 1e-9  # relative: how well every relation holds
+SAME = 1e-6  # relative: a solution that leads to another answer is none
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,6 +166,7 @@ class Solution:
     asked_unit: tuple[str, float] | None = (
         None  # the unit that the text asks for, and what one of the answer's is in it
     )
+    whole: bool = False  # the answer is a count
 
     @property
     def derived(self) -> bool:
@@ -182,6 +184,8 @@ class Solution:
     def _boxed(self, answer: float) -> str:
         if self.formula:
             return rf" = \boxed{{{self.formula}}}"
+        if self.whole:
+            return rf" = \boxed{{{round(answer)}}}{self.unit}"
         if self.asked_unit is None:
             return rf" \approx \boxed{{{rounded(answer, 3)}}}{self.unit}"
         unit, factor = self.asked_unit

@@ -19,7 +19,7 @@ def rounded(value: float, digits: int = DIGITS) -> str:
         return "0"
     mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
     exponent = int(power)
-    if -4 < exponent < 6:
+    if -4 < exponent < digits:
         return f"{value:.{max(0, digits - 1 - exponent)}f}"
     return rf"{mantissa} \times 10^{{{exponent}}}"
 

@@ -1,0 +1,150 @@
+"""Recompute the answer of a worked solution from its data alone."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import isfinite
+from typing import Any
+
+from sim2reason.solutions.checking.determination import undetermined
+from sim2reason.solutions.checking.equation import Equation
+from sim2reason.solutions.checking.integration import PhaseError, integrate
+from sim2reason.solutions.checking.relations import UNDEFINED, Relations
+from sim2reason.solutions.checking.trees import TreeError, check, symbols
+
+STEPS = 20_000  # of all integrations of a solution together
+MOST = 2000  # relations
+INTEGRATED = 1e-6  # relative: how well a number that an integration gives is stated
+WHOLE = 1e-9  # how far a count may be from a whole number
+
+
+@dataclass(frozen=True, slots=True)
+class Recomputed:
+    """The answer to which the data of a solution leads, in the unit of the question, and what is wrong with it.
+
+    `values` are those of all names that have one.
+    """
+
+    answer: float | None
+    faults: tuple[str, ...]
+    values: Mapping[str, float] = field(default_factory=dict[str, float])
+
+    def agrees(self, answer: float, within: float) -> bool:
+        """Whether there is no fault, and the answer is another one but for a relative deviation."""
+        return not self.faults and self.answer is not None and abs(self.answer - answer) <= within * abs(answer)
+
+
+def recompute(data: Mapping[str, Any]) -> Recomputed:
+    """Work through the data of a solution, see `sim2reason.solutions.data.as_data`, as a reader would.
+
+    Givens, relations in order, phases that are integrated; every name must follow from what is stated, every relation
+    must hold, and the laws must determine the goal. Faults are said in words; none are raised.
+    """
+    try:
+        return _Reading(data).result()
+    except (TreeError, RecursionError) as error:
+        return Recomputed(None, (str(error),))
+    except (KeyError, TypeError, IndexError) as error:
+        return Recomputed(None, (f"the data is no solution: {error!r}",))
+
+
+class _Reading:
+    """One solution that is worked through."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self._data = data
+        given = {str(name): float(value) for name, value in data["givens"].items()}
+        if not all(map(isfinite, given.values())):
+            raise TreeError("a given is no number")
+        self._relations, self._steps = Relations(given), STEPS
+        self._equations: list[Equation] = []
+        self._given = frozenset(given)
+        self._ends: set[str] = set()
+        self._needed: list[str] = [str(data["goal"])]
+
+    def result(self) -> Recomputed:
+        """Work through all steps."""
+        known = self._relations
+        if sum(len(step["relations"]) for step in self._data["steps"]) > MOST:
+            raise TreeError("there are too many relations")
+        for step in self._data["steps"]:
+            self._read(step)
+        known.solve_linear()
+        faults = [*known.faults, *(f"{name} has no value" for name in known.unknown)]
+        goal = self._needed[0]
+        answer = known.values[goal] * float(self._data["scale"]) if goal in known.values else None
+        faults += [] if answer is not None or goal in known.unknown else [f"no relation speaks of {goal}"]
+        if not faults:
+            faults += self._undetermined()
+        if answer is not None and self._data["whole"] and abs(answer - round(answer)) > WHOLE:
+            faults.append(f"a count is {answer:.6g}")
+        return Recomputed(answer, tuple(dict.fromkeys(faults)), known.values)
+
+    def _read(self, step: Mapping[str, Any]) -> None:
+        """One step: its relations, its integration, and what that is said to give."""
+        asserted: list[tuple[str, float]] = []
+        for held in step["relations"]:
+            left, right, role = held["left"], held["right"], str(held["role"])
+            check(left)
+            check(right)
+            if role == "integrated":
+                asserted.append((str(left), float(right)))
+                continue
+            equation = Equation.of(left, right, role)
+            self._equations.append(equation)
+            self._relations.add(equation)
+        if step["integration"] is not None:
+            self._integrate(step["integration"])
+        for name, number in asserted:
+            self._compare(name, number)
+
+    def _integrate(self, data: Mapping[str, Any]) -> None:
+        """Find the end of a phase; the laws must determine what it begins with."""
+        known = self._relations
+        used = _used(data)
+        if not known.values.keys() >= used:
+            known.solve_linear()
+        try:
+            ends, taken = integrate(data, known.values, self._steps)
+        except PhaseError as error:
+            known.faults.append(f"a phase can't be integrated: {error}")
+            return
+        self._steps -= taken
+        self._needed += sorted((used & known.values.keys()) - self._given - self._ends)
+        self._ends |= ends.keys()
+        for name, value in ends.items():
+            if name in known.values:
+                known.faults.append(f"{name} has two values")
+            else:
+                known.assign(name, value)
+
+    def _compare(self, name: str, number: float) -> None:
+        """A number that an integration is said to give."""
+        known = self._relations
+        if name not in self._ends:
+            known.faults.append(f"{name} is said to follow by integration, but no integration gives it")
+        elif abs(known.values[name] - number) > INTEGRATED * max(abs(number), abs(known.values[name])):
+            known.faults.append(f"integration gives {name} = {known.values[name]:.9g}, not {number:.9g}")
+
+    def _undetermined(self) -> Sequence[str]:
+        """What does not follow from the laws."""
+        stated = [equation for equation in self._equations if equation.role != "verified" and equation.near is None]
+        try:
+            return [*undetermined(stated, self._given | self._ends, self._relations.values, self._needed)]
+        except UNDEFINED as error:
+            return [f"a relation has no derivative: {error}"]
+
+
+def _used(data: Mapping[str, Any]) -> set[str]:
+    """All symbols in the data of a phase."""
+    return set(_symbols_in(data))
+
+
+def _symbols_in(data: Any) -> Iterator[str]:
+    for tree in (data["begin"], data["until"]["expression"]):
+        yield from symbols(tree)
+    for held in data["equations"]:
+        yield from (*symbols(held["left"]), *symbols(held["right"]))
+    for held in data["coordinates"]:
+        yield from (*symbols(held["initial_place"]), *symbols(held["initial_rate"]))
+    for held in data["accumulated"]:
+        yield from (*symbols(held["rate"]), *symbols(held["initial"]))
