@@ -1,36 +1,21 @@
 """Recompute the answer of a worked solution from its data alone."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
 from sim2reason.solutions.checking.determination import undetermined
 from sim2reason.solutions.checking.equation import Equation
 from sim2reason.solutions.checking.integration import PhaseError, integrate
+from sim2reason.solutions.checking.recomputed import Recomputed
 from sim2reason.solutions.checking.relations import UNDEFINED, Relations
 from sim2reason.solutions.checking.trees import TreeError, check, symbols
+from sim2reason.solutions.checking.trial import by_trial, sought
 
 STEPS = 20_000  # of all integrations of a solution together
 MOST = 2000  # relations
 INTEGRATED = 1e-6  # relative: how well a number that an integration gives is stated
 WHOLE = 1e-9  # how far a count may be from a whole number
-
-
-@dataclass(frozen=True, slots=True)
-class Recomputed:
-    """The answer to which the data of a solution leads, in the unit of the question, and what is wrong with it.
-
-    `values` are those of all names that have one.
-    """
-
-    answer: float | None
-    faults: tuple[str, ...]
-    values: Mapping[str, float] = field(default_factory=dict[str, float])
-
-    def agrees(self, answer: float, within: float) -> bool:
-        """Whether there is no fault, and the answer is another one but for a relative deviation."""
-        return not self.faults and self.answer is not None and abs(self.answer - answer) <= within * abs(answer)
 
 
 def recompute(data: Mapping[str, Any]) -> Recomputed:
@@ -40,11 +25,16 @@ def recompute(data: Mapping[str, Any]) -> Recomputed:
     must hold, and the laws must determine the goal. Faults are said in words; none are raised.
     """
     try:
-        return _Reading(data).result()
+        unknown = sought(data)
+        return _read(data) if unknown is None else by_trial(data, unknown, _read)
     except (TreeError, RecursionError) as error:
         return Recomputed(None, (str(error),))
     except (KeyError, TypeError, IndexError) as error:
         return Recomputed(None, (f"the data is no solution: {error!r}",))
+
+
+def _read(data: Mapping[str, Any]) -> Recomputed:
+    return _Reading(data).result()
 
 
 class _Reading:
