@@ -107,7 +107,7 @@ def _slide(setting: Setting, k: int) -> _Choice:
 def _position(setting: Setting, body: str, axis: str) -> str:
     """Describe a coordinate of a body whose position the text gives, or that hangs on a fixed point; else empty."""
     who = setting.called(body)
-    if any(path.rpartition(".")[2] in AXES.values() for path in setting.lexicon.givens if path.startswith(f"{body}.")):
+    if any(split(given.symbol)[0] in AXES.values() for given in setting.lexicon.givens.values()):
         return f"the {axis} coordinate of {who}"
     if any(line.law.row for line in setting.mechanism.lines):
         way = {"x": "horizontal", "y": "horizontal", "z": "vertical"}[axis]
