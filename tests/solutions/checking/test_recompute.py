@@ -1,4 +1,4 @@
-"""Answers recomputed from data written by hand, against closed forms; data that leaves something unstated is refused."""
+"""Answers recomputed from data written by hand, against closed forms; what leaves something unstated is refused."""
 
 import json
 from math import cos, isclose, pi, sin, sqrt

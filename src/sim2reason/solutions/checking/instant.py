@@ -43,7 +43,12 @@ class Instant:
         while True:
             for equation in waiting:
                 name = equation.left
-                if isinstance(name, str) and name not in {*self.names} and equation.names - known == {name}:
+                if (
+                    isinstance(name, str)
+                    and name not in {*self.names}
+                    and name not in known
+                    and not equation.names - known - {name}
+                ):
                     found.append((name, compiled_for_many(equation.right)))
                     known.add(name)
                     waiting.remove(equation)

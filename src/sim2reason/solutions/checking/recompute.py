@@ -1,13 +1,13 @@
 """Recompute the answer of a worked solution from its data alone."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
 from sim2reason.solutions.checking.determination import undetermined
 from sim2reason.solutions.checking.equation import Equation
-from sim2reason.solutions.checking.integration import PhaseError, integrate
+from sim2reason.solutions.checking.integration import PhaseError, formulas, integrate
 from sim2reason.solutions.checking.relations import UNDEFINED, Relations
 from sim2reason.solutions.checking.trees import TreeError, check, symbols
 
@@ -136,15 +136,4 @@ class _Reading:
 
 def _used(data: Mapping[str, Any]) -> set[str]:
     """All symbols in the data of a phase."""
-    return set(_symbols_in(data))
-
-
-def _symbols_in(data: Any) -> Iterator[str]:
-    for tree in (data["begin"], data["until"]["expression"]):
-        yield from symbols(tree)
-    for held in data["equations"]:
-        yield from (*symbols(held["left"]), *symbols(held["right"]))
-    for held in data["coordinates"]:
-        yield from (*symbols(held["initial_place"]), *symbols(held["initial_rate"]))
-    for held in data["accumulated"]:
-        yield from (*symbols(held["rate"]), *symbols(held["initial"]))
+    return {name for tree in formulas(data) for name in symbols(tree)}
