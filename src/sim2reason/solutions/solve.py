@@ -92,7 +92,15 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     values = book.observed | book.values
     counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
     found = Solution(
-        strategy.name, steps, values, goal, unit=unit, stated=stated, constants=book.constants, keen=book.keen
+        strategy.name,
+        steps,
+        values,
+        goal,
+        unit=unit,
+        stated=stated,
+        constants=book.constants,
+        keen=book.keen,
+        phases=tuple(book.phases),
     )
     found = replace(found, whole=counted)
     unknown = setting.lexicon.givens.get(setting.unknown)
@@ -163,7 +171,7 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
 
 def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
     """What the solution takes from the text."""
-    used = {name for step in steps for relation in step.relations for name in relation.symbols()} | {goal}
+    used = {name for step in steps for name in step.symbols()} | {goal}
     said: dict[str, str] = {}
     relations: list[Relation] = []
     for given in setting.lexicon.givens.values():
