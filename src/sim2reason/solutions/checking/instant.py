@@ -32,6 +32,7 @@ class Instant:
         extra = self._defined_by_unknowns(waiting, unknowns)
         self._system = LinearSystem(waiting, [*unknowns, *extra])
         self._accelerations = unknowns[: len(coordinates)]
+        self.solved = frozenset((*unknowns, *extra))  # the symbols whose values the equations of motion give
         self.names += [*(name for name, _ in self._before), *extra]
         left = {name for equation in waiting for name in equation.names} - known.keys() - {*self.names}
         if left:

@@ -10,7 +10,7 @@ from numpy.polynomial.chebyshev import chebroots
 from sim2reason.solutions.checking.bracket import zero
 from sim2reason.solutions.checking.collocation import COEFFICIENTS, Piece, pieces, tail
 from sim2reason.solutions.checking.instant import Instant
-from sim2reason.solutions.checking.trees import Array, Tree, TreeError, check, compiled, compiled_for_many, terms
+from sim2reason.solutions.checking.trees import Array, Tree, TreeError, check, compiled, compiled_for_many, symbols, terms
 
 SMOOTH, TINY = 1e-8, 1e-14  # how large the last coefficients of a condition may be: relative, absolute
 TRIMMED, REAL = 1e-13, 1e-6  # relative: coefficients that count; the imaginary part of a real zero
@@ -94,6 +94,7 @@ class _Phase:
         if not 1 <= self._occurrence <= MOST or self._direction not in (-1, 0, 1):
             raise TreeError("the end of a phase has no such occurrence or direction")
         self._condition = compiled_for_many(until["expression"])
+        self._needs_forces = not self._instant.solved.isdisjoint(symbols(until["expression"]))
         self._terms = [compiled_for_many(term) for term in terms(until["expression"])]
         self._held: list[Piece] = []  # the last two pieces
 
@@ -112,7 +113,8 @@ class _Phase:
     def _excess(self, times: Array, states: Array) -> Array:
         """What the condition of the end has at some instants."""
         self._instant.move(times, states)
-        self._instant.accelerate()
+        if self._needs_forces:
+            self._instant.accelerate()
         return np.asarray(self._condition(self._instant.at)) * np.ones(len(times))
 
     def _excess_at(self, time: float) -> float:

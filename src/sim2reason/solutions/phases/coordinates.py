@@ -6,6 +6,7 @@ from math import atan2, pi
 from sim2reason.dsl.frames import Frames, start
 from sim2reason.dsl.mechanism import Coordinate, Mechanism
 from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.units import parse_unit
 from sim2reason.dsl.vectors import inner
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
@@ -124,7 +125,12 @@ def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:
         own = lexicon.read(Both(begun[0], fixed[0]))
     except UnreadError:
         return None
-    lengths = [Polynomial.of(Symbol(given.symbol)) for given in lexicon.givens.values() if given.unit == METRES]
+    metre = parse_unit("m")
+    lengths = [
+        Polynomial.of(Symbol(given.symbol))
+        for given in lexicon.givens.values()
+        if parse_unit(given.parameter.measure.unit).factor_to(metre) is not None
+    ]
     fitting = [held for held in (own, *lengths) if _simple(held) and all(_simple(held + part) for part in apart)]
     return fitting[0] if fitting else None
 
@@ -134,7 +140,7 @@ def _simple(place: Polynomial) -> bool:
 
 
 def _along(m: Mechanism, k: int, sense: float) -> list[float]:
-    """Return the coordinates of a body's centre, of others' and of fixed ends of its lines along a coordinate's axis."""
+    """Return the positions along the axis of a coordinate: of its body, of other bodies, of fixed ends of its lines."""
     coordinate, frames = m.coordinates[k], start(m)
     sites = [
         site
