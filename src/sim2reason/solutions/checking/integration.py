@@ -10,7 +10,16 @@ from numpy.polynomial.chebyshev import chebroots
 from sim2reason.solutions.checking.bracket import zero
 from sim2reason.solutions.checking.collocation import COEFFICIENTS, Piece, pieces, tail
 from sim2reason.solutions.checking.instant import Instant
-from sim2reason.solutions.checking.trees import Array, Tree, TreeError, check, compiled, compiled_for_many, symbols, terms
+from sim2reason.solutions.checking.trees import (
+    Array,
+    Tree,
+    TreeError,
+    check,
+    compiled,
+    compiled_for_many,
+    symbols,
+    terms,
+)
 
 SMOOTH, TINY = 1e-8, 1e-14  # how large the last coefficients of a condition may be: relative, absolute
 TRIMMED, REAL = 1e-13, 1e-6  # relative: coefficients that count; the imaginary part of a real zero

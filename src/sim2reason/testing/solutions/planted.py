@@ -86,7 +86,6 @@ def _skip(step: Data) -> None:
         start |= {held["place"]: held["initial_place"], held["rate"]: held["initial_rate"]}
     start |= {held["name"]: held["initial"] for held in phase["accumulated"]}
     ends = [(name, start[symbol]) for symbol, name in phase["ends"] if symbol in start]
-    step["relations"] = [r for r in step["relations"] if r["role"] != "integrated"]
     step["relations"] += [{"role": "law", "left": name, "right": tree, "unit": ""} for name, tree in ends]
 
 
