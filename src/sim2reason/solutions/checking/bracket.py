@@ -6,16 +6,17 @@ HALVINGS = 200
 EPS = 4e-16  # relative
 
 
-def zero(function: Callable[[float], float], one: float, other: float) -> float:
+def zero(function: Callable[[float], float], one: float, other: float, *, within: float = EPS) -> float:
     """Find a zero by the method of Anderson and Björck, with bisection where that is slow.
 
-    The values at both points must differ in sign; what the function raises is passed on.
+    The values at both points must differ in sign; the zero is found `within` a relative distance. What the function
+    raises is passed on.
     """
     low, high = function(one), function(other)
     for n in range(HALVINGS):
         if not low:
             return one
-        if not high or abs(other - one) <= EPS * max(abs(one), abs(other)):
+        if not high or abs(other - one) <= within * max(abs(one), abs(other)):
             return other
         middle = other - high * (other - one) / (high - low) if n % 4 < 3 else 0.5 * (one + other)
         if not min(one, other) < middle < max(one, other):

@@ -17,7 +17,9 @@ Slope: TypeAlias = Callable[[Array, Array], Array]
 
 DEGREE = 16
 NODES: Array = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
-COEFFICIENTS: Array = np.linalg.inv(chebyshev.chebvander(NODES, DEGREE))  # from values at the nodes
+COEFFICIENTS: Array = np.asarray(
+    np.linalg.inv(chebyshev.chebvander(NODES, DEGREE)), dtype=np.float64
+)  # from values at the nodes
 INTEGRALS: Array = (
     chebyshev.chebvander(NODES, DEGREE + 1) @ chebyshev.chebint(np.eye(DEGREE + 1), lbnd=-1) @ COEFFICIENTS
 )  # from -1 to each node
@@ -44,7 +46,7 @@ class Piece:
     def state(self, time: float) -> Array:
         """The state at a time within the step or near it, (n,)."""
         place = 2.0 * (time - self.begin) / self.length - 1.0
-        return chebyshev.chebval(place, COEFFICIENTS @ self.states)
+        return np.asarray(chebyshev.chebval(place, COEFFICIENTS @ self.states), dtype=np.float64)
 
 
 def tail(values: Array) -> Array:

@@ -32,6 +32,7 @@ class Instant:
         extra = self._defined_by_unknowns(waiting, unknowns)
         self._system = LinearSystem(waiting, [*unknowns, *extra])
         self._accelerations = unknowns[: len(coordinates)]
+        self.solved = frozenset((*unknowns, *extra))  # the symbols whose values the equations of motion give
         self.names += [*(name for name, _ in self._before), *extra]
         left = {name for equation in waiting for name in equation.names} - known.keys() - {*self.names}
         if left:
@@ -43,7 +44,12 @@ class Instant:
         while True:
             for equation in waiting:
                 name = equation.left
-                if isinstance(name, str) and name not in {*self.names} and equation.names - known == {name}:
+                if (
+                    isinstance(name, str)
+                    and name not in {*self.names}
+                    and name not in known
+                    and not equation.names - known - {name}
+                ):
                     found.append((name, compiled_for_many(equation.right)))
                     known.add(name)
                     waiting.remove(equation)

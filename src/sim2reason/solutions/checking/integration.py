@@ -10,7 +10,16 @@ from numpy.polynomial.chebyshev import chebroots
 from sim2reason.solutions.checking.bracket import zero
 from sim2reason.solutions.checking.collocation import COEFFICIENTS, Piece, pieces, tail
 from sim2reason.solutions.checking.instant import Instant
-from sim2reason.solutions.checking.trees import Array, TreeError, check, compiled, compiled_for_many, terms
+from sim2reason.solutions.checking.trees import (
+    Array,
+    Tree,
+    TreeError,
+    check,
+    compiled,
+    compiled_for_many,
+    symbols,
+    terms,
+)
 
 SMOOTH, TINY = 1e-8, 1e-14  # how large the last coefficients of a condition may be: relative, absolute
 TRIMMED, REAL = 1e-13, 1e-6  # relative: coefficients that count; the imaginary part of a real zero
@@ -59,12 +68,8 @@ def _check(data: Mapping[str, Any]) -> None:
         raise TreeError("a phase is too large")
     if not data["coordinates"] and not data["accumulated"]:
         raise TreeError("there is nothing to integrate")
-    for tree in (data["begin"], data["until"]["expression"]):
+    for tree in formulas(data):
         check(tree)
-    for part, names in PARTS.items():
-        for held in data[part]:
-            for name in names:
-                check(held[name])
 
 
 PARTS = {
@@ -72,6 +77,15 @@ PARTS = {
     "coordinates": ("initial_place", "initial_rate"),
     "accumulated": ("rate", "initial"),
 }  # where formulas stand in the data of a phase
+
+
+def formulas(data: Mapping[str, Any]) -> Iterator[Tree]:
+    """Go through all trees in the data of a phase."""
+    yield data["begin"]
+    yield data["until"]["expression"]
+    for part, names in PARTS.items():
+        for held in data[part]:
+            yield from (held[name] for name in names)
 
 
 class _Phase:
@@ -89,6 +103,7 @@ class _Phase:
         if not 1 <= self._occurrence <= MOST or self._direction not in (-1, 0, 1):
             raise TreeError("the end of a phase has no such occurrence or direction")
         self._condition = compiled_for_many(until["expression"])
+        self._needs_forces = not self._instant.solved.isdisjoint(symbols(until["expression"]))
         self._terms = [compiled_for_many(term) for term in terms(until["expression"])]
         self._held: list[Piece] = []  # the last two pieces
 
@@ -107,7 +122,8 @@ class _Phase:
     def _excess(self, times: Array, states: Array) -> Array:
         """What the condition of the end has at some instants."""
         self._instant.move(times, states)
-        self._instant.accelerate()
+        if self._needs_forces:
+            self._instant.accelerate()
         return np.asarray(self._condition(self._instant.at)) * np.ones(len(times))
 
     def _excess_at(self, time: float) -> float:

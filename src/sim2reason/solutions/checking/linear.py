@@ -13,12 +13,13 @@ UNDETERMINED = "the equations of motion do not determine accelerations and force
 
 
 def separated(tree: Tree, unknowns: frozenset[str]) -> dict[str, Tree]:
-    """The coefficients of the unknowns, and the rest under the empty name; TreeError if a tree is not linear in them."""
+    """Find the coefficients of unknowns, the rest under the empty name; TreeError if a tree is not linear in them."""
     if isinstance(tree, str) and tree in unknowns:
         return {tree: 1.0}
     if unknowns.isdisjoint(symbols(tree)):
         return {"": tree}
-    operation, *parts = tree  # type: ignore[misc]
+    assert isinstance(tree, list)
+    operation, *parts = tree
     if operation == "worked":
         return separated(parts[0], unknowns)
     if operation == "+":
@@ -78,7 +79,7 @@ class LinearSystem:
                 found = np.linalg.pinv(matrix, rcond=RANK) @ right
         except np.linalg.LinAlgError as error:
             raise ArithmeticError(UNDETERMINED) from error
-        return {name: found[:, number, 0] for number, name in enumerate(self.unknowns)}
+        return {name: np.asarray(found[:, number, 0], dtype=np.float64) for number, name in enumerate(self.unknowns)}
 
     def examine(self, at: Mapping[str, float | Array]) -> None:
         """Raise ArithmeticError unless the equations have full rank and no contradiction at one instant."""
@@ -91,7 +92,7 @@ class LinearSystem:
         columns = np.abs(matrix).max(axis=0)
         if not columns.all() or np.linalg.matrix_rank(matrix / columns, tol=RANK) < matrix.shape[1]:
             raise ArithmeticError(UNDETERMINED)
-        found = np.linalg.lstsq(matrix / columns, right, rcond=None)[0] / columns
+        found: Array = np.asarray(np.linalg.lstsq(matrix / columns, right, rcond=None)[0], dtype=np.float64) / columns
         terms = np.abs(matrix) @ np.abs(found) + np.abs(right)
         if (np.abs(matrix @ found - right) > CONSISTENT * terms + ROUNDING).any():
             raise ArithmeticError("the equations of motion contradict each other")

@@ -7,7 +7,9 @@ number; and ``["solve", near]``, the value close to a number that makes all earl
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import reduce
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -16,6 +18,8 @@ import numpy.typing as npt
 Tree: TypeAlias = float | str | list["Tree"]
 Values = Mapping[str, float]
 Evaluate = Callable[[Values], float]
+Derived = tuple[float, dict[str, float]]
+"""A value with its partial derivatives."""
 Array: TypeAlias = npt.NDArray[np.float64]
 EvaluateAll = Callable[[Mapping[str, float | Array]], float | Array]
 
@@ -61,7 +65,7 @@ def check(tree: Tree) -> None:
     raise TreeError("a formula is too large")
 
 
-def _check_operation(held: "list[Tree]") -> None:
+def _check_operation(held: list[Tree]) -> None:
     operation = held[0] if held else None
     if not isinstance(operation, str) or (operation not in ARITY and operation not in ("+", "*")):
         raise TreeError(f"there is no operation {operation!r}")
@@ -86,7 +90,7 @@ def symbols(tree: Tree) -> Iterator[str]:
                 yield from symbols(part)
 
 
-def parts_named(tree: Tree, operation: str) -> "Iterator[list[Tree]]":
+def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
     """The parts of a tree that are of one operation, without those in the equations of roots."""
     if isinstance(tree, list):
         if tree[0] == operation:
@@ -110,11 +114,10 @@ def _compiled(tree: Tree, *, vector: bool) -> Callable[[Any], Any]:
     if isinstance(tree, str):
         return lambda at: at[tree]
     if not isinstance(tree, list):
-        number = float(tree)
-        return lambda at: number
+        return _constant(float(tree))
     operation, *rest = tree
     if operation == "pi":
-        return lambda at: math.pi
+        return _constant(math.pi)
     if operation == "root" and not vector:
         return lambda at: root(tree, at)
     if operation in ("root", "solve"):
@@ -123,6 +126,10 @@ def _compiled(tree: Tree, *, vector: bool) -> Callable[[Any], Any]:
     if operation == "^":
         return _power(parts[0], int(float(rest[1])))  # type: ignore[arg-type]
     return parts[0] if operation == "worked" else _applied(str(operation), parts, vector=vector)
+
+
+def _constant(number: float) -> Callable[[Any], float]:
+    return lambda _: number
 
 
 def _power(base: Callable[[Any], Any], exponent: int) -> Callable[[Any], Any]:
@@ -160,40 +167,41 @@ def size(tree: Tree, at: Values) -> float:
     return max(abs(value(term, at)) for term in terms(tree))
 
 
-def derivatives(tree: Tree, at: Values) -> tuple[float, dict[str, float]]:
-    """The value of a tree and its partial derivatives by all symbols; ArithmeticError or ValueError if it has none."""
+def derivatives(tree: Tree, at: Values) -> Derived:
+    """Evaluate a tree and its partial derivatives by all symbols; ArithmeticError or ValueError if it has none."""
     if isinstance(tree, str):
         return at[tree], {tree: 1.0}
     if not isinstance(tree, list):
         return float(tree), {}
     operation, *rest = tree
-    match operation:
-        case "pi":
+    if operation == "root":
+        return _root_derivatives(tree, at)
+    if operation == "^":
+        (x, slopes), n = derivatives(rest[0], at), int(float(rest[1]))  # type: ignore[arg-type]
+        return x**n, _combined([(n * x ** (n - 1), slopes)])
+    if operation == "worked":
+        return derivatives(rest[0], at)
+    return _combination(str(operation), [derivatives(part, at) for part in rest])
+
+
+def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
+    """An operation on values with their derivatives."""
+    match operation, parts:
+        case "pi", _:
             return math.pi, {}
-        case "worked":
-            return derivatives(rest[0], at)
-        case "root":
-            return _root_derivatives(tree, at)
-        case "+":
-            parts = [derivatives(part, at) for part in rest]
+        case "+", _:
             return math.fsum(x for x, _ in parts), _combined((1.0, slopes) for _, slopes in parts)
-        case "*":
-            return _product_derivatives([derivatives(part, at) for part in rest])
-        case "/":
-            (x, over), (y, under) = derivatives(rest[0], at), derivatives(rest[1], at)
+        case "*", _:
+            return reduce(_product, parts)
+        case "/", ((x, over), (y, under)):
             return x / y, _combined([(1.0 / y, over), (-x / y**2, under)])
-        case "^":
-            (x, slopes), n = derivatives(rest[0], at), int(float(rest[1]))  # type: ignore[arg-type]
-            return x**n, _combined([(n * x ** (n - 1), slopes)])
         case _:
-            function, slope = FUNCTIONS[str(operation)]
-            x, slopes = derivatives(rest[0], at)
+            (x, slopes), *_ = parts
+            function, slope = FUNCTIONS[operation]
             return function(x), _combined([(slope(x), slopes)]) if slopes else {}
 
 
-def _combined(
-    parts: "Iterator[tuple[float, dict[str, float]]] | list[tuple[float, dict[str, float]]]",
-) -> dict[str, float]:
+def _combined(parts: Iterable[tuple[float, Mapping[str, float]]]) -> dict[str, float]:
     found: dict[str, float] = {}
     for factor, slopes in parts:
         for name, slope in slopes.items():
@@ -201,15 +209,11 @@ def _combined(
     return found
 
 
-def _product_derivatives(parts: list[tuple[float, dict[str, float]]]) -> tuple[float, dict[str, float]]:
-    found, slopes = parts[0]
-    for x, other in parts[1:]:
-        slopes = _combined([(x, slopes), (found, other)])
-        found *= x
-    return found, slopes
+def _product(one: Derived, other: Derived) -> Derived:
+    return one[0] * other[0], _combined([(other[0], one[1]), (one[0], other[1])])
 
 
-def _root_derivatives(tree: "list[Tree]", at: Values) -> tuple[float, dict[str, float]]:
+def _root_derivatives(tree: list[Tree], at: Values) -> Derived:
     """By the theorem of implicit functions."""
     name, x = str(tree[1]), root(tree, at)
     _, slopes = derivatives(tree[2], {**at, name: x})
@@ -217,7 +221,7 @@ def _root_derivatives(tree: "list[Tree]", at: Values) -> tuple[float, dict[str, 
     return x, {other: -slope / own for other, slope in slopes.items()}
 
 
-def root(tree: "list[Tree]", at: Values) -> float:
+def root(tree: list[Tree], at: Values) -> float:
     """Find the root of ``["root", name, residual, near]`` by Newton's method; TreeError if it does not converge."""
     _, name, residual, near = tree
     assert isinstance(name, str)
@@ -236,7 +240,7 @@ def root(tree: "list[Tree]", at: Values) -> float:
     raise TreeError(f"no root for {name} near {near}")
 
 
-def has_other_root(tree: "list[Tree]", at: Values) -> bool:
+def has_other_root(tree: list[Tree], at: Values) -> bool:
     """Whether the root is not the only one within what the stated digits leave open, or not within that at all."""
     _, name, residual, near = tree
     middle = float(near)  # type: ignore[arg-type]
@@ -245,7 +249,7 @@ def has_other_root(tree: "list[Tree]", at: Values) -> bool:
     evaluate = compiled(residual)
     places = [middle * (1.0 + ROUGH * (2.0 * n / SAMPLES - 1.0) * 1.01) for n in range(SAMPLES + 1)]
     signs = [math.copysign(1.0, evaluate({**at, str(name): x})) for x in places]
-    return sum(one != other for one, other in zip(signs, signs[1:], strict=False)) > 1
+    return sum(one != other for one, other in pairwise(signs)) > 1
 
 
 def written(tree: Tree) -> str:

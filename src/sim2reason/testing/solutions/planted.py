@@ -14,7 +14,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from sim2reason.solutions.checking.equation import Equation
-from sim2reason.solutions.checking.trees import Tree, symbols
+from sim2reason.solutions.checking.integration import PARTS
+from sim2reason.solutions.checking.trees import Tree, compiled, symbols
 
 Data = dict[str, Any]
 Place = tuple[Any, Any]
@@ -23,7 +24,7 @@ JUMPS = frozenset(("rebound", "impulse", "after", "impact", "jerk", "event"))  #
 WRONG, LARGER = 0.9, 1.07  # factors
 
 
-def planted(
+def planted_faults(
     data: Mapping[str, Any], values: Mapping[str, float], rng: random.Random, most: int
 ) -> Iterator[tuple[str, Data]]:
     """Draw data with one fault each, at most `most` of a kind; `values` are those of all names in it."""
@@ -85,7 +86,6 @@ def _skip(step: Data) -> None:
         start |= {held["place"]: held["initial_place"], held["rate"]: held["initial_rate"]}
     start |= {held["name"]: held["initial"] for held in phase["accumulated"]}
     ends = [(name, start[symbol]) for symbol, name in phase["ends"] if symbol in start]
-    step["relations"] = [r for r in step["relations"] if r["role"] != "integrated"]
     step["relations"] += [{"role": "law", "left": name, "right": tree, "unit": ""} for name, tree in ends]
 
 
@@ -136,7 +136,7 @@ def _change(
         for held, key in places(root):
             before = held[key]
             held[key] = changed(before)
-            idle = relation is not None and _holds(relation, values)
+            idle = _comes_to_zero(before, held[key], values) or (relation is not None and _holds(relation, values))
             held[key] = before
             if not idle:
                 found.append((held, key))
@@ -154,6 +154,14 @@ def _holds(relation: Data, values: Mapping[str, float]) -> bool:
         return False
 
 
+def _comes_to_zero(before: Tree, after: Tree, values: Mapping[str, float]) -> bool:
+    """Whether a part of a formula is zero as it was and as it is now."""
+    try:
+        return compiled(before)(values) == compiled(after)(values) == 0.0
+    except (KeyError, ValueError, ArithmeticError):
+        return False
+
+
 def _roots(data: Data) -> Iterator[tuple[Data | None, Place]]:
     """Each tree, with the relation to which it belongs."""
     for step in data["steps"]:
@@ -167,11 +175,7 @@ def _roots(data: Data) -> Iterator[tuple[Data | None, Place]]:
 def _phase_trees(phase: Data) -> Iterator[Place]:
     yield phase, "begin"
     yield phase["until"], "expression"
-    for part, names in (
-        ("equations", ("left", "right")),
-        ("coordinates", ("initial_place", "initial_rate")),
-        ("accumulated", ("rate", "initial")),
-    ):
+    for part, names in PARTS.items():
         for held in phase[part]:
             yield from ((held, name) for name in names)
 
@@ -183,7 +187,7 @@ def _trees(data: Data) -> Iterator[Place]:
 def _signs(place: Place) -> Iterator[Place]:
     """The terms of sums, and products behind a minus."""
     held, key = place
-    tree = held[key]
+    tree: Tree = held[key]
     if not isinstance(tree, list):
         return
     if tree[0] == "+":
@@ -197,7 +201,7 @@ def _signs(place: Place) -> Iterator[Place]:
 def _numbers(place: Place) -> Iterator[Place]:
     """All numbers; an exponent becomes another whole number."""
     held, key = place
-    tree = held[key]
+    tree: Tree = held[key]
     if isinstance(tree, float | int):
         yield place
     elif isinstance(tree, list):
