@@ -87,29 +87,32 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
         return Solution(strategy.name, reason=str(error))
     steps = book.steps if strategy.integrates else in_rows(merged(_needed(book.steps, goal)))
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
-    unit = book.units.get(goal, "")
-    stated = tuple(name for name in book.stated if name not in book.constants)
-    values = book.observed | book.values
-    counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
-    found = Solution(
-        strategy.name,
-        steps,
-        values,
-        goal,
-        unit=unit,
-        stated=stated,
-        constants=book.constants,
-        keen=book.keen,
-        phases=tuple(book.phases),
-    )
-    found = replace(found, whole=counted)
-    unknown = setting.lexicon.givens.get(setting.unknown)
-    if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:
-        found = replace(found, scale=1.0 / unknown.scale, asked_unit=(unknown.unit, 1.0))
+    found = _found(strategy, setting, book, goal, steps)
     answer = found.said(book.values[goal])
     if setting.answer is None or abs(answer - setting.answer) > SAME * abs(setting.answer):
         return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")
     return replace(found, answer=answer)
+
+
+def _found(strategy: Strategy, setting: Setting, book: Book, goal: str, steps: tuple[Step, ...]) -> Solution:
+    """What a strategy wrote, as a solution that has no answer yet."""
+    counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
+    found = Solution(
+        strategy.name,
+        steps,
+        book.observed | book.values,
+        goal,
+        unit=book.units.get(goal, ""),
+        stated=tuple(name for name in book.stated if name not in book.constants),
+        constants=book.constants,
+        keen=book.keen,
+        phases=tuple(book.phases),
+        whole=counted,
+    )
+    unknown = setting.lexicon.givens.get(setting.unknown)
+    if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:
+        return replace(found, scale=1.0 / unknown.scale, asked_unit=(unknown.unit, 1.0))
+    return found
 
 
 def _inverted(setting: Setting, book: Book, goal: str) -> str:

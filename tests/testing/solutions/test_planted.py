@@ -58,10 +58,13 @@ def test_each_fault_in_an_elimination_is_refused() -> None:
 
 
 def test_what_has_no_effect_is_not_planted() -> None:
-    """A term that is zero may have either sign; a law that stands twice goes twice."""
+    """A term that is zero may have either sign, nothing rests on i and j; a law that stands twice goes twice."""
     law = relation("x", ["+", "y", ["*", "z", "y"]])
-    data = solution({"y": 2.0, "z": 0.0}, "x", step(law), step(law))
+    idle = relation("i", ["*", 2.0, "x"]), relation("j", ["+", "i", 1.0])
+    data = solution({"y": 2.0, "z": 0.0}, "x", step(law), step(law), step(*idle))
     found = [*planted_faults(data, recompute(data).values, random.Random(0), 100)]
     assert [kind for kind, _ in found].count("a sign turned") == 2  # that of the first term, in both
     dropped = [spoiled for kind, spoiled in found if kind == "a law dropped"]
-    assert all(not step["relations"] for spoiled in dropped for step in spoiled["steps"])
+    assert dropped
+    assert all(not step["relations"] for spoiled in dropped for step in spoiled["steps"][:2])
+    assert all([*idle] == spoiled["steps"][2]["relations"] for _, spoiled in found)

@@ -13,7 +13,7 @@ from sim2reason.solutions.checking.trees import TreeError, check, symbols
 from sim2reason.solutions.checking.trial import CONDITION, TRIAL, by_trial, sought
 
 STATED = "law", "derived", "result", "verified"  # the roles of relations that are equations
-STEPS = 3000  # of all integrations of a solution together
+STEPS = 1000  # of all integrations of a solution together
 MOST = 2000  # relations
 WHOLE = 1e-9  # how far a count may be from a whole number
 

@@ -4,17 +4,19 @@ How they are counted. A law is dropped with every other law that states the same
 equation is one. A phase is left out: of an integration everything at its end is as it was at its beginning; of several
 phases all steps of one are missing. A jump is wrong: what a law says an event does is 0.9 times as large. A given is
 left out if a relation or a phase uses it. A sign is turned: that of one term of a sum, or of a product behind a minus.
-A number, with exponents, is 7 % larger. A sign or number on which nothing depends, since the relation in which it
-stands holds with it as well (a term is zero), is no fault.
+A number other than zero and exponents is 7 % larger. What nothing depends on is left as it is: a sign or number with
+which its relation holds as well (a term is zero), or a formula in a phase is the same (a square), and a relation for a
+name that is used nowhere else.
 """
 
 import json
 import random
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from sim2reason.solutions.checking.equation import Equation
-from sim2reason.solutions.checking.integration import PARTS
+from sim2reason.solutions.checking.integration import PARTS, formulas
 from sim2reason.solutions.checking.trees import Tree, compiled, symbols
 
 Data = dict[str, Any]
@@ -40,10 +42,27 @@ def _copy(data: Mapping[str, Any]) -> Data:
     return json.loads(json.dumps(data))
 
 
+def _idle(data: Data) -> list[Data]:
+    """The relations with a name on which nothing else rests, and those on which then nothing rests."""
+    relations = [relation for step in data["steps"] for relation in step["relations"]]
+    names = {id(r): frozenset((*symbols(r["left"]), *symbols(r["right"]))) for r in relations}
+    fixed = {name for phase in _phases(data) for tree in formulas(phase) for name in symbols(tree)}
+    fixed |= {str(data["goal"]), *data["givens"], *(name for phase in _phases(data) for _, name in phase["ends"])}
+    found: list[Data] = []
+    while True:
+        count = Counter(name for relation in relations for name in names[id(relation)])
+        more = [r for r in relations if any(count[name] == 1 for name in names[id(r)] - fixed)]
+        if not more:
+            return found
+        found += more
+        relations = [relation for relation in relations if not any(relation is held for held in more)]
+
+
 def _laws(data: Data) -> list[tuple[list[Data], int]]:
     """Where laws stand: the list, and the index in it."""
     lists = [step["relations"] for step in data["steps"]]
-    found = [(held, n) for held in lists for n, relation in enumerate(held) if relation["role"] == "law"]
+    idle = {id(relation) for relation in _idle(data)}
+    found = [(held, n) for held in lists for n, r in enumerate(held) if r["role"] == "law" and id(r) not in idle]
     for phase in _phases(data):
         found += [(phase["equations"], n) for n in range(len(phase["equations"]))]
     return found
@@ -116,11 +135,7 @@ def _change_number(data: Data, number: int | None, values: Mapping[str, float]) 
         return 0
     count = len(data["givens"])
     rest = None if number is None else number - count
-    return count + _change(data, rest, values, _numbers, _another)
-
-
-def _another(number: float) -> float:
-    return number * LARGER if number else 1.0
+    return count + _change(data, rest, values, _numbers, lambda number: LARGER * number)
 
 
 def _change(
@@ -132,13 +147,20 @@ def _change(
 ) -> int:
     """Change one part of a tree; give back how many there are on which something depends."""
     found: list[Place] = []
+    idle = {id(relation) for relation in _idle(data)}
     for relation, root in _roots(data):
+        if id(relation) in idle:
+            continue
+        holder, side = root
+        generic = {name: 0.7 + 0.31 * n for n, name in enumerate(dict.fromkeys(symbols(holder[side])))}
+        was = _value(holder[side], generic)
         for held, key in places(root):
             before = held[key]
             held[key] = changed(before)
-            idle = _comes_to_zero(before, held[key], values) or (relation is not None and _holds(relation, values))
+            zero = _value(before, values) == _value(held[key], values) == 0.0
+            same = zero or (_value(holder[side], generic) == was if relation is None else _holds(relation, values))
             held[key] = before
-            if not idle:
+            if not same:
                 found.append((held, key))
     if number is not None:
         held, key = found[number]
@@ -154,12 +176,12 @@ def _holds(relation: Data, values: Mapping[str, float]) -> bool:
         return False
 
 
-def _comes_to_zero(before: Tree, after: Tree, values: Mapping[str, float]) -> bool:
-    """Whether a part of a formula is zero as it was and as it is now."""
+def _value(tree: Tree, values: Mapping[str, float]) -> float | None:
+    """The value of a formula; None if it has none."""
     try:
-        return compiled(before)(values) == compiled(after)(values) == 0.0
+        return compiled(tree)(values)
     except (KeyError, ValueError, ArithmeticError):
-        return False
+        return None
 
 
 def _roots(data: Data) -> Iterator[tuple[Data | None, Place]]:
@@ -199,11 +221,12 @@ def _signs(place: Place) -> Iterator[Place]:
 
 
 def _numbers(place: Place) -> Iterator[Place]:
-    """All numbers; an exponent becomes another whole number."""
+    """All numbers but zeros and exponents."""
     held, key = place
     tree: Tree = held[key]
     if isinstance(tree, float | int):
-        yield place
+        if tree:
+            yield place
     elif isinstance(tree, list):
         if tree[0] == "^":
             yield from _numbers((tree, 1))
