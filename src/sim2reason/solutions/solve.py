@@ -92,7 +92,15 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     stated = tuple(name for name in book.stated if name not in book.constants)
     values = book.observed | book.values
     found = Solution(
-        strategy.name, steps, values, goal, unit=unit, stated=stated, constants=book.constants, keen=book.keen
+        strategy.name,
+        steps,
+        values,
+        goal,
+        unit=unit,
+        stated=stated,
+        constants=book.constants,
+        keen=book.keen,
+        phases=tuple(book.phases[: 1 + max(step.phase for step in steps)]),
     )
     unknown = setting.lexicon.givens.get(setting.unknown)
     if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:

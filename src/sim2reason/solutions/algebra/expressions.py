@@ -79,9 +79,15 @@ class Expression(ABC):
         return multiplied(lifted(other), self)
 
     def __truediv__(self, other: "Expression | float") -> "Expression":
-        """Their quotient."""
+        """Their quotient, as a fraction of one storey."""
         divisor = lifted(other)
-        return self if divisor == ONE or self == ZERO else Quotient(self, divisor)
+        if divisor == ONE or self == ZERO:
+            return self
+        if isinstance(divisor, Quotient):
+            return multiplied(self, divisor.below) / divisor.above
+        if isinstance(self, Quotient):
+            return self.above / multiplied(self.below, divisor)
+        return Quotient(self, divisor)
 
     def __neg__(self) -> "Expression":
         """Its negative, term by term."""

@@ -41,7 +41,8 @@ class SwingTime:
         step.say(rf"By conservation of energy, $\dot\varphi^{{2}}$ equals $4 {rate}^{{2}} ({k}^{{2}} - \sin^{{2}}")
         step.say(rf"(\varphi/2))$ with {told}.")
         if self.book.values[name.name] > 1.0:
-            said = rf"With $\theta$ for $\varphi/2$, a time is $\frac{{1}}{{{k} {rate}}} \operatorname{{F}}(\theta, 1/{k})$"
+            said = rf"With $\theta$ for $\varphi/2$, a time is $\frac{{1}}{{{k} {rate}}}"
+            said += rf" \operatorname{{F}}(\theta, 1/{k})$"
             square = rf"\sin^{{2}}\vartheta/{k}^{{2}}"
         else:
             said = rf"With ${k} \sin\theta$ for $\sin(\varphi/2)$, a time is $\frac{{1}}{{{rate}}}"

@@ -7,7 +7,7 @@ from sim2reason.grading.tokens import canonical
 from sim2reason.solutions.algebra.digits import DIGITS
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.solution import Relation, Step, with_unit
+from sim2reason.solutions.solution import Phase, Relation, Step, with_unit
 from sim2reason.solutions.writing.subscripts import marked
 from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
 
@@ -39,6 +39,7 @@ class Book:
         self.formulas: dict[str, Expression] = {}  # of those, in order
         self.keen = 1.0  # relative: by how much what is given changes with what is unknown
         self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
+        self.phases: list[Phase] = []  # in order; empty where the motion has but one
         self._taken: set[str] = set()
         self._source: dict[str, int] = {}
 
@@ -128,6 +129,10 @@ class Book:
         """A formula of which the number alone is written, unless that hangs on what is unknown."""
         return formula if self.is_hidden(formula) else Worked(formula, self.value(formula))
 
+    def begin_phase(self, begins: str, ends: str) -> None:
+        """Let the steps from now on belong to another phase of the motion."""
+        self.phases.append(Phase(begins, ends))
+
     def open(self, kind: str) -> "Writing":
         """Begin a step."""
         return Writing(self, kind)
@@ -147,7 +152,7 @@ class Book:
         names = {name for relation in worked for name in relation.symbols()} | {*rests}
         names |= {name for relation in relations if relation.role == "law" and gives for name in relation.symbols()}
         needs = sorted({self._source[name] for name in names if name in self._source} - {number})
-        step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs))
+        step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs), max(0, len(self.phases) - 1))
         self.steps.append(step)
         return step
 
