@@ -8,7 +8,7 @@ from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, numbers
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
-from sim2reason.solutions.algebra.inverse import numeric_root, put, solved_for
+from sim2reason.solutions.algebra.inverse import numeric_root, put, settled, solved_for
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
@@ -75,16 +75,27 @@ class Inversion:
                     continue
             if not later:
                 raise UnsolvedError("what is given does not hang on what is unknown")
+            formula = self._short(formula)
             if len(formula.latex()) > LONG:
                 return self._numerically(at)
             last = max(later, key=list(book.formulas).index)
             formula = put(formula, last, book.formulas[last])
         return self._numerically(at)
 
+    def _short(self, formula: Expression) -> Expression:
+        """A formula with numbers for what is known, if it is too long to be read."""
+        if len(formula.latex()) <= LONG:
+            return formula
+        return settled(formula, frozenset(self.book.hidden), self.book.worked)
+
     def _inverted(self, name: str, formula: Expression, value: Expression) -> Expression:
-        """A formula solved for a name, in numbers if that would be too long to be read."""
-        found = solved_for(name, formula, value, self.book.values)
-        return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, self.book.values)
+        """A formula solved for a name; with numbers for what is known, if it would be too long to be read otherwise."""
+        book = self.book
+        found = solved_for(name, formula, value, book.values)
+        if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
+            short = settled(formula, frozenset({name}), book.worked)
+            found = solved_for(name, short, value, book.values, lambda held: book.worked(held.factored()))
+        return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, book.values)
 
     def _numerically(self, at: str) -> str:
         """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""
