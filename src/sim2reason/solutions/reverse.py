@@ -1,16 +1,18 @@
 """Reverse questions: the same laws, with one number unknown and a result given, solved for that number."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from sim2reason.questions import Query
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.at_time import AtTime
 from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, numbers
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.inverse import numeric_root, put, settled, solved_for
 from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 SOLVED = "solve for the unknown"  # the kind of its steps
 LONG = 300  # characters of a formula that is better not written
@@ -109,14 +111,22 @@ class Inversion:
         step = book.open(SOLVED)
         if not self.stated:
             step.rest_on(self.goal)
-        said = f"These equations leave only ${self.unknown}$ unknown; solved numerically,"
+        said = f"These equations determine ${self.unknown}$; the numerical solution is"
         step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")
-        implied = [(name, held) for name in names if isinstance(held := book.formulas[name], ImplicitRoot)]
-        plain = [(name, NumericRoot(held.residual, held.name, held.near)) for name, held in implied]
-        told = [step.closed(Symbol(name), held) for name, held in plain]
-        step.say(f"With it, {joined(told)}." if told else "")
+        self._tell_implied(step, names)
         step.close()
         return self.unknown
+
+    def _tell_implied(self, step: Writing, names: Sequence[str]) -> None:
+        """Tell the values of names that have been written without one, roots and values of special functions."""
+        told: list[str] = []
+        for name in names:
+            held = self.book.formulas[name]
+            if isinstance(held, ImplicitRoot):
+                told.append(step.closed(Symbol(name), NumericRoot(held.residual, held.name, held.near)))
+            elif isinstance(held, SpecialFunction):
+                told.append(step.closed(Symbol(name), held))
+        step.say(f"With it, {joined(told)}." if told else "")
 
     def _leading(self, at: str) -> list[str]:
         """The names on which one hangs whose values are unknown, each after those that it hangs on itself."""
@@ -135,12 +145,14 @@ class Inversion:
         """Say what a symbol is."""
         step = self.book.open(SOLVED)
         where = "So " if at != self.goal else f"With the given ${at}$, "
-        how = "found numerically, " if isinstance(found, NumericRoot) else ""
+        how = "the numerical solution is " if isinstance(found, NumericRoot) else ""
         if not self.stated:
             where = "So "
             step.rest_on(self.goal)
+        names = self._leading(self.goal) if name == self.unknown else []
         self.book.values[name] = self.book.value(found)
         if name == self.unknown:
             self.book.refresh(name, self.book.values[name])
         step.say(f"{where}{how}{step.closed(Symbol(name), found)}.")
+        self._tell_implied(step, names)
         step.close()

@@ -35,8 +35,8 @@ class Relation:
         text = f"{self.left.latex()} = {self.right.latex()}"
         if value is not None:
             number = with_unit(value, self.unit)
-            bare = isinstance(self.right, NumericRoot | SpecialFunction) or self.right.latex() == rounded(value)
-            plain = bare and self.unit != DEGREES
+            bare = self.right.latex() == rounded(value) and self.unit != DEGREES
+            plain = bare or isinstance(self.right, NumericRoot | SpecialFunction)
             text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
         return f"${text}$"
 

@@ -125,7 +125,7 @@ class _Slack:
         if self.since == ZERO:
             self.since = span
             return
-        self.since = self.book.told("time", "That is at", self.book.fresh("t"), self.since + span, SECONDS)
+        self.since = self.book.told("time", "The time is then", self.book.fresh("t"), self.since + span, SECONDS)
 
     # ---- the moment
 
@@ -144,7 +144,7 @@ class _Slack:
         self.book.say_given(name.name, moment.after, SECONDS)
         left = name
         if self.since != ZERO:
-            said = "Since then there have passed"
+            said = "The time since then is"
             left = self.book.told("time", said, self.book.fresh("t"), name - self.since, SECONDS)
         if self.flies:
             return self.chain.after(held, left, f"At that time {self.chain.who} is at")
@@ -272,10 +272,10 @@ class _Slack:
         "velocity": ("_velocity", "The velocity is"),
         "kinetic energy": ("_kinetic", "The kinetic energy is"),
         "momentum": ("_momentum", "The momentum is"),
-        "height": ("_height", "Above its starting point it is at the height"),
-        "potential energy": ("_potential", "The potential energy has changed by"),
-        "displacement": ("_displacement", "From its starting point that is the distance"),
-        "impulse of the net force": ("_impulse", "The impulse is the change of the momentum:"),
+        "height": ("_height", "The height above the starting point is"),
+        "potential energy": ("_potential", "The change in potential energy is"),
+        "displacement": ("_displacement", "The displacement is"),
+        "impulse of the net force": ("_impulse", "The impulse is the change in momentum,"),
         "tension": ("_tension", "By Newton's second law along the string, the tension is"),
         "acceleration": ("_acceleration", "The acceleration is"),
         "net force": ("_force", "The net force is"),

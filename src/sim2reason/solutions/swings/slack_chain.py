@@ -171,7 +171,7 @@ class SlackChain:
     def jerked(self, held: Instant) -> tuple[Instant, Symbol]:
         """Write the velocity just after, which is along the circle, and its speed, counted counter-clockwise."""
         book, ell = self.book, self.length
-        said = "The velocity along the string is lost in the jerk; the one perpendicular to it is kept:"
+        said = "The jerk takes away the velocity along the string; the component perpendicular to it is"
         u = book.told("jerk", said, book.fresh("u"), (held.x * held.vy - held.y * held.vx) / ell, SPEED)
         vx, vy = -(u * held.y / ell), u * held.x / ell
         return Instant(held.x, held.y, vx, vy, u), u

@@ -41,15 +41,15 @@ class SwingTime:
         step.say(rf"By conservation of energy, $\dot\varphi^{{2}}$ equals $4 {rate}^{{2}} ({k}^{{2}} - \sin^{{2}}")
         step.say(rf"(\varphi/2))$ with {told}.")
         if self.book.values[name.name] > 1.0:
-            said = rf"With $\theta$ for $\varphi/2$, a time is $\frac{{1}}{{{k} {rate}}}"
-            said += rf" \operatorname{{F}}(\theta, 1/{k})$"
+            said = rf"With $\psi$ for $\varphi/2$, a time is $\frac{{1}}{{{k} {rate}}}"
+            said += rf" \operatorname{{F}}(\psi, 1/{k})$"
             square = rf"\sin^{{2}}\vartheta/{k}^{{2}}"
         else:
-            said = rf"With ${k} \sin\theta$ for $\sin(\varphi/2)$, a time is $\frac{{1}}{{{rate}}}"
-            said += rf" \operatorname{{F}}(\theta, {k})$"
+            said = rf"With ${k} \sin\psi$ for $\sin(\varphi/2)$, a time is $\frac{{1}}{{{rate}}}"
+            said += rf" \operatorname{{F}}(\psi, {k})$"
             square = rf"{k}^{{2}} \sin^{{2}}\vartheta"
         step.say(f"{said}, where $\\operatorname{{F}}$ is the elliptic integral of the first kind,")
-        step.say(rf"$\int_0^{{\theta}} d\vartheta / \sqrt{{1 - {square}}}$.")
+        step.say(rf"$\int_0^{{\psi}} d\vartheta / \sqrt{{1 - {square}}}$.")
         step.close()
         return name
 
@@ -85,7 +85,7 @@ class SwingTime:
         """The angle θ up to which the integral has a value."""
         said = f"The angle up to which the integral is ${integral.latex()}$ is"
         formula = Amplitude(integral, self._elliptic_modulus)
-        return self._special(said, self.book.fresh(r"\theta"), formula, RADIANS)
+        return self._special(said, self.book.fresh(r"\psi"), formula, RADIANS)
 
     def _special(self, said: str, name: Symbol, formula: SpecialFunction, unit: str) -> Symbol:
         """A step with a number that tables or a computer give; its name alone where it hangs on what is unknown."""
@@ -109,7 +109,7 @@ class SwingTime:
                 return self._quarters(1)
             formula = Call("arcsin", Call("sin", angle / TWO) / self.modulus)
         said = "Half the angle is" if self.rounds else "The angle in the integral is"
-        theta = self.book.told("angle", said, self.book.fresh(r"\theta"), formula, RADIANS)
+        theta = self.book.told("angle", said, self.book.fresh(r"\psi"), formula, RADIANS)
         return Polynomial.of(self._integral(theta))
 
     def _quarters(self, count: int) -> Polynomial:
@@ -162,7 +162,10 @@ class SwingTime:
         """Write the angular frequency of the whole motion: 4 K to and fro, 2 K once round."""
         share = 1.0 if self.rounds else 0.5
         formula = Number(share) * PI * self.pace / self.complete
-        said = "A whole turn takes twice this time" if self.rounds else "The period is four times this time"
+        quarter, rate = self.complete.latex(), self.natural.latex()
+        said = f"The period is $4 {quarter}/{rate}$"
+        if self.rounds:
+            said = f"A whole turn takes the time $2 {quarter}/({self.modulus.latex()} {rate})$"
         said += ", so the angular frequency is"
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
