@@ -145,6 +145,7 @@ class Solution:
     formula: str = ""  # the answer to a problem in symbols
     scale: float = 1.0  # what one of `unit` is in the unit of the answer, degrees but for those
     keen: float = 1.0  # relative: by how much what is given changes with the answer, where that is unknown
+    whole: bool = False  # a number of times, which is boxed as it is
     phases: tuple[Phase, ...] = ()  # empty if the motion has a single phase
     asked_unit: tuple[str, float] | None = (
         None  # the unit that the text asks for, and what one of the answer's is in it
@@ -166,6 +167,8 @@ class Solution:
     def _boxed(self, answer: float) -> str:
         if self.formula:
             return rf" = \boxed{{{self.formula}}}"
+        if self.whole:
+            return rf" = \boxed{{{answer:.0f}}}"
         if self.asked_unit is None:
             return rf" \approx \boxed{{{rounded(answer, 3)}}}{self.unit}"
         unit, factor = self.asked_unit

@@ -100,6 +100,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
         stated=stated,
         constants=book.constants,
         keen=book.keen,
+        whole=setting.query.kind == "count",
         phases=tuple(book.phases[: 1 + max(step.phase for step in steps)]),
     )
     unknown = setting.lexicon.givens.get(setting.unknown)

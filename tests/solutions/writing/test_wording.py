@@ -9,6 +9,7 @@ import pytest
 
 import sim2reason.solutions
 from sim2reason.solutions.algebra.digits import rounded
+from sim2reason.solutions.solution import Solution
 
 ODD = (
     "square to the",
@@ -65,3 +66,9 @@ def test_no_sentence_has_a_turn_of_phrase_that_no_textbook_has(phrase: str) -> N
 )
 def test_a_number_shows_no_digits_that_are_not_asked_for(value: float, digits: int, expected: str) -> None:
     assert rounded(value, digits) == expected
+
+
+def test_a_count_is_boxed_as_a_whole_number() -> None:
+    """A count of 12 is neither 12.0 nor 1.2 · 10."""
+    found = Solution("", goal="X", answer=12.0, values={"X": 12.0}, whole=True)
+    assert found.text == r"Answer: $X = \boxed{12}$."

@@ -118,7 +118,8 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
         case Quotient() if value != ZERO:
             yield ratio(formula.above, value)
         case Power() if formula.exponent == 2:
-            yield from (Root(value), -Root(value))
+            root = value.base if isinstance(value, Power) and value.exponent == 2 else Root(value)
+            yield from (root, -root)
         case Root():
             yield Power(value, 2)
         case Call():

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import atan2, cos, pi, sin, sqrt
 
 from sim2reason.lazy import cached_property
+from sim2reason.solutions.algebra.closed_roots import fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
@@ -135,7 +136,9 @@ class Harmonic:
     def turning(self, time: float) -> Expression:
         """The place where it turns back at a time."""
         beyond = self.where(time)[0] > self.numbers[1]
-        return self.rest + self.amplitude if beyond else self.rest - self.amplitude
+        formula = self.rest + self.amplitude if beyond else self.rest - self.amplitude
+        collected = fraction(formula)
+        return formula if collected.below else collected.above.expression()
 
     def angle_of_turning(self, time: float) -> Expression:
         """The phase ωt where it turns back."""
