@@ -4,7 +4,8 @@ For each recipe how many have a derivation, how many an integration alone, how m
 Then every line of the bar, figure against bar, by difficulty: how many have a solution, whether answers, relations and
 five-digit arithmetic hold, whether two strategies agree, what the text alone says, how many planted faults it shows
 (each number 7 % larger, each sign turned, a few of each text), whether it is graded right as an answer, how long it is,
-and how long it takes.
+and how long it takes. Each solution is recomputed from its data, in which then faults are planted: how many of each
+kind are refused; `sim2reason.testing.solutions.planted` says how they are counted.
 """
 
 import random
@@ -24,9 +25,13 @@ from sim2reason.datasets.request import SI, Request
 from sim2reason.datasets.worked_solutions import worked
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions.checking import recompute
+from sim2reason.solutions.data import as_data
 from sim2reason.solutions.reverse import forward
-from sim2reason.solutions.solution import WELL
+from sim2reason.solutions.solution import SAME, WELL
+from sim2reason.solutions.verification import refusal
 from sim2reason.testing.solutions.faults import SEEN, WORDS, faults, words
+from sim2reason.testing.solutions.planted import KINDS, planted_faults
 from sim2reason.testing.solutions.reading import read
 
 AGREED = 1e-9  # relative
@@ -44,6 +49,8 @@ SHARES = {  # what is counted, of what, and at least how much of it
     "planted signs caught": ("caught signs", "planted signs", 0.95),
     "graded right": ("graded", "solved", 1.0),
     "short enough": ("short", "solved", 1.0),
+    "recomputed from their data": ("recomputed", "solved", 1.0),
+    **{f"refused: {kind}": (f"refused: {kind}", f"planted: {kind}", 0.99) for kind in KINDS},
 }
 MEDIAN, WORST = 0.1, 1.0  # s of CPU
 
@@ -55,6 +62,7 @@ class Tally:
     count: Counter[str] = field(default_factory=Counter[str])
     times: list[float] = field(default_factory=list[float])
     lengths: list[int] = field(default_factory=list[int])
+    checks: list[float] = field(default_factory=list[float])
 
     def lines(self, difficulty: str) -> Iterator[tuple[str, str, str, bool]]:
         """Each line of the bar: what it is about, the figure, the bar, and whether it is kept."""
@@ -67,6 +75,8 @@ class Tally:
             middle = median(self.times)
             yield "CPU, median", f"{1e3 * middle:.1f} ms", f"{1e3 * MEDIAN:g} ms", middle <= MEDIAN
             yield "CPU, most", f"{1e3 * max(self.times):.0f} ms", f"{WORST:g} s", max(self.times) <= WORST
+            yield "CPU of the check, median", f"{1e3 * median(self.checks):.1f} ms", "", True
+            yield "CPU of the check, most", f"{1e3 * max(self.checks):.0f} ms", "", True
 
 
 def problem(request: Request) -> tuple[Item, Setting, Solution] | None:
@@ -121,6 +131,7 @@ def main(items: int = 200, seed: int = 1, recipes: str = "", modes: str = "numer
             why[recipe, setting.query.kind, solution.reason[:160]] += 1
             continue
         wrong = [*_wrong(item, forward(setting), solution, tally), *_reading(item, solution, tally, rng)]
+        wrong += _recomputed(forward(setting), solution, tally, rng)
         count[recipe]["faulty" if wrong else solution.strategy] += 1
         for fault in wrong:
             print(f"{item.id} {setting.query.kind}: {fault}")
@@ -177,6 +188,18 @@ def _reading(item: Item, solution: Solution, tally: Tally, rng: random.Random) -
         spoiled = read(text, known)
         caught = bool(spoiled.broken or spoiled.unread)
         tally.count.update({f"planted {kind}": 1, f"caught {kind}": caught})
+
+
+def _recomputed(setting: Setting, solution: Solution, tally: Tally, rng: random.Random) -> Iterator[str]:
+    """What comes of its data, and which faults in them are not refused."""
+    assert setting.answer is not None
+    begin, data = time.process_time(), as_data(solution)
+    found = recompute(data)
+    tally.checks.append(time.process_time() - begin)
+    tally.count.update(recomputed=found.agrees(setting.answer, SAME))
+    yield from (f"recomputed: {fault}" for fault in found.faults)
+    for kind, spoiled in planted_faults(data, found.values, rng, PLANTED):
+        tally.count.update({f"planted: {kind}": 1, f"refused: {kind}": bool(refusal(spoiled, setting))})
 
 
 def _tell(tallies: dict[str, Tally]) -> int:

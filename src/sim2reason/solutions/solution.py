@@ -11,16 +11,17 @@ from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
-Role = Literal["given", "law", "derived", "result", "integrated", "verified"]
+Role = Literal["given", "law", "derived", "result", "verified", "trial", "condition"]
 WELL = 1e-9  # relative: how well every relation holds
+SAME = 1e-6  # relative: a solution that leads to another answer is none
 
 
 @dataclass(frozen=True, slots=True)
 class Relation:
     """An equation: what is `given`, a `law` that is told, what is `derived` from those, or a `result`: name = formula.
 
-    Where nothing is derived, a number is `integrated`: a name is what the integration gives. What was assumed is
-    `verified` by numbers on which nothing rests.
+    What was assumed is `verified` by numbers on which nothing rests. An unknown found by `trial` has the value with
+    which the `condition`, a result that the question gives, holds in the end.
 
     `unit` is that of a result, in LaTeX.
     """
@@ -102,6 +103,16 @@ class Integration:
     ends: tuple[tuple[str, str], ...]
     accumulated: tuple[Accumulated, ...] = ()
 
+    def symbols(self) -> Iterator[str]:
+        """Return all names that it takes from elsewhere, some more than once."""
+        own = {self.time, *self.unknowns, *(held.name for held in self.accumulated)}
+        own |= {name for c in self.coordinates for name in (c.place, c.rate, c.acceleration)}
+        formulas = [self.begin, self.until.expression]
+        formulas += [formula for c in self.coordinates for formula in (c.initial_place, c.initial_rate)]
+        formulas += [formula for held in self.accumulated for formula in (held.rate, held.initial)]
+        formulas += [side for law in self.equations for side in (law.left, law.right)]
+        return (name for formula in formulas for name in formula.symbols() if name not in own)
+
 
 @dataclass(frozen=True, slots=True)
 class Phase:
@@ -128,6 +139,13 @@ class Step:
     phase: int = 0
     integration: Integration | None = None
 
+    def symbols(self) -> Iterator[str]:
+        """Return all names in its relations and its initial-value problem, some more than once."""
+        for relation in self.relations:
+            yield from relation.symbols()
+        if self.integration is not None:
+            yield from self.integration.symbols()
+
 
 @dataclass(frozen=True, slots=True)
 class Solution:
@@ -145,16 +163,16 @@ class Solution:
     formula: str = ""  # the answer to a problem in symbols
     scale: float = 1.0  # what one of `unit` is in the unit of the answer, degrees but for those
     keen: float = 1.0  # relative: by how much what is given changes with the answer, where that is unknown
-    whole: bool = False  # a number of times, which is boxed as it is
     phases: tuple[Phase, ...] = ()  # empty if the motion has a single phase
     asked_unit: tuple[str, float] | None = (
         None  # the unit that the text asks for, and what one of the answer's is in it
     )
+    whole: bool = False  # the answer is a count
 
     @property
     def derived(self) -> bool:
-        """Whether the answer is derived, not integrated."""
-        return self.answer is not None and all(relation.role != "integrated" for relation in self.relations)
+        """Whether no phase of the motion is integrated numerically."""
+        return self.answer is not None and all(step.integration is None for step in self.steps)
 
     @property
     def text(self) -> str:
@@ -168,7 +186,7 @@ class Solution:
         if self.formula:
             return rf" = \boxed{{{self.formula}}}"
         if self.whole:
-            return rf" = \boxed{{{answer:.0f}}}"
+            return rf" = \boxed{{{round(answer)}}}{self.unit}"
         if self.asked_unit is None:
             return rf" \approx \boxed{{{rounded(answer, 3)}}}{self.unit}"
         unit, factor = self.asked_unit

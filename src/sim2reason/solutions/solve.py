@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.prose.naming import Names
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
-from sim2reason.questions import Study
+from sim2reason.questions import KINDS, Study
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
@@ -17,20 +17,20 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.solution import Relation, Solution, Step
+from sim2reason.solutions.solution import SAME, Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy
+from sim2reason.solutions.verification import verified
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.merging import merged
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
-SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it says
-
 
 def solve(setting: Setting, *, derived: bool = False) -> Solution:
-    """The worked solution by the cheapest strategy that finds one; else one that says why there is none.
+    """The worked solution by the cheapest strategy whose solution can be shown; else one that says why there is none.
 
-    With `derived`, by one that leads to formulas.
+    It can be shown if its answer was recomputed from what it states. With `derived`, by one that leads to formulas,
+    which are not shown as they are, and are compared with motions instead.
     """
     reasons: list[str] = []
     setting = forward(setting)
@@ -43,7 +43,7 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
     kind, mechanism = setting.query.kind, setting.mechanism
     offered = (held for held in STRATEGIES.values() if not derived or kind in held.formulas(mechanism))
     for strategy in sorted(offered, key=lambda held: held.cost):
-        found = by(strategy, setting)
+        found = by(strategy, setting) if derived else verified(by(strategy, setting), setting)
         if found.answer is not None:
             return found
         reasons.append(f"{strategy.name}: {found.reason}")
@@ -91,6 +91,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     unit = book.units.get(goal, "")
     stated = tuple(name for name in book.stated if name not in book.constants)
     values = book.observed | book.values
+    counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
     found = Solution(
         strategy.name,
         steps,
@@ -100,9 +101,9 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
         stated=stated,
         constants=book.constants,
         keen=book.keen,
-        whole=setting.query.kind == "count",
         phases=tuple(book.phases[: 1 + max(step.phase for step in steps)]),
     )
+    found = replace(found, whole=counted)
     unknown = setting.lexicon.givens.get(setting.unknown)
     if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:
         found = replace(found, scale=1.0 / unknown.scale, asked_unit=(unknown.unit, 1.0))
@@ -171,7 +172,7 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
 
 def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
     """What the solution takes from the text."""
-    used = {name for step in steps for relation in step.relations for name in relation.symbols()} | {goal}
+    used = {name for step in steps for name in step.symbols()} | {goal}
     said: dict[str, str] = {}
     relations: list[Relation] = []
     for given in setting.lexicon.givens.values():

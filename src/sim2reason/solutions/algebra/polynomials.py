@@ -123,7 +123,7 @@ class Polynomial:
         """As a formula, with what all terms share in front: m g (sin θ − µ cos θ)."""
         if len(self.terms) < 2:
             return self.expression()
-        shared = _shared(list(self.terms))
+        shared = common(list(self.terms))
         if not shared:
             return self.expression()
         if all(part < 0.0 for part in self.terms.values()):
@@ -235,9 +235,9 @@ def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | N
     return Polynomial(found)
 
 
-def _shared(monomials: list[Monomial]) -> Monomial:
-    """The atoms that all hold, in their lowest powers."""
-    found = dict(monomials[0])
+def common(monomials: list[Monomial]) -> Monomial:
+    """Return the atoms that all monomials share, in their lowest powers; none if there are no monomials."""
+    found = dict(monomials[0]) if monomials else {}
     for monomial in monomials[1:]:
         powers = dict(monomial)
         found = {atom: min(power, powers[atom]) for atom, power in found.items() if atom in powers}

@@ -5,15 +5,14 @@ the same function of what the text says in both is written as that function, see
 """
 
 import math
-from collections import Counter
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from itertools import product
-from typing import Self
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.dsl.state import State
 from sim2reason.dsl.triples import Number as Quantity
+from sim2reason.dsl.vectors import Vector
 from sim2reason.lazy import cached_property
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
@@ -25,70 +24,79 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
+ROUNDING = 1e-12  # m: a coordinate of a body that is smaller is zero
+UNREAD = "?"  # begins the symbols of numbers that are no simple functions of those in the text
 SUMMANDS = 5  # of a length along a line, at most
-FEW = 2  # terms of what is written out wherever it stands
 
 
 @dataclass(frozen=True, slots=True)
 class Names:
-    """What coordinates, their rates and accelerations, and the time are called."""
+    """The symbols of the coordinates, of their rates and accelerations, and of the time.
+
+    A coordinate q of the mechanism is `sense` · (place − origin): where the text gives the initial position or angle,
+    the symbol stands for the position or angle itself instead of the displacement.
+    """
 
     places: tuple[Symbol, ...]
     rates: tuple[Symbol, ...]
     accelerations: tuple[Symbol, ...]
     time: Symbol
+    senses: tuple[float, ...]
+    origins: tuple[Polynomial, ...]
+
+    def place(self, k: int) -> Polynomial:
+        """Return the coordinate of the mechanism in terms of its symbol."""
+        return (Polynomial.of(self.places[k]) - self.origins[k]).scaled(self.senses[k])
+
+    def rate(self, k: int) -> Polynomial:
+        """Return the rate of the coordinate in terms of its symbol."""
+        return Polynomial.of(self.rates[k]).scaled(self.senses[k])
+
+    def acceleration(self, k: int) -> Polynomial:
+        """Return the second derivative of the coordinate in terms of its symbol."""
+        return Polynomial.of(self.accelerations[k]).scaled(self.senses[k])
 
 
 class EquationsOfMotion:
-    """Mass matrix, loads and constraints, as polynomials of names.
+    """The mass matrix, loads and constraints as polynomials of symbols."""
 
-    A number that is no simple function of what the text says `stands` as itself.
-    """
-
-    def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names, *, plain: bool = False) -> None:
-        """UnsolvedError if the twin moves by other equations; if they are to be `plain`, all is in numbers."""
-        self._lexicon, self.book, self.names, self._plain = lexicon, book, names, plain
+    def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
+        """Record the equations of the mechanism and of its twin; UnsolvedError if those of the twin differ in form."""
+        self._lexicon, self.book, self.names = lexicon, book, names
         self.mechanism = lexicon.mechanism
         self._here, one = _assembled(lexicon.mechanism, phase)
-        self._there, two = (self._here, one) if plain else _assembled(lexicon.twin, phase)
+        self._there, two = _assembled(lexicon.twin, phase)
         self._tapes = one, two
-        self._known: dict[int, Polynomial] = {}
+        self._known: dict[tuple[int, int], Polynomial] = {}
+        self._squares: dict[Expression, Polynomial] = {}  # by root, what stands under it
+        self._forms: tuple[dict[int, int], dict[int, int]] = {}, {}
+        self._shared: dict[tuple[str | int, ...], int] = {}  # numbers of forms
         self._below: dict[Expression, Polynomial] = {}  # what one is divided by
-        self.named: dict[Expression, Symbol] = {}  # lengths, and what stands in several places
-        self._shared: frozenset[int] = frozenset()
-        self.stands = False
-
-    def written_in(self, book: Book) -> Self:
-        """The same, after a draft in a copy of the book."""
-        self.book = book
-        book.reserve(*(name.name for name in self.named.values()))
-        return self
-
-    def shorten(self) -> None:
-        """Name what is long and stands in several places; before anything else is asked."""
-        used = Counter(operand for _, *operands in self._tapes[0].nodes for operand in operands)
-        self._shared = frozenset(node for node, times in used.items() if times > 1)
 
     def inertia(self, k: int) -> Polynomial:
         """What stands before the accelerations, with them."""
         here, there = self._here.full_mass()[k], self._there.full_mass()[k]
-        pairs = zip(here, there, self.names.accelerations, strict=True)
-        return total(self._read(a, b) * Polynomial.of(name) for a, b, name in pairs)
+        pairs = enumerate(zip(here, there, strict=True))
+        return total(self.read(a, b) * self.names.acceleration(j) for j, (a, b) in pairs)
+
+    def mass(self, k: int, j: int) -> Polynomial:
+        """Return an entry of the mass matrix."""
+        return self.read(self._here.full_mass()[k][j], self._there.full_mass()[k][j])
 
     def load(self, k: int) -> Polynomial:
         """What is given to act along a coordinate."""
-        return self._read(self._here.force[k], self._there.force[k])
+        return self.read(self._here.force[k], self._there.force[k])
 
     def pull(self, row: int, k: int) -> Polynomial:
         """How a constraint's length grows with a coordinate."""
         here, there = (rows[row].along.get(k, 0.0) for rows in self._rows)
-        return self._read(here, there)
+        return self.read(here, there)
 
     def held(self, row: int) -> tuple[Polynomial, Polynomial]:
         """What the accelerations must add up to: both sides of the second derivative of a constraint."""
         size = range(len(self.mechanism.coordinates))
-        left = total(self.pull(row, k) * Polynomial.of(self.names.accelerations[k]) for k in size)
-        return left, self._read(*(rows[row].target for rows in self._rows))
+        left = total(self.pull(row, k) * self.names.acceleration(k) for k in size)
+        return left, self.read(*(rows[row].target for rows in self._rows))
 
     @cached_property
     def _rows(self) -> tuple[list[RowTerms], list[RowTerms]]:
@@ -99,19 +107,28 @@ class EquationsOfMotion:
         """The normal force of a face, but for what constraints add to it."""
         size = range(len(self.mechanism.coordinates))
         parts = [
-            self._read(self._here.lifted[face][k], self._there.lifted[face][k])
-            * Polynomial.of(self.names.accelerations[k])
+            self.read(self._here.lifted[face][k], self._there.lifted[face][k]) * self.names.acceleration(k)
             for k in size
         ]
-        return total(parts) - self._read(self._here.press[face], self._there.press[face])
+        return total(parts) - self.read(self._here.press[face], self._there.press[face])
 
     def lifted(self, row: int, face: int) -> Polynomial:
         """How a constraint lifts what lies on a face."""
-        return self._read(*(rows[row].lift.get(face, 0.0) for rows in self._rows))
+        return self.read(*(rows[row].lift.get(face, 0.0) for rows in self._rows))
+
+    @property
+    def assemblies(self) -> tuple[Assembly, Assembly]:
+        """Return the recorded equations of the mechanism and of its twin, so that other quantities can be read."""
+        return self._here, self._there
+
+    def both(self, quantity: Callable[[Assembly], Quantity]) -> Polynomial:
+        """Return a quantity of the recorded equations in the symbols of the text."""
+        return self.read(quantity(self._here), quantity(self._there))
 
     # ---- from tapes to names
 
-    def _read(self, here: Quantity, there: Quantity) -> Polynomial:
+    def read(self, here: Quantity, there: Quantity) -> Polynomial:
+        """Return a recorded quantity, given for the mechanism and for its twin, in the symbols of the text."""
         if isinstance(here, Recorded) and isinstance(there, Recorded):
             return self._node(here.id, there.id)
         if isinstance(here, Recorded) or isinstance(there, Recorded):
@@ -119,20 +136,32 @@ class EquationsOfMotion:
         return self.number(Both(float(here), float(there)))  # type: ignore[arg-type]
 
     def number(self, both: Both) -> Polynomial:
-        """In the symbols of the text, or as it is."""
+        """Return a number in the symbols of the text; a number that has none there gets a symbol that must cancel."""
         try:
-            if not self._plain:
-                return self._lexicon.read(both)
+            return self._lexicon.read(both)
         except UnreadError:
-            pass
-        self.stands = True
-        return Polynomial.of(both.here)
+            name = f"{UNREAD}{both.here!r}"
+            self.book.values[name] = both.here
+            return Polynomial.of(Symbol(name))
 
     def _node(self, here: int, there: int) -> Polynomial:
-        if here not in self._known:
-            made = self._made(here, there)
-            self._known[here] = self._called(made, "Z") if here in self._shared and len(made.terms) > FEW else made
-        return self._known[here]
+        if (here, there) not in self._known:
+            self._known[here, there] = self._made(here, there)
+        return self._known[here, there]
+
+    def _form(self, side: int, node: int) -> int:
+        """Return a number for the form of a recorded quantity: its operations, whatever its constants are."""
+        forms = self._forms[side]
+        if node not in forms:
+            operation, a, b = self._tapes[side].nodes[node]
+            if operation in ("input", "constant"):
+                parts = [a] if operation == "input" else []
+            else:
+                parts = [self._form(side, part) for part in (a, b) if part >= 0]
+                if operation in ("+", "*"):
+                    parts.sort()
+            forms[node] = self._shared.setdefault((operation, *parts), len(self._shared))
+        return forms[node]
 
     def _made(self, here: int, there: int) -> Polynomial:
         one, two = self._tapes
@@ -140,10 +169,11 @@ class EquationsOfMotion:
         if operation != other:
             raise UnsolvedError("the equations of motion are of another kind with other numbers")
         if operation == "input":
-            names = (self.names.time, *self.names.places, *self.names.rates)
-            return Polynomial.of(names[a])
+            return self._input(a)
         if operation == "constant":
             return self.number(Both(one.constants[a], two.constants[c]))
+        if operation in ("+", "*") and self._form(0, a) != self._form(1, c) and self._form(0, a) == self._form(1, d):
+            c, d = d, c  # the tape orders operands by when it first met them
         first = self._node(a, c)
         if operation in ("sin", "cos"):
             return self._turned(operation, first)
@@ -153,6 +183,12 @@ class EquationsOfMotion:
             return first.scaled(-1.0)
         return self._joined(operation, first, self._node(b, d))
 
+    def _input(self, number: int) -> Polynomial:
+        size = len(self.mechanism.coordinates)
+        if number == 0:
+            return Polynomial.of(self.names.time)
+        return self.names.place(number - 1) if number <= size else self.names.rate(number - 1 - size)
+
     def _joined(self, operation: str, first: Polynomial, second: Polynomial) -> Polynomial:
         """Along a line, a direction is a length by itself: 1 or -1."""
         plain = first, second
@@ -161,6 +197,8 @@ class EquationsOfMotion:
             below = self._below.get(atom[0][0]) if len(atom) == 1 and atom[0][1] == 1 and not more else None
             if below is not None and (sign := _by_itself(one, below)):
                 return Polynomial.of(sign * part)
+        if operation == "*" and (cube := self._cubed(first, second) or self._cubed(second, first)):
+            return cube
         if operation == "/" and (sign := _by_itself(first, second)):
             return Polynomial.of(sign)
         found = _joined(operation, first, second)
@@ -168,27 +206,36 @@ class EquationsOfMotion:
             self._below[next(iter(found.terms))[0][0]] = second.scaled(1.0 / first.number)
         return found
 
+    def _cubed(self, one: Polynomial, other: Polynomial) -> Polynomial | None:
+        """Return r³ for r times what r is the root of; None for any other product."""
+        if len(one.terms) != 1:
+            return None
+        (monomial, part), *_ = one.terms.items()
+        root = monomial[0][0] if len(monomial) == 1 and monomial[0][1] == 1 else None
+        inside = self._squares.get(root) if root is not None else None
+        return Polynomial({((root, 3),): part}) if root is not None and inside is not None and inside == other else None
+
     def _turned(self, operation: str, angle: Polynomial) -> Polynomial:
+        """Return the sine or cosine of an angle; that of a sum of symbols by the addition theorems."""
         symbol = angle.symbol
-        sign = 1.0
-        if symbol is not None and angle.terms[((symbol, 1),)] < 0.0:
-            sign = -1.0 if operation == "sin" else 1.0
-        argument: Expression = symbol if symbol is not None else angle.expression()
-        return Polynomial.of(Call("sin" if operation == "sin" else "cos", argument)).scaled(sign)
+        if symbol is not None:
+            sign = -1.0 if operation == "sin" and angle.terms[((symbol, 1),)] < 0.0 else 1.0
+            return Polynomial.of(Call("sin" if operation == "sin" else "cos", symbol)).scaled(sign)
+        parts = [Polynomial({monomial: part}) for monomial, part in angle.terms.items()]
+        if len(parts) > 1 and all(part.symbol is not None for part in parts):
+            first, rest = parts[0], total(parts[1:])
+            s, c = self._turned("sin", first), self._turned("cos", first)
+            s_rest, c_rest = self._turned("sin", rest), self._turned("cos", rest)
+            return s * c_rest + c * s_rest if operation == "sin" else c * c_rest - s * s_rest
+        return Polynomial.of(Call("sin" if operation == "sin" else "cos", angle.expression()))
 
     def _root(self, inside: Polynomial) -> Polynomial:
         plain = square_root(inside, self.book.values)
         if plain is not None:
             return plain
-        return self._called(Polynomial.of(Root(inside.expression())), r"\ell")
-
-    def _called(self, held: Polynomial, base: str) -> Polynomial:
-        """By a name."""
-        formula = held.expression()
-        if formula not in self.named:
-            name = self.named[formula] = self.book.fresh(base)
-            self.book.know(name.name, self.book.value(formula))
-        return Polynomial.of(self.named[formula])
+        root = Root(inside.expression())
+        self._squares[root] = inside
+        return Polynomial.of(root)
 
 
 def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | None:
@@ -226,7 +273,27 @@ def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial
     return Polynomial.of(Quotient(first.expression(), second.expression())) if first else NIL
 
 
+def _exact(mechanism: Mechanism) -> Mechanism:
+    """Return the mechanism with coordinates that are rounding errors set to zero, so that twins have one form."""
+
+    def rounded(vector: Vector) -> Vector:
+        x, y, z = (0.0 if abs(part) < ROUNDING else part for part in vector)
+        return x, y, z
+
+    bodies = tuple(
+        replace(
+            body,
+            at=rounded(body.at),
+            center=rounded(body.center),
+            coordinates=tuple(replace(c, axis=rounded(c.axis)) for c in body.coordinates),
+        )
+        for body in mechanism.bodies
+    )
+    return replace(mechanism, bodies=bodies, sites=tuple(replace(s, at=rounded(s.at)) for s in mechanism.sites))
+
+
 def _assembled(mechanism: Mechanism, phase: Phase) -> tuple[Assembly, Tape]:
+    mechanism = _exact(mechanism)
     size = len(mechanism.coordinates)
     tape = Tape(["t", *(f"q{k}" for k in range(size)), *(f"v{k}" for k in range(size))])
     symbols = list(tape.inputs.values())

@@ -165,6 +165,16 @@ class Lexicon:
         pulls, heavy = self.mechanism.attractions, [given.value for given in self.givens.values()]
         return pulls[0].constant if pulls and self.mechanism.body[pulls[0].b].mass in heavy else None
 
+    @property
+    def lengths(self) -> list[Both]:
+        """Return the lengths that the text states, in the mechanism and in its twin."""
+        there = self._twin[1]
+        return [
+            Both(given.value, there[path])
+            for path, given in self.givens.items()
+            if given.parameter.measure.unit == "m" and path in there
+        ]
+
     def of(self, number: Callable[[Mechanism], float]) -> Polynomial:
         """What a number of the mechanism is, as `read` has it."""
         return self.read(Both(float(number(self.mechanism)), float(number(self.twin))))

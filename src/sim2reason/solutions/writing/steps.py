@@ -4,12 +4,13 @@ from collections.abc import Mapping
 
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.grading.tokens import canonical
-from sim2reason.solutions.algebra.digits import DIGITS
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.solution import Phase, Relation, Step, with_unit
+from sim2reason.solutions.solution import Integration, Phase, Relation, Step, with_unit
 from sim2reason.solutions.writing.subscripts import marked
 from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
+
+STATE_DIGITS = 8  # of numbers on which an integration rests
 
 
 class UnsolvedError(Exception):
@@ -38,8 +39,9 @@ class Book:
         self.hidden: set[str] = set()  # names whose values hang on what is unknown
         self.formulas: dict[str, Expression] = {}  # of those, in order
         self.keen = 1.0  # relative: by how much what is given changes with what is unknown
+        self.phase = 0  # the index of the phase of the motion to which the next steps belong
+        self.phases: list[Phase] = []  # empty where the motion has a single phase
         self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
-        self.phases: list[Phase] = []  # in order; empty where the motion has but one
         self._taken: set[str] = set()
         self._source: dict[str, int] = {}
 
@@ -132,6 +134,7 @@ class Book:
     def begin_phase(self, begins: str, ends: str) -> None:
         """Let the steps from now on belong to another phase of the motion."""
         self.phases.append(Phase(begins, ends))
+        self.phase = len(self.phases) - 1
 
     def open(self, kind: str) -> "Writing":
         """Begin a step."""
@@ -144,7 +147,15 @@ class Book:
         step.close()
         return name
 
-    def close(self, kind: str, text: str, relations: list[Relation], gives: list[str], rests: list[str]) -> Step:
+    def close(
+        self,
+        kind: str,
+        text: str,
+        relations: list[Relation],
+        gives: list[str],
+        rests: list[str],
+        integration: Integration | None = None,
+    ) -> Step:
         """Keep a step."""
         number = len(self.steps)
         self._source.update(dict.fromkeys(gives, number))
@@ -152,7 +163,7 @@ class Book:
         names = {name for relation in worked for name in relation.symbols()} | {*rests}
         names |= {name for relation in relations if relation.role == "law" and gives for name in relation.symbols()}
         needs = sorted({self._source[name] for name in names if name in self._source} - {number})
-        step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs), max(0, len(self.phases) - 1))
+        step = Step(number, kind, text, tuple(relations), tuple(gives), tuple(needs), self.phase, integration)
         self.steps.append(step)
         return step
 
@@ -167,6 +178,7 @@ class Writing:
         self._relations: list[Relation] = []
         self._gives: list[str] = []
         self._rests: list[str] = []
+        self._integration: Integration | None = None
 
     def label(self, name: str) -> None:
         """Name an equation of this step, so that others can rest on it."""
@@ -208,12 +220,10 @@ class Writing:
         self._relations.append(relation)
         return relation.latex(self._book.value(formula))
 
-    def integrated(self, name: Symbol, value: float, digits: int = DIGITS) -> str:
-        """A known name with the value that a numerical integration gives it."""
-        relation = Relation(name, Number(value), "integrated", self._book.units[name.name])
-        self._relations.append(relation)
-        self._gives.append(name.name)
-        return f"${name.latex()} = {with_unit(value, relation.unit, digits)}$"
+    def integrate(self, integration: Integration) -> None:
+        """State an initial-value problem; the values at its end are known to the book already."""
+        self._integration = integration
+        self._gives += [name for _, name in integration.ends]
 
     def stated(self, formula: Expression, unit: str) -> str:
         """What follows from what was told, in numbers: what something given comes to, or a name."""
@@ -224,6 +234,26 @@ class Writing:
             return f"${with_unit(value, unit)}$"
         self._noted(Relation(formula, Number(value), "derived", unit))
         return f"${formula.latex()} = {with_unit(value, unit)}$"
+
+    def defined(self, name: Symbol, formula: Expression) -> str:
+        """Return a law that gives a name, whose value the book knows already, as a formula."""
+        relation = Relation(name, formula, "law", self._book.units[name.name])
+        self._relations.append(relation)
+        self._gives.append(name.name)
+        return relation.latex(self._book.values[name.name])
+
+    def trial(self, name: Symbol) -> str:
+        """Return the value of an unknown that is found by trial: the result that is given determines it."""
+        value, unit = self._book.values[name.name], self._book.units[name.name]
+        self._relations.append(Relation(name, Number(value), "trial", unit))
+        self._gives.append(name.name)
+        return f"${name.latex()} = {with_unit(value, unit, STATE_DIGITS)}$"
+
+    def given_result(self, name: Symbol, value: float) -> str:
+        """Return the equation by which a result that the question gives determines the unknown."""
+        relation = Relation(name, Number(value), "condition", self._book.units[name.name])
+        self._relations.append(relation)
+        return f"${name.latex()} = {with_unit(value, relation.unit)}$"
 
     def closed(self, name: Symbol, formula: Expression) -> str:
         """What a symbol comes to whose value was unknown till now."""
@@ -240,6 +270,6 @@ class Writing:
 
     def close(self) -> None:
         """Keep it, if it says anything."""
-        if self._said or self._relations:
+        if self._said or self._relations or self._integration:
             text = " ".join(self._said)
-            self._book.close(self._kind, text, self._relations, self._gives, self._rests)
+            self._book.close(self._kind, text, self._relations, self._gives, self._rests, self._integration)

@@ -15,3 +15,9 @@ def marked(base: str, mark: str) -> str:
     joined = f"{inner},{mark}" if inner else mark
     stem = base.partition("_")[0]
     return f"{stem}_{joined}" if len(joined) == 1 else f"{stem}_{{{joined}}}"
+
+
+def split(name: str) -> tuple[str, str]:
+    """Return the base of a name and its subscript without braces."""
+    base, _, mark = name.partition("_")
+    return base, mark[1:-1] if mark.startswith("{") and mark.endswith("}") else mark

@@ -8,8 +8,10 @@ import numpy as np
 from sim2reason.dsl.state import Array
 from sim2reason.solutions.algebra.digits import DIGITS, shortened
 from sim2reason.solutions.algebra.evaluated import gradient
-from sim2reason.solutions.algebra.expressions import Expression, Number, Sum, Symbol
+from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
+from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.collisions.long_chains import TIME
+from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solution import WELL, Relation, Solution
 
 FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
@@ -18,7 +20,7 @@ ASIDE, ROUNDS = 0.03, 6  # relative: how far what is free is followed; steps bac
 AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
 CARRIED = 5e-3  # relative: how far five digits may lead from the answer
 SEEN = {"threshold": 1e-7}  # by kind: an engine holds by friction what pulls by 1e-10 of the loads more than it can
-KNOWN = "given", "integrated"  # roles of what no law needs to determine
+KNOWN = ("given",)  # roles of what no law needs to determine
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
 
 
@@ -38,9 +40,10 @@ def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]
     if abs(solution.answer - answer) > within / min(1.0, solution.keen or 1.0) * abs(answer):
         found.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
     found += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
-    found += undetermined(solution)
-    if not solution.derived:  # an integration carries all digits
+    found += [f"recomputed: {fault}" for fault in recompute(as_data(solution)).faults]
+    if not solution.derived:  # an integration carries all digits, and states more of its end than is asked for
         return found
+    found += undetermined(solution)
     carried = by_digits(solution)
     if not abs(carried - answer) <= CARRIED * abs(answer):  # also where it is not a number
         found.append(f"with {DIGITS} digits it gives {carried:.6g}, not {answer:.6g}")
@@ -62,14 +65,14 @@ def _size(held: Expression, at: Mapping[str, float]) -> float:
 def undetermined(solution: Solution) -> list[str]:
     """Whether the laws that are told determine the answer, each of them is needed, and all else follows from them.
 
-    Of an integration, the accelerations, at the state to which it leads.
+    No phase may be integrated.
     """
     relations = [r for r in solution.relations if r.role not in (*KNOWN, "verified")]
     known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
     names = sorted({name for r in relations for name in r.symbols()} - known)
     place = {name: number for number, name in enumerate(names)}
     values = dict(solution.values)
-    goals = [solution.goal] if solution.derived else [r.left.latex() for r in relations if _is_number(r)]
+    goals = [solution.goal]
     if unknown := [name for name in goals if name not in place and name not in known]:
         return [f"no relation speaks of {name}" for name in unknown]
     rows = [_row(r, values, place) for r in relations]
@@ -107,11 +110,6 @@ def _since_when(solution: Solution) -> list[str]:
     flown = [relation for step in solution.steps if step.kind == TIME for relation in step.relations]
     times = [relation.left.latex() for relation in (*(r for r in told if r.role == "result"), *flown)]
     return times + [name for relation in verified for name in relation.right.symbols()]
-
-
-def _is_number(relation: Relation) -> bool:
-    """Whether it says what a name comes to."""
-    return isinstance(relation.left, Symbol) and isinstance(relation.right, Number)
 
 
 def _elsewhere(solution: Solution) -> dict[str, float]:

@@ -1,0 +1,103 @@
+"""Initial-value problems by collocation: in each step the state is a polynomial through Chebyshev points.
+
+Its derivative is that of the equations at all points, found by Picard iteration (C. W. Clenshaw and H. J. Norton, The
+Computer Journal 6, 1963). The engines use Runge–Kutta methods; this one shares nothing with them.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+from numpy.polynomial import chebyshev
+
+Array: TypeAlias = npt.NDArray[np.float64]
+Slope: TypeAlias = Callable[[Array, Array], Array]
+
+DEGREE = 16
+NODES: Array = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
+COEFFICIENTS: Array = np.asarray(
+    np.linalg.inv(chebyshev.chebvander(NODES, DEGREE)), dtype=np.float64
+)  # from values at the nodes
+INTEGRALS: Array = (
+    chebyshev.chebvander(NODES, DEGREE + 1) @ chebyshev.chebint(np.eye(DEGREE + 1), lbnd=-1) @ COEFFICIENTS
+)  # from -1 to each node
+TOLERANCE = 1e-13  # relative: the last coefficients of the state in a step
+SETTLED, CLOSE = 2e-15, 1e-12  # relative: changes by which an iteration ends at once, or if they grow no smaller
+ITERATIONS = 40
+LEAST = 1e-3  # of the largest place or rate, or in SI units: in a smaller one errors count as in one of that size
+FIRST, SHORTEST = 1e-2, 1e-13  # s; relative to the first
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One step: where it begins, how long it is, and the state at the nodes, (nodes, n)."""
+
+    begin: float
+    length: float
+    states: Array
+
+    @property
+    def times(self) -> Array:
+        """Those of the nodes."""
+        return self.begin + 0.5 * self.length * (NODES + 1.0)
+
+    def state(self, time: float) -> Array:
+        """The state at a time within the step or near it, (n,)."""
+        place = 2.0 * (time - self.begin) / self.length - 1.0
+        return np.asarray(chebyshev.chebval(place, COEFFICIENTS @ self.states), dtype=np.float64)
+
+
+def tail(values: Array) -> Array:
+    """How large the last coefficients of polynomials are, given by their values at the nodes, (nodes, n)."""
+    return np.abs(COEFFICIENTS[-2:] @ values).sum(axis=0)
+
+
+def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[[Piece], bool]) -> Iterator[Piece]:
+    """Integrate step by step; end where steps become too short or the state infinite.
+
+    Args:
+        slope: the time derivatives of states, (m, n), at times, (m,).
+        begin: when the motion begins, s.
+        start: the state then, (n,): places, as many rates, and sums.
+        count: the number of places.
+        fits: whether what depends on the state is a polynomial in a step, too; else a shorter one is taken.
+    """
+    length, time, state = FIRST, begin, start
+    while length > SHORTEST * max(FIRST, abs(time)):
+        guess = np.tile(state, (DEGREE + 1, 1))
+        found = _step(slope, Piece(time, length, guess), state, count)
+        ratio = np.inf if found is None else float((tail(found.states) / _sizes(found.states, count)).max()) / TOLERANCE
+        if found is None or not ratio <= 1.0 or not fits(found):
+            length *= 0.25 if not np.isfinite(ratio) else min(0.7, max(0.2, 0.8 * ratio ** (-1.0 / DEGREE)))
+            continue
+        yield found
+        time, state = time + length, found.states[-1]
+        length *= min(3.0, 0.9 * max(ratio, 1e-12) ** (-1.0 / DEGREE))
+
+
+def _sizes(states: Array, count: int) -> Array:
+    """By how much errors of places, rates and sums count, (n,)."""
+    sizes = np.maximum(np.abs(states).max(axis=0), LEAST)
+    for group in (slice(0, count), slice(count, 2 * count)):
+        sizes[group] = np.maximum(sizes[group], LEAST * sizes[group].max(initial=0.0))
+    return sizes
+
+
+def _step(slope: Slope, piece: Piece, start: Array, count: int) -> Piece | None:
+    """Iterate until the derivative fits at all nodes; None if that does not settle."""
+    states, times, last = piece.states, piece.times, np.inf
+    for _ in range(ITERATIONS):
+        try:
+            found = start + 0.5 * piece.length * (INTEGRALS @ slope(times, states))
+        except ArithmeticError:
+            return None
+        if not np.isfinite(found).all():
+            return None
+        change = float((np.abs(found - states).max(axis=0) / _sizes(found, count)).max())
+        states = found
+        if change <= SETTLED or (change <= CLOSE and change >= 0.5 * last):
+            return Piece(piece.begin, piece.length, states)
+        last = change
+    return None

@@ -1,0 +1,186 @@
+"""Integrate a phase afresh from the equations, initial values and end that are stated."""
+
+from collections.abc import Iterator, Mapping
+from itertools import islice, pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.polynomial.chebyshev import chebroots
+
+from sim2reason.solutions.checking.bracket import zero
+from sim2reason.solutions.checking.collocation import COEFFICIENTS, Piece, pieces, tail
+from sim2reason.solutions.checking.instant import Instant
+from sim2reason.solutions.checking.trees import (
+    Array,
+    Tree,
+    TreeError,
+    check,
+    compiled,
+    compiled_for_many,
+    symbols,
+    terms,
+)
+
+SMOOTH, TINY = 1e-8, 1e-14  # how large the last coefficients of a condition may be: relative, absolute
+TRIMMED, REAL = 1e-13, 1e-6  # relative: coefficients that count; the imaginary part of a real zero
+ZERO = 1e-9  # relative to the largest coefficient of a condition in the first step: what is zero at the beginning
+NARROW, RESTING = 1e-9, 1e-4  # parts of a step in which signs are not trusted; where it begins with such a zero
+ROUNDING = 1e-12  # relative to the largest term of a condition: a value of which the sign is not trusted
+SIZE, MOST = 40, 10_000  # coordinates and unknowns; occurrences of an event
+ENDLESS = "a phase does not come to the end that is stated"
+
+
+class PhaseError(ValueError):
+    """A phase that can't be integrated, or does not end; the message says why."""
+
+
+class Sample(NamedTuple):
+    """An instant, and what the condition of the end has then."""
+
+    time: float
+    excess: float
+
+
+def integrate(data: Mapping[str, Any], known: Mapping[str, float], steps: int) -> tuple[dict[str, float], int]:
+    """Integrate a phase; give back the values of the names in its `ends` and the number of steps.
+
+    Args:
+        data: the `Integration` of a step as JSON values.
+        known: the values of the names that are known before.
+        steps: how many steps may be taken.
+
+    Raises:
+        PhaseError: something is not stated, the equations do not determine the motion, or it does not end.
+    """
+    try:
+        _check(data)
+        with np.errstate(all="ignore"):
+            return _Phase(data, known).run(steps)
+    except KeyError as error:
+        raise PhaseError(f"{error.args[0]} has no value") from error
+    except (ArithmeticError, ValueError) as error:
+        raise PhaseError(str(error)) from error
+
+
+def _check(data: Mapping[str, Any]) -> None:
+    """Refuse what is too large, or no formula."""
+    if max(len(data[part]) for part in ("coordinates", "unknowns", "equations", "accumulated", "ends")) > SIZE:
+        raise TreeError("a phase is too large")
+    if not data["coordinates"] and not data["accumulated"]:
+        raise TreeError("there is nothing to integrate")
+    for tree in formulas(data):
+        check(tree)
+
+
+PARTS = {
+    "equations": ("left", "right"),
+    "coordinates": ("initial_place", "initial_rate"),
+    "accumulated": ("rate", "initial"),
+}  # where formulas stand in the data of a phase
+
+
+def formulas(data: Mapping[str, Any]) -> Iterator[Tree]:
+    """Go through all trees in the data of a phase."""
+    yield data["begin"]
+    yield data["until"]["expression"]
+    for part, names in PARTS.items():
+        for held in data[part]:
+            yield from (held[name] for name in names)
+
+
+class _Phase:
+    """One phase while it is integrated."""
+
+    def __init__(self, data: Mapping[str, Any], known: Mapping[str, float]) -> None:
+        self._instant, self._ends = Instant(data, known), data["ends"]
+        coordinates, sums, until = data["coordinates"], data["accumulated"], data["until"]
+        starts = [held["initial_place"] for held in coordinates] + [held["initial_rate"] for held in coordinates]
+        starts += [held["initial"] for held in sums]
+        self._start = np.array([compiled(tree)(known) for tree in starts])
+        self._begin = float(compiled(data["begin"])(known))
+        self._flows = [compiled_for_many(held["rate"]) for held in sums]
+        self._direction, self._occurrence = int(until["direction"]), int(until["occurrence"])
+        if not 1 <= self._occurrence <= MOST or self._direction not in (-1, 0, 1):
+            raise TreeError("the end of a phase has no such occurrence or direction")
+        self._condition = compiled_for_many(until["expression"])
+        self._needs_forces = not self._instant.solved.isdisjoint(symbols(until["expression"]))
+        self._terms = [compiled_for_many(term) for term in terms(until["expression"])]
+        self._held: list[Piece] = []  # the last two pieces
+
+    def _slope(self, times: Array, states: Array) -> Array:
+        """The time derivatives of states: of places, rates, sums."""
+        instant, count = self._instant, len(self._instant.places)
+        instant.move(times, states)
+        found = np.empty_like(states)
+        found[:, :count] = states[:, count : 2 * count]
+        for number, acceleration in enumerate(instant.accelerate()):
+            found[:, count + number] = acceleration
+        for number, flow in enumerate(self._flows):
+            found[:, 2 * count + number] = flow(instant.at)
+        return found
+
+    def _excess(self, times: Array, states: Array) -> Array:
+        """What the condition of the end has at some instants."""
+        self._instant.move(times, states)
+        if self._needs_forces:
+            self._instant.accelerate()
+        return np.asarray(self._condition(self._instant.at)) * np.ones(len(times))
+
+    def _excess_at(self, time: float) -> float:
+        return float(self._excess(np.array([time]), self._state(time))[0])
+
+    def _state(self, time: float) -> Array:
+        """The state at a time in one of the last two pieces, (1, n)."""
+        piece = self._held[-1] if time >= self._held[-1].begin else self._held[0]
+        return piece.state(time)[None]
+
+    def _fits(self, piece: Piece) -> bool:
+        """Whether the condition is a polynomial within a step."""
+        values = self._excess(piece.times, piece.states)
+        return bool(tail(values[:, None])[0] <= SMOOTH * np.abs(values).max() + TINY)
+
+    def run(self, steps: int) -> tuple[dict[str, float], int]:
+        """Step until the condition has been zero as often as it must."""
+        count = len(self._instant.places)
+        self._slope(np.array([self._begin]), self._start[None])
+        self._instant.examine()
+        walk = pieces(self._slope, self._begin, self._start, count, self._fits)
+        zeros, before = self._occurrence, None
+        for taken, piece in enumerate(islice(walk, steps), 1):
+            self._held = [*self._held[-1:], piece]
+            for sample in self._between_zeros(piece, first=taken == 1):
+                if before is not None and (sample.excess > 0.0) != (before.excess > 0.0):
+                    zeros -= self._direction in (0, np.sign(sample.excess))
+                    if not zeros:
+                        return self._found(zero(self._excess_at, before.time, sample.time)), taken
+                before = sample
+        raise TreeError(ENDLESS)
+
+    def _between_zeros(self, piece: Piece, *, first: bool) -> Iterator[Sample]:
+        """Instants of a step between the zeros of the condition, one between every two of them."""
+        coefficients = COEFFICIENTS @ self._excess(piece.times, piece.states)
+        large = np.abs(coefficients).max()
+        if not np.isfinite(large):
+            raise TreeError(ENDLESS)
+        if not large:
+            return
+        kept = np.nonzero(np.abs(coefficients) > TRIMMED * large)[0][-1] + 1
+        roots = chebroots(coefficients[:kept]) if kept > 1 else np.empty(0)
+        inside = np.sort(roots[(np.abs(roots.imag) < REAL) & (np.abs(roots.real) < 1.0)].real)
+        resting = first and abs(self._excess_at(piece.begin)) <= ZERO * large
+        shortest = RESTING if resting else NARROW
+        for one, other in pairwise([-1.0, *map(float, inside), 1.0]):
+            time = piece.begin + 0.25 * piece.length * (one + other + 2.0)
+            excess = self._excess_at(time)
+            if other - one > shortest and abs(excess) > ROUNDING * self._largest_term():
+                yield Sample(time, excess)
+
+    def _largest_term(self) -> float:
+        """That of the condition, at the instant that was looked at last."""
+        return max(abs(float(np.ravel(term(self._instant.at))[0])) for term in self._terms)
+
+    def _found(self, time: float) -> dict[str, float]:
+        """The values at the end, by the names that they get."""
+        self._slope(np.array([time]), self._state(time))
+        self._instant.examine()
+        return {str(name): float(np.ravel(self._instant.at[str(symbol)])[0]) for symbol, name in self._ends}

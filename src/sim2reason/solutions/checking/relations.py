@@ -1,0 +1,214 @@
+"""Relations in order: those that define a name give it a value, all others are solved or verified."""
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from sim2reason.solutions.checking.bracket import zero
+from sim2reason.solutions.checking.equation import Equation
+from sim2reason.solutions.checking.trees import (
+    ROUGH,
+    SAMPLES,
+    Evaluate,
+    Tree,
+    compiled,
+    has_other_root,
+    parts_named,
+    value,
+)
+
+LINEAR = 1e-9  # relative: how much the derivatives of a linear equation may differ between two points
+RANK = 1e-10  # relative: singular values below it are taken as zero
+SAID = 2e-9  # relative: how well a number that stands for a formula is that formula's value
+UNDEFINED = (ArithmeticError, ValueError, KeyError)
+
+
+class Relations:
+    """The values that relations give to names, those that wait for values, and the faults that were found."""
+
+    def __init__(self, given: Mapping[str, float]) -> None:
+        """Start with what is given."""
+        self.values = dict(given)
+        self.faults: list[str] = []
+        self._missing: dict[Equation, set[str]] = {}  # of each equation that waits, the names without a value
+        self._waiting: dict[str, list[Equation]] = defaultdict(list)  # by such a name
+
+    @property
+    def unknown(self) -> list[str]:
+        """The names without a value, in order of appearance."""
+        return list(dict.fromkeys(name for missing in self._missing.values() for name in sorted(missing)))
+
+    def add(self, equation: Equation) -> None:
+        """Use one more relation."""
+        if equation.near is not None and isinstance(equation.left, str):
+            self._shoot(equation.left, equation.near)
+            return
+        missing = set(equation.names - self.values.keys())
+        self._missing[equation] = missing
+        for name in missing:
+            self._waiting[name].append(equation)
+        self._look_at(equation)
+
+    def assign(self, name: str, number: float) -> None:
+        """Give a name its value, and use what waited for it."""
+        self.values[name] = number
+        for equation in self._waiting.pop(name, []):
+            self._missing[equation].discard(name)
+        for equation in [held for held, missing in self._missing.items() if len(missing) < 2]:
+            self._look_at(equation)
+
+    def _look_at(self, equation: Equation) -> None:
+        """Verify a relation of which all is known, or take the value of a name from it."""
+        missing = self._missing.get(equation)
+        if missing is None or len(missing) > 1:
+            return
+        if not missing:
+            del self._missing[equation]
+            self._verify(equation)
+            return
+        (name,) = missing
+        formula = equation.definition(name)
+        if formula is None:
+            return
+        try:
+            number = value(formula, self.values)
+        except UNDEFINED:
+            self._drop(equation)
+            self.faults.append(f"has no value: {equation}")
+            return
+        self._drop(equation)
+        self._judge_parts(formula)
+        self.assign(name, number)
+
+    def _drop(self, equation: Equation) -> None:
+        for name in self._missing.pop(equation):
+            self._waiting[name].remove(equation)
+
+    def _verify(self, equation: Equation) -> None:
+        try:
+            good = equation.holds(self.values)
+        except UNDEFINED:
+            good = False
+        if not good:
+            self.faults.append(f"does not hold: {equation}")
+            return
+        self._judge_parts(equation.left)
+        self._judge_parts(equation.right)
+
+    def _judge_parts(self, tree: Tree) -> None:
+        """Compare numbers that stand for formulas with them, and look at roots."""
+        for _, inner, number in parts_named(tree, "worked"):
+            found, said = value(inner, self.values), float(number)  # type: ignore[arg-type]
+            if abs(found - said) > SAID * abs(found):
+                self.faults.append(f"a formula comes to {found:.9g}, not {said:.9g}")
+        for part in parts_named(tree, "root"):
+            if has_other_root(part, self.values):
+                self.faults.append(f"the root {part[1]} near {part[3]} is not the only one there")
+
+    # ---- what several relations determine together
+
+    def _shoot(self, name: str, near: float) -> None:
+        """Find the value of a name, close to a number, for which what waits for it has no contradiction."""
+        self.solve_linear()
+        if name in self.values:
+            if abs(self.values[name] - near) > ROUGH * abs(near):
+                self.faults.append(f"{name} is {self.values[name]:.6g}, not {near:.6g}")
+            return
+        chain, whole = self._chain(name)
+        places = [near * (1.0 + 1.01 * ROUGH * (2.0 * n / SAMPLES - 1.0)) for n in range(SAMPLES + 1)]
+        try:
+            there = [self._along(chain, name, place) for place in places]
+            sharp = [each for each in whole if not (each.holds(there[0]) and each.holds(there[-1]))]
+            if not sharp:
+                self.faults.append(f"no relation determines {name}")
+                return
+            signs = [sharp[0].excess(at) > 0.0 for at in there]
+            turns = [n for n in range(SAMPLES) if signs[n] != signs[n + 1]]
+            if len(turns) != 1:
+                self.faults.append(f"{len(turns)} values of {name} near {near} fulfil all relations")
+                return
+            ends = places[turns[0]], places[turns[0] + 1]
+            found = zero(lambda number: sharp[0].excess(self._along(chain, name, number)), *ends)
+        except UNDEFINED:
+            self.faults.append(f"relations have no value for {name} near {near}")
+            return
+        self.assign(name, found)
+
+    def _along(self, chain: Sequence[tuple[str, Evaluate]], name: str, number: float) -> dict[str, float]:
+        """All values, where one more name has one, and others follow."""
+        at = self.values | {name: number}
+        for other, evaluate in chain:
+            at[other] = evaluate(at)
+        return at
+
+    def _chain(self, name: str) -> tuple[list[tuple[str, Evaluate]], list[Equation]]:
+        """The names that one determines, each with its formula, and the relations that then can be verified."""
+        missing = {equation: names - {name} for equation, names in self._missing.items()}
+        chain, whole = list[tuple[str, Evaluate]](), list[Equation]()
+        while True:
+            whole += [equation for equation, names in missing.items() if not names]
+            missing = {equation: names for equation, names in missing.items() if names}
+            found = next(_definitions(missing), None)
+            if found is None:
+                return chain, whole
+            equation, other, formula = found
+            del missing[equation]
+            chain.append((other, compiled(formula)))
+            for names in missing.values():
+                names.discard(other)
+
+    def solve_linear(self) -> None:
+        """Solve the waiting equations for the names that they determine linearly."""
+        while self._missing:
+            rows = self._linear_rows()
+            found = _determined(rows) if rows else {}
+            if not found:
+                return
+            for name, number in found.items():
+                if name not in self.values:
+                    self.assign(name, number)
+
+    def _linear_rows(self) -> list[tuple[dict[str, float], float]]:
+        """Of each waiting equation that is linear in its unknowns, the coefficients and the right side."""
+        names = self.unknown
+        points = [{name: a + b * k for k, name in enumerate(names)} for a, b in ((1.0, 0.1), (2.0, -0.07))]
+        found: list[tuple[dict[str, float], float]] = []
+        for equation, missing in self._missing.items():
+            if equation.asserts:
+                continue
+            try:
+                (off, one), (_, other) = (equation.slopes(self.values | point) for point in points)
+            except UNDEFINED:
+                continue
+            row = {name: one.get(name, 0.0) for name in missing}
+            scale = max(map(abs, row.values()))
+            if scale and all(abs(other.get(n, 0.0) - slope) <= LINEAR * scale for n, slope in row.items()):
+                found.append((row, sum(slope * points[0][n] for n, slope in row.items()) - off))
+        return found
+
+
+def _definitions(missing: Mapping[Equation, set[str]]) -> Iterator[tuple[Equation, str, Tree]]:
+    """Equations that give the only name without a value one."""
+    for equation, names in missing.items():
+        if len(names) == 1:
+            (name,) = names
+            formula = equation.definition(name)
+            if formula is not None:
+                yield equation, name, formula
+
+
+def _determined(rows: list[tuple[dict[str, float], float]]) -> dict[str, float]:
+    """The values of the names that linear equations determine, of those alone."""
+    names = sorted({name for row, _ in rows for name in row})
+    matrix = np.array([[row.get(name, 0.0) for name in names] for row, _ in rows])
+    right = np.array([off for _, off in rows])
+    scale = np.abs(matrix).max(axis=1)
+    matrix, right = matrix / scale[:, None], right / scale
+    columns = np.abs(matrix).max(axis=0)
+    columns[columns == 0.0] = 1.0
+    left, sizes, ways = np.linalg.svd(matrix / columns, full_matrices=False)
+    kept = sizes > RANK * sizes.max(initial=0.0)
+    numbers = ways[kept].T @ ((left[:, kept].T @ right) / sizes[kept]) / columns
+    certain = (ways[kept] ** 2).sum(axis=0) > 1.0 - LINEAR
+    return {name: float(x) for name, x, sure in zip(names, numbers, certain, strict=True) if sure}

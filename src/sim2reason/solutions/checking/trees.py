@@ -1,0 +1,269 @@
+"""Values and derivatives of prefix trees: ``["+", ["*", "m", "g"], 3.0]``, in which strings are symbols.
+
+Operations: ``+`` and ``*`` of any number of parts, ``/``, ``^`` with a whole exponent, ``sqrt``, ``abs``, ``sin``,
+``cos``, ``tan``, ``arcsin``, ``arccos``, ``arctan``, ``ln``, ``exp``, ``pi``, ``elliptic K`` of a modulus,
+``elliptic F`` and ``amplitude`` of an argument and a modulus; ``["worked", tree, number]``, a formula with the number
+that it is said to be; ``["root", name, tree, near]``, where a formula of `name` vanishes close to a number; and
+``["solve", near]``, the value close to a number that makes all earlier relations hold.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import reduce
+from itertools import pairwise
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from sim2reason.solutions.checking import elliptic
+
+Tree: TypeAlias = float | str | list["Tree"]
+Values = Mapping[str, float]
+Evaluate = Callable[[Values], float]
+Derived = tuple[float, dict[str, float]]
+"""A value with its partial derivatives."""
+Array: TypeAlias = npt.NDArray[np.float64]
+EvaluateAll = Callable[[Mapping[str, float | Array]], float | Array]
+
+NODES, DEPTH = 4000, 100  # the largest tree
+ITERATIONS = 60  # of Newton's method
+CONVERGED = 4e-16  # relative
+ROUGH = 1e-4  # relative: a root is said to five digits
+SAMPLES = 8  # subintervals in which other roots are looked for
+FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]]] = {
+    "sqrt": (math.sqrt, lambda x: 0.5 / math.sqrt(x)),
+    "abs": (abs, lambda x: math.copysign(1.0, x)),
+    "sin": (math.sin, math.cos),
+    "cos": (math.cos, lambda x: -math.sin(x)),
+    "tan": (math.tan, lambda x: 1.0 / math.cos(x) ** 2),
+    "arcsin": (math.asin, lambda x: 1.0 / math.sqrt(1.0 - x * x)),
+    "arccos": (math.acos, lambda x: -1.0 / math.sqrt(1.0 - x * x)),
+    "arctan": (math.atan, lambda x: 1.0 / (1.0 + x * x)),
+    "ln": (math.log, lambda x: 1.0 / x),
+    "exp": (math.exp, math.exp),
+}  # each with its derivative
+VECTORS: Mapping[str, Callable[[Any], Any]] = {name: getattr(np, {"ln": "log"}.get(name, name)) for name in FUNCTIONS}
+ARITY = {**elliptic.ARITY, "/": 2, "^": 2, "pi": 0, "worked": 2, "root": 3, "solve": 1} | dict.fromkeys(FUNCTIONS, 1)
+
+
+class TreeError(ValueError):
+    """A tree that has no value, or is none."""
+
+
+def check(tree: Tree) -> None:
+    """Refuse what is no tree, or one that is too large; TreeError."""
+    waiting: list[tuple[Tree, int]] = [(tree, 0)]
+    for _ in range(NODES):
+        if not waiting:
+            return
+        held, depth = waiting.pop()
+        if depth > DEPTH:
+            break
+        if isinstance(held, list):
+            _check_operation(held)
+            waiting += [(part, depth + 1) for part in held[1:]]
+        elif not isinstance(held, str) and not math.isfinite(held):
+            raise TreeError(f"{held} is no number")
+    raise TreeError("a formula is too large")
+
+
+def _check_operation(held: list[Tree]) -> None:
+    operation = held[0] if held else None
+    if not isinstance(operation, str) or (operation not in ARITY and operation not in ("+", "*")):
+        raise TreeError(f"there is no operation {operation!r}")
+    if len(held) - 1 != ARITY.get(operation, max(1, len(held) - 1)):
+        raise TreeError(f"the operation {operation!r} has {len(held) - 1} parts")
+    number = {"^": 2, "worked": 2, "root": 3, "solve": 1}.get(operation)
+    if number is not None and not isinstance(held[number], float | int):
+        raise TreeError(f"the operation {operation!r} needs a number in place {number}")
+    if operation == "root" and not isinstance(held[1], str):
+        raise TreeError("the unknown of an equation must be a symbol")
+
+
+def symbols(tree: Tree) -> Iterator[str]:
+    """The free symbols of a tree, from left to right, some more than once."""
+    if isinstance(tree, str):
+        yield tree
+    elif isinstance(tree, list):
+        if tree[0] == "root":
+            yield from (name for name in symbols(tree[2]) if name != tree[1])
+        else:
+            for part in tree[1:]:
+                yield from symbols(part)
+
+
+def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
+    """The parts of a tree that are of one operation, without those in the equations of roots."""
+    if isinstance(tree, list):
+        if tree[0] == operation:
+            yield tree
+        if tree[0] != "root":
+            for part in tree[1:]:
+                yield from parts_named(part, operation)
+
+
+def compiled(tree: Tree) -> Evaluate:
+    """Build a function that evaluates a tree; ArithmeticError or ValueError where it has no value."""
+    return _compiled(tree, vector=False)
+
+
+def compiled_for_many(tree: Tree) -> EvaluateAll:
+    """Build a function that evaluates a tree for arrays of values; not a number where it has none."""
+    return _compiled(tree, vector=True)
+
+
+def _compiled(tree: Tree, *, vector: bool) -> Callable[[Any], Any]:
+    if isinstance(tree, str):
+        return lambda at: at[tree]
+    if not isinstance(tree, list):
+        return _constant(float(tree))
+    operation, *rest = tree
+    if operation == "pi":
+        return _constant(math.pi)
+    if operation == "root" and not vector:
+        return lambda at: root(tree, at)
+    if operation in ("root", "solve"):
+        raise TreeError(f"the operation {operation!r} can't stand here")
+    parts = [_compiled(part, vector=vector) for part in rest]
+    if operation == "^":
+        return _power(parts[0], int(float(rest[1])))  # type: ignore[arg-type]
+    return parts[0] if operation == "worked" else _applied(str(operation), parts, vector=vector)
+
+
+def _constant(number: float) -> Callable[[Any], float]:
+    return lambda _: number
+
+
+def _power(base: Callable[[Any], Any], exponent: int) -> Callable[[Any], Any]:
+    return lambda at: base(at) ** exponent
+
+
+def _applied(operation: str, parts: list[Callable[[Any], Any]], *, vector: bool) -> Callable[[Any], Any]:
+    one, other = parts[0], parts[-1]
+    if operation in elliptic.SPECIAL:
+        if vector:
+            raise TreeError(f"the operation {operation!r} can't stand here")
+        return lambda at: elliptic.SPECIAL[operation](*(part(at) for part in parts))[0]
+    if operation == "/":
+        return lambda at: one(at) / other(at)
+    if operation in FUNCTIONS:
+        function: Callable[[Any], Any] = VECTORS[operation] if vector else FUNCTIONS[operation][0]
+        return lambda at: function(one(at))
+    if len(parts) == 2:
+        return (lambda at: one(at) + other(at)) if operation == "+" else (lambda at: one(at) * other(at))
+    if operation == "*":
+        return lambda at: math.prod([part(at) for part in parts])
+    return (lambda at: sum(part(at) for part in parts)) if vector else lambda at: math.fsum(part(at) for part in parts)
+
+
+def value(tree: Tree, at: Values) -> float:
+    """Evaluate a tree once."""
+    if isinstance(tree, str):
+        return at[tree]
+    return compiled(tree)(at) if isinstance(tree, list) else float(tree)
+
+
+def terms(tree: Tree) -> list[Tree]:
+    """The terms of a sum; of anything else itself."""
+    return tree[1:] if isinstance(tree, list) and tree[0] == "+" else [tree]
+
+
+def size(tree: Tree, at: Values) -> float:
+    """The absolute value of the largest term of a tree."""
+    return max(abs(value(term, at)) for term in terms(tree))
+
+
+def derivatives(tree: Tree, at: Values) -> Derived:
+    """Evaluate a tree and its partial derivatives by all symbols; ArithmeticError or ValueError if it has none."""
+    if isinstance(tree, str):
+        return at[tree], {tree: 1.0}
+    if not isinstance(tree, list):
+        return float(tree), {}
+    operation, *rest = tree
+    if operation == "root":
+        return _root_derivatives(tree, at)
+    if operation == "^":
+        (x, slopes), n = derivatives(rest[0], at), int(float(rest[1]))  # type: ignore[arg-type]
+        return x**n, _combined([(n * x ** (n - 1), slopes)])
+    if operation == "worked":
+        return derivatives(rest[0], at)
+    return _combination(str(operation), [derivatives(part, at) for part in rest])
+
+
+def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
+    """An operation on values with their derivatives."""
+    match operation, parts:
+        case "pi", _:
+            return math.pi, {}
+        case "+", _:
+            return math.fsum(x for x, _ in parts), _combined((1.0, slopes) for _, slopes in parts)
+        case "*", _:
+            return reduce(_product, parts)
+        case "/", ((x, over), (y, under)):
+            return x / y, _combined([(1.0 / y, over), (-x / y**2, under)])
+        case name, _ if name in elliptic.SPECIAL:
+            found, by = elliptic.SPECIAL[name](*(x for x, _ in parts))
+            return found, _combined((slope, slopes) for slope, (_, slopes) in zip(by, parts, strict=True))
+        case _:
+            (x, slopes), *_ = parts
+            function, slope = FUNCTIONS[operation]
+            return function(x), _combined([(slope(x), slopes)]) if slopes else {}
+
+
+def _combined(parts: Iterable[tuple[float, Mapping[str, float]]]) -> dict[str, float]:
+    found: dict[str, float] = {}
+    for factor, slopes in parts:
+        for name, slope in slopes.items():
+            found[name] = found.get(name, 0.0) + factor * slope
+    return found
+
+
+def _product(one: Derived, other: Derived) -> Derived:
+    return one[0] * other[0], _combined([(other[0], one[1]), (one[0], other[1])])
+
+
+def _root_derivatives(tree: list[Tree], at: Values) -> Derived:
+    """By the theorem of implicit functions."""
+    name, x = str(tree[1]), root(tree, at)
+    _, slopes = derivatives(tree[2], {**at, name: x})
+    own = slopes.pop(name)
+    return x, {other: -slope / own for other, slope in slopes.items()}
+
+
+def root(tree: list[Tree], at: Values) -> float:
+    """Find the root of ``["root", name, residual, near]`` by Newton's method; TreeError if it does not converge."""
+    _, name, residual, near = tree
+    assert isinstance(name, str)
+    there, x = dict(at), float(near)  # type: ignore[arg-type]
+    last = math.inf
+    for _ in range(ITERATIONS):
+        there[name] = x
+        off, slopes = derivatives(residual, there)
+        slope = slopes.get(name, 0.0)
+        if not slope:
+            break
+        step = off / slope
+        if abs(step) <= CONVERGED * abs(x) or (abs(step) >= 0.5 * last and abs(step) <= 1e-12 * abs(x)):
+            return x
+        x, last = x - step, abs(step)
+    raise TreeError(f"no root for {name} near {near}")
+
+
+def has_other_root(tree: list[Tree], at: Values) -> bool:
+    """Whether the root is not the only one within what the stated digits leave open, or not within that at all."""
+    _, name, residual, near = tree
+    middle = float(near)  # type: ignore[arg-type]
+    if abs(root(tree, at) - middle) > ROUGH * abs(middle):
+        return True
+    evaluate = compiled(residual)
+    places = [middle * (1.0 + ROUGH * (2.0 * n / SAMPLES - 1.0) * 1.01) for n in range(SAMPLES + 1)]
+    signs = [math.copysign(1.0, evaluate({**at, str(name): x})) for x in places]
+    return sum(one != other for one, other in pairwise(signs)) > 1
+
+
+def written(tree: Tree) -> str:
+    """A tree on one line, for messages."""
+    if not isinstance(tree, list):
+        return tree if isinstance(tree, str) else f"{tree:.6g}"
+    return f"{tree[0]}({', '.join(map(written, tree[1:]))})"

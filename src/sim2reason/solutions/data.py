@@ -1,0 +1,82 @@
+"""A worked solution as JSON values, from which its answer can be recomputed, and which can be kept in files."""
+
+from typing import Any
+
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.algebra.trees import tree
+from sim2reason.solutions.solution import Integration, Relation, Solution, Step
+
+Data = dict[str, Any]
+
+
+def as_data(solution: Solution) -> Data:
+    """Write a solution with an answer as JSON values.
+
+    `givens` are numbers by symbol; each step has its relations, whose sides are prefix trees as in
+    `sim2reason.solutions.checking`, and the `integration` of a phase or None; `scale` is the value of the answer where
+    that of the goal is 1; `whole` says that the answer is a count.
+    """
+    givens = {
+        relation.left.name: float(relation.right.x)
+        for relation in solution.relations
+        if relation.role == "given" and isinstance(relation.left, Symbol) and isinstance(relation.right, Number)
+    }
+    return {
+        "strategy": solution.strategy,
+        "givens": givens,
+        "phases": [{"begins": phase.begins, "ends": phase.ends} for phase in solution.phases],
+        "steps": [_step(step) for step in solution.steps],
+        "goal": solution.goal,
+        "unit": solution.unit,
+        "scale": float(solution.said(1.0)),
+        "whole": solution.whole,
+        "formula": solution.formula,
+        "answer": solution.answer,
+    }
+
+
+def _step(step: Step) -> Data:
+    return {
+        "id": step.id,
+        "kind": step.kind,
+        "phase": step.phase,
+        "text": step.text,
+        "relations": [_relation(relation) for relation in step.relations if relation.role != "given"],
+        "gives": list(step.gives),
+        "needs": list(step.needs),
+        "integration": None if step.integration is None else _integration(step.integration),
+    }
+
+
+def _relation(relation: Relation) -> Data:
+    return {"role": relation.role, "left": tree(relation.left), "right": tree(relation.right), "unit": relation.unit}
+
+
+def _integration(held: Integration) -> Data:
+    coordinates = [
+        {
+            "place": c.place,
+            "rate": c.rate,
+            "acceleration": c.acceleration,
+            "initial_place": tree(c.initial_place),
+            "initial_rate": tree(c.initial_rate),
+        }
+        for c in held.coordinates
+    ]
+    until = held.until
+    return {
+        "time": held.time,
+        "begin": tree(held.begin),
+        "coordinates": coordinates,
+        "unknowns": list(held.unknowns),
+        "equations": [_relation(relation) for relation in held.equations],
+        "until": {
+            "expression": tree(until.expression),
+            "direction": until.direction,
+            "occurrence": until.occurrence,
+        },
+        "ends": [list(pair) for pair in held.ends],
+        "accumulated": [
+            {"name": held.name, "rate": tree(held.rate), "initial": tree(held.initial)} for held in held.accumulated
+        ],
+    }

@@ -1,0 +1,280 @@
+"""Conditions that end a phase: an event of the motion, or the moment of the question, as the zero of a formula."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.triples import Number as Quantity
+from sim2reason.quantities.subjects.pairs import members
+from sim2reason.questions import Moment
+from sim2reason.questions.moments.at_time import AtTime
+from sim2reason.questions.moments.away import Away
+from sim2reason.questions.moments.closest import Closest
+from sim2reason.questions.moments.deflected import Deflected
+from sim2reason.questions.moments.farthest import Farthest
+from sim2reason.questions.moments.highest_point import HighestPoint
+from sim2reason.questions.moments.lowest_point import LowestPoint
+from sim2reason.questions.moments.most_compressed import MostCompressed
+from sim2reason.questions.moments.most_stretched import MostStretched
+from sim2reason.questions.moments.moved import Moved
+from sim2reason.questions.moments.natural_length import NaturalLength
+from sim2reason.questions.moments.stopped import Stopped
+from sim2reason.questions.moments.turned_through import TurnedThrough
+from sim2reason.simulation.engines.exact.assembly import Assembly
+from sim2reason.simulation.trace import Event
+from sim2reason.solutions.algebra.expressions import Expression, Symbol
+from sim2reason.solutions.algebra.functions import Absolute, Call, Root, squares, values
+from sim2reason.solutions.algebra.polynomials import Polynomial, total
+from sim2reason.solutions.phases.coordinates import DEFLECTION
+from sim2reason.solutions.phases.equations import PhaseEquations
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.solution import Condition
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.steps import UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS
+
+SAMPLES = 2000  # instants of a phase at which a condition is looked at
+NOTHING = 1e-12  # in SI units: the rounding of zero
+ZERO_WITHIN = 1e-6  # of the largest value of a condition: how close to zero it must be where the phase ends
+EDGE = 1e-4  # of a phase: sign changes so close to its ends are the start, or the end itself
+
+# ---- events of the engine
+
+
+def event_condition(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
+    """Return the formula whose zero is an event that ends a phase, and the event in words.
+
+    Raises:
+        UnsolvedError: no formula is known for this kind of event.
+    """
+    found = EVENTS.get(event.kind)
+    if found is None:
+        raise UnsolvedError(f"no condition is known for the event {event.kind}")
+    return found(equations, event)
+
+
+def _collision(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
+    m = equations.mechanism
+    number = next(n for n, held in enumerate(m.meetings) if set(held.names) == set(event.subjects))
+    gap = equations.motion.both(lambda a: a.separation(a.mechanism.meetings[number]).gap)
+    called = [equations.setting.called(name) for name in event.subjects]
+    return gap.expression(), f"{joined(called)} collide" if len(called) > 1 else f"{called[0]} hits the surface"
+
+
+def _row(kind: str, said: str, *, force: bool) -> Callable[[PhaseEquations, Event], tuple[Expression, str]]:
+    def condition(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
+        row = next(
+            n for n, held in enumerate(equations.segment.kinds) if held.name == event.subjects[0] and held.kind in kind
+        )
+        line = equations.setting.lines.get(event.subjects[0], equations.setting.called(event.subjects[0]))
+        if force:
+            return equations.force("row", row).expression(), f"{line} {said}"
+        return _spare(equations, row).expression(), f"{line} {said}"
+
+    return condition
+
+
+def _spare(equations: PhaseEquations, row: int) -> Polynomial:
+    """Return by how much a string may still lengthen: what its length is at the start, less what it is."""
+    mechanisms = equations.lexicon.mechanism, equations.lexicon.twin
+    starts = [{line.name: _length_at_start(m, line.name) for line in m.constraints} for m in mechanisms]
+    here, there = (a.rows(begun)[row].value for a, begun in zip(equations.motion.assemblies, starts, strict=True))
+    return equations.motion.read(here, there)
+
+
+def _length_at_start(m: object, line: str) -> float:
+    frames = start(m)  # type: ignore[arg-type]
+    return float(sum((run.value for run in frames.pieces(m.line[line])), 0.0))  # type: ignore[attr-defined,arg-type]
+
+
+def _stick(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
+    face = equations.mechanism.face_number[event.subjects[0]]
+    return equations.slip(face).expression(), f"{equations.setting.called(event.subjects[0])} stops sliding"
+
+
+def _slip(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
+    face, who = equations.mechanism.face_number[event.subjects[0]], equations.setting.called(event.subjects[0])
+    if equations.rough.get(face, 0):
+        return equations.slip(face).expression(), f"{who} reverses its sliding"
+    friction = Absolute(equations.force("friction", face).expression())
+    return friction - equations.friction_bound(face).expression(), f"{who} begins to slide"
+
+
+def _border(said: str) -> Callable[[PhaseEquations, Event], tuple[Expression, str]]:
+    def condition(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
+        body = event.subjects[0]
+        sizes: list[tuple[float, Polynomial]] = []
+        for number, force in enumerate(equations.mechanism.forces):
+            if force.body != body or force.region is None:
+                continue
+            for place in range(len(_margins(equations.motion.assemblies[0], number))):
+                margin = equations.motion.both(lambda a, n=number, p=place: _margins(a, n)[p])
+                sizes.append((abs(equations.book.value(margin.expression())), margin))
+        return min(sizes, key=lambda each: each[0])[
+            1
+        ].expression(), f"{equations.setting.called(body)} {said} the field"
+
+    return condition
+
+
+def _margins(assembly: Assembly, number: int) -> tuple[Quantity, ...]:
+    force = assembly.mechanism.forces[number]
+    assert force.region is not None
+    return force.region.margins(assembly.frames.center(force.body).place, assembly.maths)
+
+
+def _burnt(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
+    del event
+    pairs = zip(equations.lexicon.mechanism.burns, equations.lexicon.twin.burns, strict=True)
+    here, there = next(pairs)
+    end = equations.motion.number(Both(here.until, there.until))
+    return (Polynomial.of(equations.names.time) - end).expression(), "the fuel is used up"
+
+
+EVENTS: Mapping[str, Callable[[PhaseEquations, Event], tuple[Expression, str]]] = {
+    "collision": _collision,
+    "slack": _row("string", "goes slack", force=True),
+    "taut": _row("string", "becomes taut", force=False),
+    "stick": _stick,
+    "slip": _slip,
+    "enter": _border("enters"),
+    "exit": _border("leaves"),
+    "burn-out": _burnt,
+}
+
+# ---- moments of questions
+
+
+def moment_conditions(equations: PhaseEquations, moment: Moment | None) -> list[Expression]:
+    """Return formulas whose zero is the moment of a question, the simplest first; its own numbers become givens.
+
+    Raises:
+        UnsolvedError: no formula is known for this moment.
+    """
+    for cls, condition in MOMENTS.items():
+        if type(moment) is cls:
+            found = condition(equations, moment)
+            return found if isinstance(found, list) else [found]
+    raise UnsolvedError(f"no condition is known for the moment {type(moment).__name__}")
+
+
+def _at_time(equations: PhaseEquations, moment: AtTime) -> Expression:
+    name = said(equations, "t", moment.after, SECONDS)
+    return equations.names.time - name
+
+
+def _distance(equations: PhaseEquations, moment: Moved | Away) -> Expression:
+    name = said(equations, "d", moment.value, METRES)
+    return size(equations.displacement(moment.name)) - name
+
+
+def _still(equations: PhaseEquations, moment: Stopped) -> list[Expression]:
+    velocity = equations.triple("velocity", moment.name)
+    moving = [rate for rate in equations.names.rates if any(rate.name in part.names() for part in velocity)]
+    return [*(moving if len(moving) == 1 else []), signed(velocity)]
+
+
+def _vertical(equations: PhaseEquations, moment: HighestPoint | LowestPoint) -> list[Expression]:
+    """Return the vertical velocity; if the body turns about one axle, also its angle and its angular velocity."""
+    names = equations.names
+    velocity = equations.triple("velocity", moment.name)[2]
+    turning = [k for k, rate in enumerate(names.rates) if rate.name in velocity.names()]
+    simple: list[Expression] = []
+    if len(turning) == 1 and equations.mechanism.coordinates[turning[0]].kind == "hinge":
+        angle = names.places[turning[0]]
+        simple = [angle, *([Call("sin", angle)] if angle.name.startswith(DEFLECTION) else []), names.rates[turning[0]]]
+    return [*simple, velocity.factored()]
+
+
+def _apsis(equations: PhaseEquations, moment: Closest | Farthest) -> Expression:
+    one, other = members(moment.name)
+    apart = [b - a for a, b in zip(equations.triple("place", one), equations.triple("place", other), strict=True)]
+    parting = [
+        b - a for a, b in zip(equations.triple("velocity", one), equations.triple("velocity", other), strict=True)
+    ]
+    return total(r * v for r, v in zip(apart, parting, strict=True)).expression()
+
+
+def _spring_rate(equations: PhaseEquations, moment: MostStretched | MostCompressed) -> Expression:
+    return equations.length(moment.name, "rate").expression()
+
+
+def _natural(equations: PhaseEquations, moment: NaturalLength) -> Expression:
+    return (equations.length(moment.name) - equations.law(moment.name, "length")).expression()
+
+
+def _turned(equations: PhaseEquations, moment: TurnedThrough) -> Expression:
+    name = said(equations, r"\beta", np.radians(moment.value), DEGREES)
+    return Absolute(equations.names.place(equations.hinge(moment.name)).expression()) - name
+
+
+def _deflected(equations: PhaseEquations, moment: Deflected) -> Expression:
+    name = said(equations, r"\beta", np.radians(moment.value), DEGREES)
+    hinges = [k for k, c in enumerate(equations.mechanism.coordinates) if c.kind == "hinge"]
+    if len(hinges) != 1 or not equations.names.places[hinges[0]].name.startswith(DEFLECTION):
+        raise UnsolvedError("its deflection is no coordinate")
+    return Absolute(equations.names.places[hinges[0]]) - name
+
+
+MOMENTS: Mapping[type[Moment], Callable[..., Expression | list[Expression]]] = {
+    AtTime: _at_time,
+    Moved: _distance,
+    Away: _distance,
+    Stopped: _still,
+    HighestPoint: _vertical,
+    LowestPoint: _vertical,
+    Closest: _apsis,
+    Farthest: _apsis,
+    MostStretched: _spring_rate,
+    MostCompressed: _spring_rate,
+    NaturalLength: _natural,
+    TurnedThrough: _turned,
+    Deflected: _deflected,
+}
+
+
+def said(equations: PhaseEquations, base: str, value: float, unit: str) -> Symbol:
+    """Return the symbol of a number that the question itself states."""
+    name = equations.book.fresh(base)
+    equations.book.know(name.name, value, unit)
+    equations.stated.append((name.name, value, unit))
+    return name
+
+
+def signed(parts: tuple[Polynomial, ...]) -> Expression:
+    """Return the only component of a vector that has a single one, otherwise its size."""
+    kept = [part for part in parts if part]
+    return kept[0].factored() if len(kept) == 1 else size(parts)
+
+
+def size(parts: tuple[Polynomial, ...]) -> Expression:
+    """Return the size of a vector."""
+    kept = [part for part in parts if part]
+    if len(kept) == 1:
+        return Absolute(kept[0].factored())
+    return Root(squares(part.expression() for part in kept))
+
+
+# ---- which of its zeros
+
+
+def located(equations: PhaseEquations, formulas: Sequence[Expression], begin: float, end: float) -> Condition:
+    """Return the condition of the first formula that is zero at the end of a phase, with its sense and its number.
+
+    Raises:
+        UnsolvedError: none of the formulas has a zero there in the motion of the engine.
+    """
+    inner = np.linspace(begin, end, SAMPLES + 1)[1:-1]
+    times = np.append(inner, begin + (1.0 - 1e-9) * (end - begin))
+    known = equations.sampled(times)
+    for formula in formulas:
+        found = values(formula, known)
+        last, before = float(found[-1]), found[:-1]
+        if np.isfinite(found).all() and abs(last) <= max(ZERO_WITHIN * float(np.abs(before).max()), NOTHING):
+            rises = 1 if before[-1] < 0.0 else -1
+            edge = max(2, int(EDGE * SAMPLES))
+            signs = np.sign(before[edge:-edge])
+            changes = np.flatnonzero(np.diff(signs) != 0)
+            return Condition(formula, rises, 1 + sum(1 for n in changes if signs[n + 1] == rises))
+    raise UnsolvedError("the moment is no zero of a formula that is known for it")

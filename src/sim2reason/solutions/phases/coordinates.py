@@ -1,0 +1,225 @@
+"""Coordinates for equations of motion: positions and angles that the text gives, otherwise displacements."""
+
+from dataclasses import dataclass
+from math import atan2, pi
+
+from sim2reason.dsl.frames import Frames, start
+from sim2reason.dsl.mechanism import Coordinate, Mechanism
+from sim2reason.dsl.triples import minus, product
+from sim2reason.dsl.units import parse_unit
+from sim2reason.dsl.vectors import inner
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.laws.equations_of_motion import Names
+from sim2reason.solutions.setting import LEVEL, Setting, joined
+from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
+from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.unit_latex import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_SPEED,
+    METRES,
+    RADIANS,
+    SPEED,
+)
+
+DEFLECTION = r"\varphi"  # begins the symbols of angles with the downward vertical
+AXES = {0: "x", 1: "y", 2: "z"}
+SLIDE_UNITS = METRES, SPEED, ACCELERATION
+HINGE_UNITS = RADIANS, ANGULAR_SPEED, ANGULAR_ACCELERATION
+
+
+@dataclass(frozen=True, slots=True)
+class _Choice:
+    """One coordinate: its letter, its zero and sense, and its description."""
+
+    letter: str
+    origin: Polynomial
+    sense: float
+    description: str
+    marks: str
+
+
+@dataclass(frozen=True, slots=True)
+class Chosen:
+    """The symbols of all coordinates, and the sentence that introduces them."""
+
+    names: Names
+    sentence: str
+
+
+def choose(setting: Setting, book: Book) -> Chosen:
+    """Name the coordinates of the mechanism, their derivatives and the time.
+
+    A position or an angle that the text gives becomes a coordinate itself; every other coordinate is the displacement
+    from the start.
+    """
+    places, rates, accelerations, choices = list[Symbol](), list[Symbol](), list[Symbol](), list[_Choice]()
+    for k, coordinate in enumerate(setting.mechanism.coordinates):
+        choice = _hinge(setting, k) if coordinate.kind == "hinge" else _slide(setting, k)
+        hinge = coordinate.kind == "hinge"
+        label = choice.letter if not hinge and choice.letter != "s" else ""
+        marks = ",".join(part for part in (choice.marks, label) if part)
+        choices.append(choice)
+        places.append(book.fresh(choice.letter, choice.marks))
+        rates.append(book.fresh(r"\omega" if hinge else "v", marks))
+        accelerations.append(book.fresh(r"\alpha" if hinge else "a", marks))
+    senses, origins = tuple(c.sense for c in choices), tuple(c.origin for c in choices)
+    names = Names(tuple(places), tuple(rates), tuple(accelerations), book.fresh("t"), senses, origins)
+    return Chosen(names, _introduction(names, choices))
+
+
+def _introduction(names: Names, choices: list[_Choice]) -> str:
+    said = [f"${place.name}$ be {choice.description}" for place, choice in zip(names.places, choices, strict=True)]
+    pairs = zip(names.places, names.rates, names.accelerations, strict=True)
+    derived = [f"${v.name} = {_dotted(q)}$, ${a.name} = {_dotted(v)}$" for q, v, a in pairs]
+    return f"Let {joined(said)}; their derivatives are {', '.join(derived)}."
+
+
+def _dotted(symbol: Symbol) -> str:
+    base, mark = split(symbol.name)
+    return rf"\dot{{{base}}}" + (f"_{{{mark}}}" if mark else "")
+
+
+def _slide(setting: Setting, k: int) -> _Choice:
+    """Choose a position along an axis of the text if its initial value is given, otherwise the distance moved."""
+    mechanism, coordinate = setting.mechanism, setting.mechanism.coordinates[k]
+    who = setting.called(coordinate.body)
+    body = mechanism.body[coordinate.body]
+    mark = setting.mark(coordinate.body)
+    axis = next((n for n in range(3) if abs(coordinate.axis[n]) > 1.0 - LEVEL), None)
+    several = len(body.coordinates) > 1
+    if axis is not None and body.parent is None and several:
+        sense = 1.0 if coordinate.axis[axis] > 0.0 else -1.0
+        origin = _given_place(setting.lexicon, k, sense)
+        description = _position(setting, coordinate.body, AXES[axis])
+        if origin is not None and description:
+            letter = coordinate.label if len(coordinate.label) == 1 else AXES[axis]
+            return _Choice(letter, origin, sense, description, mark)
+    backwards = coordinate.speed < 0.0
+    sense = -1.0 if backwards else 1.0
+    way = coordinate.axis if not backwards else (-coordinate.axis[0], -coordinate.axis[1], -coordinate.axis[2])
+    letter = coordinate.label if several and len(coordinate.label) == 1 else "s"
+    return _Choice(letter, NIL, sense, f"the distance {_moved(setting, coordinate, way)}", mark)
+
+
+def _position(setting: Setting, body: str, axis: str) -> str:
+    """Describe a coordinate of a body whose position the text gives, or that hangs on a fixed point; else empty."""
+    who = setting.called(body)
+    if any(split(given.symbol)[0] in AXES.values() for given in setting.lexicon.givens.values()):
+        return f"the {axis} coordinate of {who}"
+    if any(line.law.row for line in setting.mechanism.lines):
+        way = {"x": "horizontal", "y": "horizontal", "z": "vertical"}[axis]
+        return f"the {way} coordinate of {who}, measured from the point of suspension"
+    return ""
+
+
+def _moved(setting: Setting, coordinate: Coordinate, way: tuple[float, float, float]) -> str:
+    mechanism, who = setting.mechanism, setting.called(coordinate.body)
+    if any(burn.body == coordinate.body for burn in mechanism.burns):
+        return f"that {who} has moved from its starting point"
+    parent = mechanism.body[coordinate.body].parent
+    off = any(abs(inner(foot.normal, coordinate.axis)) > 1.0 - LEVEL for foot in mechanism.feet)
+    where = "off the plane" if off else setting.towards(way, on=parent)
+    relative = f" relative to {setting.called(parent)}" if parent is not None else ""
+    return f"that {who} has moved {where}{relative}"
+
+
+def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:
+    """Return the initial coordinate along the body's axis if the text gives it, or if it is zero.
+
+    The text may count positions from another origin than the mechanism: then one of its numbers is the initial
+    coordinate from which the fixed points of springs have simple coordinates, too.
+    """
+    begun, fixed = _along(lexicon.mechanism, k, sense), _along(lexicon.twin, k, sense)
+    try:
+        apart = [lexicon.read(Both(a - begun[0], b - fixed[0])) for a, b in zip(begun[1:], fixed[1:], strict=True)]
+        own = lexicon.read(Both(begun[0], fixed[0]))
+    except UnreadError:
+        return None
+    metre = parse_unit("m")
+    lengths = [
+        Polynomial.of(Symbol(given.symbol))
+        for given in lexicon.givens.values()
+        if parse_unit(given.parameter.measure.unit).factor_to(metre) is not None
+    ]
+    fitting = [held for held in (own, *lengths) if _simple(held) and all(_simple(held + part) for part in apart)]
+    return fitting[0] if fitting else None
+
+
+def _simple(place: Polynomial) -> bool:
+    return not place or place.symbol is not None
+
+
+def _along(m: Mechanism, k: int, sense: float) -> list[float]:
+    """Return the positions along the axis of a coordinate: of its body, of other bodies, of fixed ends of its lines."""
+    coordinate, frames = m.coordinates[k], start(m)
+    sites = [
+        site
+        for line in m.lines
+        if any(m.site[s].body == coordinate.body for s in line.through)
+        for site in line.through
+        if m.site[site].body is None
+    ]
+    others = [body.name for body in m.bodies if body.name != coordinate.body]
+    points = [frames.center(name) for name in (coordinate.body, *others)] + [frames.site(site) for site in sites]
+    return [sense * float(product(point.place, coordinate.axis)) for point in points]
+
+
+def _hinge(setting: Setting, k: int) -> _Choice:
+    """Choose the angle with the downward vertical if its initial value is given, otherwise the angle turned."""
+    coordinate = setting.mechanism.coordinates[k]
+    who, mark = setting.called(coordinate.body), setting.mark(coordinate.body)
+    one, other = _deflection(setting.lexicon.mechanism, k), _deflection(setting.lexicon.twin, k)
+    if one is None or other is None or setting.mechanism.forces:
+        return _turned(setting, coordinate)
+    (here, turn), (there, _) = one, other
+    side = 1.0 if here >= 0.0 else -1.0
+    description = f"the angle from the downward vertical through the axle to {_line(who)}"
+    try:
+        origin = setting.lexicon.read(Both(abs(here), abs(there)))
+    except UnreadError:
+        origin = NIL
+    if origin.symbol is not None and origin == Polynomial.of(origin.symbol):
+        return _Choice(DEFLECTION, origin, side * turn, description, mark)
+    if abs(here) < LEVEL and abs(there) < LEVEL:
+        sense = -1.0 if coordinate.speed * turn < 0.0 else 1.0
+        return _Choice(DEFLECTION, NIL, sense * turn, description, mark)
+    return _turned(setting, coordinate)
+
+
+def _turned(setting: Setting, coordinate: Coordinate) -> _Choice:
+    """Choose the angle turned, positive in the direction of the initial rotation."""
+    speeds = [c.speed for c in setting.mechanism.coordinates if c.kind == "hinge"]
+    sense = -1.0 if max(speeds, key=abs) < 0.0 else 1.0  # one sense for all
+    description = f"the angle through which {setting.called(coordinate.body)} has turned"
+    return _Choice(r"\psi", NIL, sense, description, setting.mark(coordinate.body))
+
+
+def _line(who: str) -> str:
+    return f"the line from there to the centre of mass of {who}"
+
+
+def _deflection(m: Mechanism, k: int) -> tuple[float, float] | None:
+    """Return the initial angle of the centre of mass carried by a hinge with the downward vertical, and its sense.
+
+    The angle counts towards the right in radians; the sense is 1 if it grows with the coordinate, -1 if it falls. None
+    if the hinge is not horizontal, moves with something that turns, or carries its centre of mass on its axis.
+    """
+    frames: Frames = start(m)
+    if abs(m.coordinates[k].axis[1]) < 1.0 - LEVEL:
+        return None
+    held = [body for body in m.bodies if body.mass and (steps := frames[body.name].steps) and steps[-1].number == k]
+    if not held or any(len(frames[body.name].hinges) != 1 for body in held):
+        return None
+    pivot = frames[held[0].name].hinges[0].pivot
+    assert pivot is not None
+    mass = sum(body.mass for body in held)
+    offsets = [(body.mass / mass, minus(frames.center(body.name).place, pivot)) for body in held]
+    x, z = (sum(share * float(offset[n]) for share, offset in offsets) for n in (0, 2))
+    if x * x + z * z < LEVEL * LEVEL:
+        return None
+    beta = atan2(x, -z)
+    beta = beta if abs(abs(beta) - pi) > LEVEL else abs(beta)
+    return beta, -m.coordinates[k].axis[1]

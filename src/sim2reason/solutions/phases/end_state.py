@@ -1,0 +1,123 @@
+"""What is asked for, from the state in which the last phase ends."""
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.vectors import Vector
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.goals import Components
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.straight_way import ROOM, STILL, Way
+from sim2reason.solutions.phases.equations import PhaseEquations
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+
+class EndState(Way):
+    """The state at the end of the last phase, in the symbols of its equations."""
+
+    def __init__(self, setting: Setting, book: Book, equations: PhaseEquations) -> None:
+        """Take the equations whose symbols are those of the end."""
+        super().__init__(setting, book)
+        self._equations = equations
+
+    @property
+    def newton(self) -> Newton:
+        """Return the laws of the start, for masses and gravity alone."""
+        return Newton(self.setting.lexicon, self.setting.motion.segments[0])
+
+    def mass(self, body: str) -> Polynomial:
+        """Return the mass of a body."""
+        m, twin = self.setting.lexicon.mechanism, self.setting.lexicon.twin
+        if m.burns:
+            raise UnsolvedError("its mass changes")
+        return self.setting.lexicon.read(Both(m.body[body].mass, twin.body[body].mass))
+
+    @property
+    def gravity(self) -> Polynomial:
+        """Return the acceleration of free fall."""
+        m, twin = self.setting.lexicon.mechanism, self.setting.lexicon.twin
+        return self.setting.lexicon.read(Both(-m.gravity[2], -twin.gravity[2]))
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """Return the acceleration, velocity or displacement along a coordinate."""
+        names = self._equations.names
+        return {"a": names.acceleration, "v": names.rate, "s": names.place}[kind](k)
+
+    def vector(self, kind: str, body: str) -> Components:
+        """Return a vector of a body by component, along its own axes where the text gives it some."""
+        own = self._own(body)
+        if kind == "u" or own:
+            return super().vector(kind, body)
+        equations = self._equations
+        if kind == "v":
+            return equations.triple("velocity", body)
+        return equations.acceleration(body) if kind == "a" else equations.displacement(body)
+
+    def component(self, kind: str, body: str, way: Vector) -> Polynomial:
+        """Return the component along a direction of the room, or along the only line on which a body moves."""
+        if kind == "u" or way not in (*ROOM, *((-x, -y, -z) for x, y, z in ROOM)):
+            return super().component(kind, body, way)
+        own = self._own(body)
+        if own:
+            return super().component(kind, body, way)
+        return total(part.scaled(w) for part, w in zip(self.vector(kind, body), way, strict=True) if abs(w) > STILL)
+
+    def lone(self, kind: str, body: str) -> Polynomial | None:
+        """Return the component along the only straight line on which a body moves; None if there is none."""
+        moving = self.moving([body])
+        hinged = any(self.mechanism.coordinates[k].kind == "hinge" for k in moving)
+        return None if hinged else super().lone(kind, body)
+
+    def apart(self, one: str, other: str) -> Components:
+        """Return the distance from one body to another at the end."""
+        places = self._equations.triple("place", one), self._equations.triple("place", other)
+        x, y, z = (b - a for a, b in zip(*places, strict=True))
+        return x, y, z
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """Return the symbol of a tension, a normal force or a friction force."""
+        equations = self._equations
+        if kind == "T":
+            found = [row for row in equations.rows if equations.kind(row).name == name]
+            key = f"row{found[0]}" if found else ""
+        else:
+            key = f"{ {'N': 'normal', 'f': 'friction'}[kind] }{self.mechanism.face_number[name]}".replace(" ", "")
+        if key not in equations.forces:
+            raise UnsolvedError(f"the equations of the last phase have no {kind} of {name}")
+        return equations.forces[key]
+
+    # ---- rotation
+
+    def rim(self, kind: str, body: str) -> Polynomial:
+        """Return the angular rate itself: the radius counts as one."""
+        turns = bool(start(self.mechanism)[body].hinges)
+        return self.rate(kind, self._equations.hinge(body)) if turns else NIL
+
+    def radius(self, body: str) -> Polynomial:
+        """Return one, see `rim`."""
+        del body
+        return Polynomial.of(1.0)
+
+    def rim_inertia(self, body: str) -> Polynomial:
+        """Return the moment of inertia about the axis through the centre of mass."""
+        m, twin = self.setting.lexicon.mechanism, self.setting.lexicon.twin
+        hinge = m.coordinates[self._equations.hinge(body)]
+        if hinge.body != body or any(m.body[body].center):
+            raise UnsolvedError("it does not turn about its centre of mass")
+        axis = max(range(3), key=lambda n: abs(hinge.axis[n]))
+        return self.setting.lexicon.read(Both(m.body[body].inertia[axis], twin.body[body].inertia[axis]))
+
+    # ---- springs
+
+    def spring(self, what: str, line: str) -> Polynomial:
+        """Return a number of a spring; the ``strain`` and the ``length`` are those at the end."""
+        if what == "length":
+            return self._equations.length(line)
+        if what == "strain":
+            return self._equations.length(line) - self._equations.law(line, "length")
+        return self._equations.law(line, what)
+
+    def growth(self, kind: str, line: str) -> Polynomial:
+        """Return the rate of the length; no growth is left, since lengths are those at the end."""
+        return self._equations.length(line, "rate") if kind == "v" else NIL

@@ -1,0 +1,235 @@
+"""The equations of one phase of a motion, as polynomials of the coordinates, their derivatives, forces and the time."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from sim2reason.dsl.frames import start
+from sim2reason.dsl.state import Array, State
+from sim2reason.lazy import cached_property
+from sim2reason.simulation.engines.exact.lengths import RowKind
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.polynomials import Polynomial, common, divided, total
+from sim2reason.solutions.goals import Components
+from sim2reason.solutions.laws.equations_of_motion import EquationsOfMotion, Names, phase_at
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solution import Relation
+from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+STILL = 1e-12  # of the largest acceleration: rounding
+LETTERS = {"foot": "N", "hold": "f", "stuck": "F", "prop": "N"}  # for the forces of rows; all others are tensions
+
+
+class PhaseEquations:
+    """The equations of motion of a segment in given symbols, and the kinematics of bodies and lines in them."""
+
+    def __init__(
+        self, setting: Setting, book: Book, segment: Segment, names: Names, forces: Mapping[str, Symbol]
+    ) -> None:
+        """Read the equations; `forces` has the symbols of forces, by ``row`` or ``face`` and number.
+
+        Raises:
+            UnsolvedError: an equation has no form in the numbers of the text.
+        """
+        self.setting, self.book, self.segment, self.names = setting, book, segment, names
+        self.mechanism, self.lexicon = setting.mechanism, setting.lexicon
+        self.forces = forces
+        self.stated: list[tuple[str, float, str]] = []  # numbers that the question states: symbol, value, unit
+        stuck = tuple(
+            any(kind.kind == "stuck" and kind.name == " and ".join(meeting.names) for kind in segment.kinds)
+            for meeting in self.mechanism.meetings
+        )
+        phase = phase_at(amid(setting, segment))._replace(stuck=stuck)
+        self.motion = EquationsOfMotion(self.lexicon, book, phase, names)
+
+    # ---- forces
+
+    @cached_property
+    def rows(self) -> list[int]:
+        """Return the numbers of the constraints that act."""
+        return [n for n in range(len(self.segment.kinds)) if self.segment.found.mode.acting[n]]
+
+    @cached_property
+    def rough(self) -> dict[int, int]:
+        """Return the rough faces with the side to which each slips; 0 if it holds."""
+        rough = [n for n, face in enumerate(self.mechanism.faces) if face.friction > 0.0]
+        return dict(zip(rough, self.segment.found.mode.rubbing, strict=True))
+
+    def kind(self, row: int) -> RowKind:
+        """Return what a constraint is."""
+        return self.segment.kinds[row]
+
+    def force(self, of: str, number: int) -> Polynomial:
+        """Return the force of a row, or the normal force or friction of a face."""
+        return Polynomial.of(self.forces[f"{of}{number}"])
+
+    # ---- equations
+
+    @cached_property
+    def laws(self) -> list[Relation]:
+        """Return the equations of motion of all coordinates, then the constraints and the forces of faces."""
+        size = len(self.mechanism.coordinates)
+        loads = [
+            self.motion.load(k) - total(self.motion.pull(n, k) * self.force("row", n) for n in self.rows)
+            for k in range(size)
+        ]
+        contacts: list[tuple[Expression, Expression]] = []
+        for face, side in self.rough.items():
+            contacts += self._contact(face, side, loads)
+        accelerations = [s.name for s in self.names.accelerations]
+        found: list[tuple[Expression, Expression]] = []
+        for k in range(size):
+            sense = self.names.senses[k]
+            left, right = self._reduced(self.motion.inertia(k).scaled(sense), loads[k].scaled(sense))
+            found.append((left.collected(accelerations), right.expression()))
+        pairs = (self._reduced(*self.motion.held(row)) for row in self.rows)
+        found += [(left.expression(), right.expression()) for left, right in pairs]
+        return [Relation(*pair, "law") for pair in (*found, *contacts) if pair[0] != pair[1]]
+
+    @cached_property
+    def steady(self) -> bool:
+        """Return whether accelerations and forces are constant: the equations contain neither coordinates nor time."""
+        changing = {s.name for s in (*self.names.places, *self.names.rates, self.names.time)}
+        names = (name for law in self.laws for side in (law.left, law.right) for name in side.symbols())
+        return changing.isdisjoint(names)
+
+    def is_still(self, k: int) -> bool:
+        """Return whether the acceleration of a coordinate is zero throughout the segment."""
+        return self.steady and abs(self.segment.found.a[k]) <= STILL * max(map(abs, self.segment.found.a))
+
+    def _reduced(self, left: Polynomial, right: Polynomial) -> tuple[Polynomial, Polynomial]:
+        """Divide an equation by the given numbers that all of its terms share, and by a minus sign."""
+        shared = common([*left.terms, *right.terms])
+        kept = tuple((atom, power) for atom, power in shared if isinstance(atom, Symbol) and self._is_fixed(atom.name))
+        sign = -1.0 if left.terms and all(part < 0.0 for part in left.terms.values()) else 1.0
+        divided_sides = divided(left, kept, sign), divided(right, kept, sign)
+        if divided_sides[0] is None or divided_sides[1] is None:
+            return left, right
+        return divided_sides[0], divided_sides[1]
+
+    def _is_fixed(self, name: str) -> bool:
+        """Return whether a symbol is a number of the text that is not zero."""
+        return self.setting.is_given(name) and self.book.values.get(name, 0.0) != 0.0
+
+    def _contact(self, face: int, side: int, loads: list[Polynomial]) -> list[tuple[Expression, Expression]]:
+        """Add the friction of a rough face to the loads, and return the equations that determine its forces."""
+        slips = {self.mechanism.number[name]: place for place, (name, _) in enumerate(self.mechanism.faces[face].slip)}
+        parts = {k: self._slip(face, place) for k, place in slips.items()}
+        if side == 0:
+            friction = self.force("friction", face)
+            still = total(part * self.names.acceleration(k) for k, part in parts.items())
+            equations: list[tuple[Expression, Expression]] = [(still.expression(), ZERO)]
+        else:
+            normal = self.force("normal", face)
+            pressing = self.pressing(face)
+            friction = (self._coefficient(face) * normal).scaled(float(-side))
+            equations = [(normal.expression(), pressing.expression())]
+        for k, part in parts.items():
+            loads[k] = loads[k] + part * friction
+        return equations
+
+    def pressing(self, face: int) -> Polynomial:
+        """Return the normal force on a face as Newton's second law gives it."""
+        lifted = total(self.motion.lifted(n, face) * self.force("row", n) for n in self.rows)
+        return self.motion.pressing(face) + lifted
+
+    def slip(self, face: int) -> Polynomial:
+        """Return the velocity with which the surfaces at a face slip."""
+        slips = enumerate(self.mechanism.faces[face].slip)
+        return total(
+            self._slip(face, place) * self.names.rate(self.mechanism.number[name]) for place, (name, _) in slips
+        )
+
+    def _coefficient(self, face: int) -> Polynomial:
+        faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]
+        return self.motion.number(Both(faces[0].friction, faces[1].friction))
+
+    def friction_bound(self, face: int) -> Polynomial:
+        """Return the coefficient of friction times the normal force."""
+        return self._coefficient(face) * self.pressing(face)
+
+    def _slip(self, face: int, place: int) -> Polynomial:
+        faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]
+        return self.motion.number(Both(faces[0].slip[place][1], faces[1].slip[place][1]))
+
+    def sampled(self, times: Array) -> dict[str, Array]:
+        """Return the values of all symbols at some instants of the phase in the motion of the engine, each (m,)."""
+        state = self.setting.motion.state(times)
+        found = {name: np.full(len(times), value) for name, value in self.book.values.items()}
+        found[self.names.time.name] = times
+        for k, sense in enumerate(self.names.senses):
+            origin = self.book.value(self.names.origins[k].expression())
+            found[self.names.places[k].name] = origin + sense * state.q[:, k]
+            found[self.names.rates[k].name] = sense * state.v[:, k]
+            found[self.names.accelerations[k].name] = sense * state.a[:, k]
+        for key, symbol in self.forces.items():
+            found[symbol.name] = self._force_values(key, state)
+        return found
+
+    def _force_values(self, key: str, state: State) -> Array:
+        """Return the values of a force along a motion; not a number where the engine does not record it."""
+        of, number = key.rstrip("0123456789"), int(key.lstrip("abcdefghijklmnopqrstuvwxyz"))
+        if of == "row":
+            kind = self.segment.kinds[number]
+            values = state.constraint_tension.get(kind.name) if kind.kind not in ("foot", "hold", "stuck") else None
+            return values if values is not None else np.full(len(state.times), np.nan)
+        subject = self.mechanism.faces[number].subject
+        return state.normal[subject] if of == "normal" else state.friction[subject]
+
+    # ---- kinematics
+
+    def hinge(self, body: str) -> int:
+        """Return the number of the coordinate that turns a body; UnsolvedError if there is none, or more than one."""
+        hinges = start(self.mechanism)[body].hinges
+        if len(hinges) != 1:
+            raise UnsolvedError("it does not turn about a single axle")
+        return hinges[0].number
+
+    def triple(self, part: str, body: str) -> Components:
+        """Return the ``place`` or ``velocity`` of the centre of mass of a body, by component along the room's axes."""
+        here, there = (getattr(a.frames.center(body), part) for a in self.motion.assemblies)
+        x, y, z = (self.motion.read(one, other) for one, other in zip(here, there, strict=True))
+        return x, y, z
+
+    def acceleration(self, body: str) -> Components:
+        """Return the acceleration of the centre of mass of a body, by component."""
+        found = list(self.triple("bias", body))
+        here, there = (a.frames.center(body).gradient for a in self.motion.assemblies)
+        for k, ways in ((k, (here[k], there[k])) for k in here):
+            for n in range(3):
+                found[n] = found[n] + self.motion.read(ways[0][n], ways[1][n]) * self.names.acceleration(k)
+        return found[0], found[1], found[2]
+
+    def displacement(self, body: str) -> Components:
+        """Return the displacement of the centre of mass of a body since the start, by component."""
+        here, there = (start(m).center(body).place for m in (self.lexicon.mechanism, self.lexicon.twin))
+        begun = [self.motion.number(Both(float(a), float(b))) for a, b in zip(here, there, strict=True)]  # type: ignore[arg-type]
+        x, y, z = (now - then for now, then in zip(self.triple("place", body), begun, strict=True))
+        return x, y, z
+
+    def length(self, line: str, part: str = "value") -> Polynomial:
+        """Return the length of a line, or its ``rate``."""
+        held = self.mechanism.line[line]
+        number = self.mechanism.lines.index(held)
+        ways = (
+            a.length(m.lines[number])
+            for a, m in zip(self.motion.assemblies, (self.lexicon.mechanism, self.lexicon.twin), strict=True)
+        )
+        here, there = (getattr(way, part) for way in ways)
+        return self.motion.read(here, there)
+
+    def law(self, line: str, part: str) -> Polynomial:
+        """Return a number of the law of a line: its ``stiffness``, natural ``length``, ``damping`` or ``force``."""
+        number = self.mechanism.lines.index(self.mechanism.line[line])
+        laws = (m.lines[number].law for m in (self.lexicon.mechanism, self.lexicon.twin))
+        here, there = (float(getattr(law, part)) for law in laws)
+        return self.motion.number(Both(here, there))
+
+
+def amid(setting: Setting, segment: Segment) -> State:
+    """Return the state in the middle of a segment: at its ends a body may be on the border of a region."""
+    motion, begins = setting.motion, segment.start
+    ends = min((held.start for held in motion.segments if held.start > begins), default=motion.end)
+    return motion.state(np.array([0.5 * (begins + ends)]))

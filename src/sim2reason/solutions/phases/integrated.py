@@ -1,0 +1,350 @@
+"""The phases of a motion written in order, each from the state in which the one before it ends."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from math import isnan, radians
+
+import numpy as np
+
+from sim2reason.dsl.state import Array
+from sim2reason.questions import KINDS
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments import Happening
+from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.simulation.trace import Event
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.goals import GOALS, VectorName, finish
+from sim2reason.solutions.laws.common_rates import gravitational_constant
+from sim2reason.solutions.laws.equations_of_motion import UNREAD, Names
+from sim2reason.solutions.phases.accumulated import RATES, rate_of, value_of
+from sim2reason.solutions.phases.conditions import event_condition, located, moment_conditions, said
+from sim2reason.solutions.phases.coordinates import HINGE_UNITS, SLIDE_UNITS, choose
+from sim2reason.solutions.phases.end_state import EndState
+from sim2reason.solutions.phases.equations import PhaseEquations, amid
+from sim2reason.solutions.phases.extremes import rate_formulas, refined, top
+from sim2reason.solutions.phases.forces import ForceSymbols
+from sim2reason.solutions.phases.jumps import write_jump
+from sim2reason.solutions.phases.numerical import tell_end, tell_problem
+from sim2reason.solutions.phases.steady import SteadyPhase
+from sim2reason.solutions.phases.values import formula_of
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.solution import Accumulated, Condition, Coordinate, Integration, Phase
+from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, NEWTONS, SECONDS, latex
+
+MOST_PHASES = 8  # a longer solution would not be read
+SAME_TIME = 1e-9  # relative: an event so close to the moment asked is that moment
+NOTHING = 1e-12  # in SI units: the rounding of zero
+WIDTH = 2e-3  # of the time asked: around an extreme value, where its rate changes sign
+FORCES = frozenset(
+    {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
+)
+INTRODUCTION = "The equations of motion have no solution in elementary functions; they are integrated numerically."
+
+
+@dataclass(frozen=True, slots=True)
+class _Stretch:
+    """A segment of the motion with the time, s, and the events that end it."""
+
+    segment: Segment
+    ends: float
+    events: tuple[Event, ...]
+
+
+class IntegratedPhases:
+    """The solution of one problem, phase by phase: in closed form where accelerations are constant, else integrated."""
+
+    def __init__(self, setting: Setting, book: Book) -> None:
+        """Choose coordinates; nothing is written yet."""
+        self.setting, self.book, self.mechanism = setting, book, setting.mechanism
+        chosen = choose(setting, book)
+        self.names, self._introduction = chosen.names, chosen.sentence
+        self._forces = ForceSymbols(setting, book)
+        self.time = self._asked_time()
+        self._begin: Expression = Number(0.0)
+        self._places = [origin.expression() for origin in self.names.origins]
+        self._rates = self._first_rates()
+        self._sum: Symbol | None = None
+        self._composed: dict[int, Callable[[frozenset[str]], str]] = {}  # by number of a step, its last sentence
+
+    def _asked_time(self) -> float:
+        setting, query = self.setting, self.setting.query
+        if query.kind == "extremum" and isinstance(query, StretchQuery):
+            return top(setting.motion, query.functional, query.name, setting.time)
+        return query.moment.side(setting.time) if query.moment is not None else setting.time
+
+    def _first_rates(self) -> list[Expression]:
+        lexicon = self.setting.lexicon
+        pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, self.names.senses, strict=True)
+        return [_speed(lexicon, Both(sense * a.speed, sense * b.speed)) for a, b, sense in pairs]
+
+    def write(self) -> str:
+        """Write all steps and return the symbol of the answer; UnsolvedError where an equation cannot be written."""
+        stretches = self._stretches()
+        if not stretches or len(stretches) > MOST_PHASES:
+            raise UnsolvedError(f"the motion has {len(stretches)} phases")
+        self._introduce()
+        end: PhaseEquations | None = None
+        for number, stretch in enumerate(stretches):
+            self.book.phase = number
+            end = self._phase(stretch, last=number == len(stretches) - 1, several=len(stretches) > 1)
+        assert end is not None
+        answer = self._answer(end)
+        self._compose(answer)
+        unread = {name for step in self.book.steps for name in step.symbols() if name.startswith(UNREAD)}
+        if unread:
+            raise UnsolvedError(f"the text has no numbers for {', '.join(sorted(unread))}")
+        return answer if not self.setting.unknown else self.book.sought
+
+    def _introduce(self) -> None:
+        book, constant = self.book, self.setting.lexicon.constant
+        if constant is not None:
+            gravitational_constant(book, constant)
+        step = book.open("names")
+        step.say(INTRODUCTION, self._introduction)
+        if self.setting.unknown:
+            name = Symbol(book.sought)
+            book.hidden.discard(name.name)
+            step.say(f"They hold for any ${name.name}$; it is varied until the result is the given one, which leads to")
+            step.say(f"{step.trial(name)}. With this value:")
+        step.close()
+
+    def _stretches(self) -> list[_Stretch]:
+        """Return the segments up to the moment asked."""
+        motion, moment = self.setting.motion, self.setting.query.moment
+        segments = [s for s in motion.segments if s.start < self.time or s.start == 0.0]
+        ends_at_event = moment is not None and moment.event and self.setting.query.kind != "extremum"
+        found: list[_Stretch] = []
+        for segment, following in zip(segments, [*segments[1:], None], strict=True):
+            ends = following.start if following is not None else self.time
+            near = SAME_TIME * max(ends, SAME_TIME)
+            events = tuple(e for e in motion.events if e.changes_motion and abs(e.time - ends) <= near)
+            if following is None and not ends_at_event:
+                events = ()
+            if following is not None and not events:
+                raise UnsolvedError("the equations change where no event is recorded")
+            found.append(_Stretch(segment, ends, events))
+        return found
+
+    # ---- one phase
+
+    def _phase(self, stretch: _Stretch, *, last: bool, several: bool) -> PhaseEquations:
+        """Write one phase and what happens at its end; return its equations in the symbols of that instant."""
+        inner = self._inner(stretch.segment)
+        if stretch.events:
+            formula, happens = event_condition(inner, stretch.events[0])
+            formulas = [formula]
+        else:
+            formulas, happens = self._moment_formulas(inner), self._moment_words()
+        for name, value, unit in inner.stated:
+            self.book.reserve(name)
+            self.book.say_given(name, value, unit)
+        if self.setting.query.kind == "extremum" and last:
+            self.time = refined(inner, formulas[-1], self.time, WIDTH * self.setting.time)
+            stretch = replace(stretch, ends=self.time)
+        until = located(inner, formulas, stretch.segment.start, stretch.ends)
+        names, forces = self._ended(inner, stretch)
+        if several:
+            self._announce(happens)
+        if inner.steady and not self._adds_up:
+            start = self._begin, self._places, self._rates
+            SteadyPhase(inner, start).write(self.book, names, forces, until.expression, happens or "the moment asked")
+        else:
+            self._integrate(inner, until, (names, forces), stretch.ends, happens if not several else "")
+        self._begin, self._places, self._rates = names.time, list(names.places), list(names.rates)
+        outer = PhaseEquations(self.setting, self.book, stretch.segment, names, forces)
+        return self._handed_on(outer, stretch)
+
+    def _announce(self, happens: str) -> None:
+        """Write the heading of a phase."""
+        phases, number = self.book.phases, self.book.phase
+        phases.append(Phase(phases[-1].ends if phases else "the start", happens or "the moment asked"))
+        step = self.book.open("phase")
+        step.say(f"Phase {number + 1}, until {phases[-1].ends}.")
+        step.close()
+
+    def _handed_on(self, outer: PhaseEquations, stretch: _Stretch) -> PhaseEquations:
+        """Write how velocities change at the event that ends a phase, unless the moment asked is just before it.
+
+        Return the equations in the symbols of the instant that is asked about, where it is this one.
+        """
+        query, moment = self.setting.query, self.setting.query.moment
+        following = next((s for s in self.setting.motion.segments if s.start == stretch.ends), None)
+        asked = stretch.ends >= self.time
+        after = query.kind == "event" and moment is not None and bool(moment.sided)
+        if not stretch.events or following is None or (asked and not after):
+            return outer
+        new = write_jump(outer, following, stretch.events, self.book.phase)
+        self._rates = list(new) if new is not None else self._rates
+        if not asked:
+            return outer
+        if self.setting.target is not None and self.setting.target.quantity in FORCES:
+            raise UnsolvedError("it asks for a force or an acceleration just after an event")
+        names = outer.names if new is None else replace(outer.names, rates=new)
+        return PhaseEquations(self.setting, self.book, stretch.segment, names, outer.forces)
+
+    def _inner(self, segment: Segment) -> PhaseEquations:
+        """Return the equations of a segment, in a copy of the book that has their values in the middle of it."""
+        draft = self.book.copy()
+        found = PhaseEquations(self.setting, draft, segment, self.names, self._forces.of(segment))
+        for name, values in found.sampled(amid(self.setting, segment).times).items():
+            if name not in draft.values and np.isfinite(values[0]):
+                draft.know(name, float(values[0]))
+        return found
+
+    def _moment_formulas(self, inner: PhaseEquations) -> list[Expression]:
+        setting, query = self.setting, self.setting.query
+        if query.kind == "extremum" and isinstance(query, StretchQuery):
+            return rate_formulas(inner, query.functional, query.name)
+        if setting.sought is not None and not setting.unknown and setting.stated is not None and setting.target:
+            unit = self.setting.unit
+            value = radians(setting.stated.value) if unit == DEGREES else setting.stated.value
+            return [formula_of(inner, setting.target) - said(inner, "c", value, unit)]
+        return moment_conditions(inner, query.moment)
+
+    def _moment_words(self) -> str:
+        moment = self.setting.query.moment
+        if self.setting.query.kind == "extremum":
+            return ""
+        clause = moment.clause(self.setting.words) if isinstance(moment, Happening) else None
+        return clause.statement if clause is not None else ""
+
+    def _ended(self, inner: PhaseEquations, stretch: _Stretch) -> tuple[Names, dict[str, Symbol]]:
+        """Name the values at the end of a phase, before what changes there; the book learns them from the engine."""
+        names = self.names
+        side = float(np.nextafter(stretch.ends, 0.0)) if stretch.events else stretch.ends
+        sampled = inner.sampled(np.array([side]))
+        units = [HINGE_UNITS if c.kind == "hinge" else SLIDE_UNITS for c in self.mechanism.coordinates]
+        places, rates, accelerations = (
+            tuple(self._value(symbol, sampled, unit[n]) for symbol, unit in zip(symbols, units, strict=True))
+            for n, symbols in enumerate((names.places, names.rates, names.accelerations))
+        )
+        time = self._value(names.time, sampled, SECONDS)
+        forces = {key: self._value(symbol, sampled, NEWTONS) for key, symbol in inner.forces.items()}
+        return Names(places, rates, accelerations, time, names.senses, names.origins), forces
+
+    def _value(self, symbol: Symbol, sampled: dict[str, Array], unit: str) -> Symbol:
+        base, mark = split(symbol.name)
+        name = self.book.fresh(base, ",".join(part for part in (mark, str(self.book.phase + 1)) if part))
+        value = float(sampled[symbol.name][0])
+        if not isnan(value):  # the engine does not record the forces of all constraints
+            self.book.know(name.name, value if abs(value) > NOTHING else 0.0, self.book.unit_in_text(unit))
+        return name
+
+    # ---- numerical integration
+
+    def _integrate(
+        self,
+        inner: PhaseEquations,
+        until: Condition,
+        end: tuple[Names, dict[str, Symbol]],
+        time: float,
+        happens: str,
+    ) -> None:
+        """Write the initial-value problem of a phase, and leave its results to be told in the end."""
+        own, (names, forces) = self.names, end
+        inside = (own.time, *own.places, *own.rates, *own.accelerations, *(inner.forces[key] for key in forces))
+        outside = (names.time, *names.places, *names.rates, *names.accelerations, *forces.values())
+        ends = [(a.name, b.name) for a, b in zip(inside, outside, strict=True) if b.name in self.book.values]
+        accumulated = self._accumulated(inner, time)
+        if self._sum is not None:
+            ends.append((accumulated[0].name, self._sum.name))
+        coordinates = zip(own.places, own.rates, own.accelerations, self._places, self._rates, strict=True)
+        integration = Integration(
+            own.time.name,
+            self._begin,
+            tuple(Coordinate(q.name, v.name, a.name, place, rate) for q, v, a, place, rate in coordinates),
+            tuple(symbol.name for symbol in inner.forces.values()),
+            tuple(inner.laws),
+            until,
+            tuple(ends),
+            accumulated,
+        )
+        step = self.book.open("integration")
+        introduced = self._forces.introductions()
+        if introduced:
+            step.say(f"Let {joined([part.replace('$ ', '$ be ', 1) for part in introduced])}.")
+        letter = "r" if self.mechanism.attractions else r"\ell"
+        tell_problem(self.book, step, integration, first=not self.book.phase, letter=letter)
+        step.integrate(integration)
+        step.close()
+        self._composed[self.book.steps[-1].id] = lambda used: tell_end(self.book, integration, happens, used)
+
+    @property
+    def _adds_up(self) -> bool:
+        """Return whether the question asks for something that adds up over the motion."""
+        query = self.setting.query
+        return isinstance(query, StretchQuery) and query.functional in RATES
+
+    def _accumulated(self, inner: PhaseEquations, ends: float) -> tuple[Accumulated, ...]:
+        query = self.setting.query
+        if not isinstance(query, StretchQuery) or not self._adds_up:
+            return ()
+        rate = rate_of(query.functional, query.name, inner)
+        before: Expression = self._sum if self._sum is not None else Number(0.0)
+        value = value_of(query.functional, query.name, self.setting.study.trace, ends)
+        self._sum = self.book.fresh("X", str(self.book.phase + 1))
+        self.book.know(self._sum.name, value, self.book.unit_in_text(self._measured_unit))
+        return (Accumulated("X", rate, before),)
+
+    @property
+    def _measured_unit(self) -> str:
+        return latex(KINDS[self.setting.query.kind].measured(self.setting.query).unit)
+
+    def _compose(self, answer: str) -> None:
+        """Complete the text of each phase with the values on which later steps rest."""
+        used = frozenset(name for step in self.book.steps for name in step.symbols()) | {answer}
+        for number, text in self._composed.items():
+            step = self.book.steps[number]
+            self.book.steps[number] = replace(step, text=f"{step.text} {text(used)}")
+
+    # ---- the answer
+
+    def _answer(self, end: PhaseEquations) -> str:
+        """Write how the answer follows from the last state; return its symbol."""
+        setting, query = self.setting, self.setting.query
+        if self._sum is not None:
+            found = self._sum
+        elif query.kind == "time_to_event" or (setting.sought is not None and not setting.unknown):
+            found = end.names.time
+        else:
+            found = self._quantity(end)
+        if setting.unknown and setting.stated is not None:
+            value = radians(setting.stated.value) if setting.unit == DEGREES else setting.stated.value
+            step = self.book.open("given")
+            step.say(f"This is the given result: {step.given_result(found, value)}.")
+            step.close()
+        return found.name
+
+    def _quantity(self, end: PhaseEquations) -> Symbol:
+        query, target, state = self.setting.query, self.setting.target, EndState(self.setting, self.book, end)
+        if query.kind == "extremum" and isinstance(query, StretchQuery):
+            if query.functional == "greatest height":
+                height = end.displacement(query.name)[2].factored()
+                return finish(
+                    state, height, VectorName("h", METRES, "height"), "", "the height above the starting point"
+                )
+            from sim2reason.questions.functionals import FUNCTIONALS  # noqa: PLC0415
+
+            quantity = FUNCTIONALS[query.functional].quantity.name  # type: ignore[attr-defined]
+            target = replace(target, quantity=quantity) if target is not None else None
+        if target is None:
+            raise UnsolvedError("the question asks for no quantity")
+        if target.quantity in GOALS:
+            return GOALS[target.quantity].write(target, state)
+        formula, noun = formula_of(end, target), VectorName.of(target.quantity)
+        return finish(state, formula, noun, "", f"the {target.quantity}")
+
+
+def _speed(lexicon: Lexicon, speed: Both) -> Expression:
+    """Return an initial rate in the numbers of the text; an angular one may be a speed over a length."""
+    for length in (None, *lexicon.lengths):
+        try:
+            if length is None:
+                return lexicon.read(speed).expression()
+            return lexicon.read(speed * length).expression() / lexicon.read(length).expression()
+        except UnreadError:
+            continue
+    raise UnsolvedError(f"the initial rate {speed.here:.6g} is no simple function of the numbers in the text")

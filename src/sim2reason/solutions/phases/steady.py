@@ -1,0 +1,98 @@
+"""Phases of constant acceleration: solved in closed form instead of integrated."""
+
+from collections.abc import Sequence
+
+from sim2reason.solutions.algebra.evaluated import NumericRoot
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
+from sim2reason.solutions.algebra.functions import Power
+from sim2reason.solutions.algebra.inverse import put, solved_for
+from sim2reason.solutions.laws.equations_of_motion import Names
+from sim2reason.solutions.phases.equations import PhaseEquations
+from sim2reason.solutions.setting import joined
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import SECONDS
+
+Start = tuple[Expression, Sequence[Expression], Sequence[Expression]]
+"""The time at which a phase begins, the coordinates and the rates there."""
+HALF = Number(0.5)
+LONG = 200  # characters of a duration that is written as a formula
+
+
+class SteadyPhase:
+    """One phase in which all accelerations and forces are constant."""
+
+    def __init__(
+        self, inner: PhaseEquations, start: tuple[Expression, Sequence[Expression], Sequence[Expression]]
+    ) -> None:
+        """Take the equations of the phase, and its initial time, coordinates and rates."""
+        self._inner, self._names = inner, inner.names
+        self._begin, self._places, self._rates = start
+
+    def write(self, book: Book, names: Names, forces: dict[str, Symbol], formula: Expression, said: str) -> None:
+        """Write the accelerations, the duration until a formula vanishes, and the state at the end.
+
+        The book knows the values of the end, in `names` and `forces`, already.
+
+        Raises:
+            UnsolvedError: the formula contains a force or an acceleration.
+        """
+        self._accelerate(book, names, forces)
+        span = self._last(book, names, formula, said)
+        step = book.open("state")
+        told = [step.defined(names.time, added(self._begin, span))]
+        for k in range(len(names.places)):
+            told.append(step.defined(names.places[k], self._place(k, names, span)))
+            told.append(step.defined(names.rates[k], self._rate(k, names, span)))
+        step.say(f"At its end, {joined(told)}.")
+        step.close()
+
+    def _accelerate(self, book: Book, names: Names, forces: dict[str, Symbol]) -> None:
+        """Write the laws, which determine the constant accelerations and forces."""
+        step, inner = book.open("newton"), self._inner
+        own = {old.name: new for old, new in zip(self._names.accelerations, names.accelerations, strict=True)}
+        own |= {inner.forces[key].name: symbol for key, symbol in forces.items()}
+        laws = [(_renamed(law.left, own), _renamed(law.right, own)) for law in inner.laws]
+        step.say(f"The accelerations are constant: {joined([step.law(*law) for law in laws])}.")
+        found = [symbol for symbol in own.values() if symbol.name in book.values]
+        for symbol in found:
+            step.label(symbol.name)
+        moving = [symbol for symbol in found if book.values[symbol.name]]
+        if moving and not all(isinstance(left, Symbol) for left, _ in laws):
+            step.say(f"Hence {joined([step.stated(symbol, book.units[symbol.name]) for symbol in moving])}.")
+        step.close()
+
+    def _last(self, book: Book, names: Names, formula: Expression, said: str) -> Symbol:
+        """Write how long the phase lasts."""
+        span = book.fresh(r"\tau")
+        near = book.values[names.time.name] - book.value(self._begin)
+        for k, (place, rate) in enumerate(zip(self._names.places, self._names.rates, strict=True)):
+            formula = put(put(formula, rate.name, self._rate(k, names, span)), place.name, self._place(k, names, span))
+        formula = put(formula, self._names.time.name, added(self._begin, span))
+        if not {*formula.symbols()} <= {*book.values, span.name}:
+            raise UnsolvedError("the end of a phase of constant acceleration depends on a force")
+        found = solved_for(span.name, formula, ZERO, {**book.values, span.name: near})
+        if not isinstance(found, NumericRoot) and len(found.latex()) > LONG:
+            found = NumericRoot(formula, span.name, near)
+        step = book.open("duration")
+        law = step.law(formula, ZERO)
+        step.say(f"It lasts for a time ${span.name}$ until {said}: {law}, so that {step.result(span, found, SECONDS)}.")
+        step.close()
+        return span
+
+    def _place(self, k: int, names: Names, span: Symbol) -> Expression:
+        gained = added(multiplied(self._rates[k], span), self._bent(k, names, multiplied(HALF, Power(span, 2))))
+        return added(self._places[k], gained)
+
+    def _rate(self, k: int, names: Names, span: Symbol) -> Expression:
+        return added(self._rates[k], self._bent(k, names, span))
+
+    def _bent(self, k: int, names: Names, factor: Expression) -> Expression:
+        """Return the acceleration times a factor; zero where it is zero."""
+        zero = self._inner.is_still(k)
+        return ZERO if zero else multiplied(names.accelerations[k], factor)
+
+
+def _renamed(formula: Expression, names: dict[str, Symbol]) -> Expression:
+    for old, new in names.items():
+        formula = put(formula, old, new)
+    return formula

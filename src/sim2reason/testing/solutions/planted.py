@@ -1,0 +1,222 @@
+"""Faults planted in the data of a worked solution, each of which the check must refuse.
+
+How they are counted. A law is dropped with every other law that states the same, letter by letter; of a phase each
+equation is one. A phase is left out: of an integration everything at its end is as it was at its beginning; of several
+phases all steps of one are missing. A jump is wrong: what a law says an event does is 0.9 times as large. A given is
+left out if a relation or a phase uses it. A sign is turned: that of one term of a sum, or of a product behind a minus.
+A number, with exponents, is 7 % larger. A sign or number on which nothing depends, since the relation in which it
+stands holds with it as well (a term is zero), is no fault.
+"""
+
+import json
+import random
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from sim2reason.solutions.checking.equation import Equation
+from sim2reason.solutions.checking.integration import PARTS
+from sim2reason.solutions.checking.trees import Tree, compiled, symbols
+
+Data = dict[str, Any]
+Place = tuple[Any, Any]
+"""A list or mapping, and the index or key in it."""
+JUMPS = frozenset(("rebound", "impulse", "after", "impact", "jerk", "event"))  # kinds of steps that say what events do
+WRONG, LARGER = 0.9, 1.07  # factors
+
+
+def planted_faults(
+    data: Mapping[str, Any], values: Mapping[str, float], rng: random.Random, most: int
+) -> Iterator[tuple[str, Data]]:
+    """Draw data with one fault each, at most `most` of a kind; `values` are those of all names in it."""
+    for kind, spoil in KINDS.items():
+        count = spoil(_copy(data), None, values)
+        for number in rng.sample(range(count), min(most, count)):
+            held = _copy(data)
+            spoil(held, number, values)
+            yield kind, held
+
+
+def _copy(data: Mapping[str, Any]) -> Data:
+    return json.loads(json.dumps(data))
+
+
+def _laws(data: Data) -> list[tuple[list[Data], int]]:
+    """Where laws stand: the list, and the index in it."""
+    lists = [step["relations"] for step in data["steps"]]
+    found = [(held, n) for held in lists for n, relation in enumerate(held) if relation["role"] == "law"]
+    for phase in _phases(data):
+        found += [(phase["equations"], n) for n in range(len(phase["equations"]))]
+    return found
+
+
+def _phases(data: Data) -> list[Data]:
+    return [step["integration"] for step in data["steps"] if step["integration"] is not None]
+
+
+def _drop_law(data: Data, number: int | None, values: Mapping[str, float]) -> int:
+    del values
+    laws = _laws(data)
+    if number is not None:
+        held, place = laws[number]
+        same = held[place]["left"], held[place]["right"]
+        for every in [step["relations"] for step in data["steps"]] + [phase["equations"] for phase in _phases(data)]:
+            every[:] = [r for r in every if (r["left"], r["right"]) != same or r.get("role", "law") != "law"]
+    return len(laws)
+
+
+def _leave_out_phase(data: Data, number: int | None, values: Mapping[str, float]) -> int:
+    del values
+    integrated = [step for step in data["steps"] if step["integration"] is not None]
+    phases = sorted({step["phase"] for step in data["steps"]})
+    whole = phases if len(phases) > 1 else []
+    if number is not None and number < len(integrated):
+        _skip(integrated[number])
+    elif number is not None:
+        left_out = whole[number - len(integrated)]
+        data["steps"] = [step for step in data["steps"] if step["phase"] != left_out]
+    return len(integrated) + len(whole)
+
+
+def _skip(step: Data) -> None:
+    """Let everything at the end of a phase be as it was at its beginning."""
+    phase = step.pop("integration")
+    step["integration"] = None
+    start: dict[str, Tree] = {phase["time"]: phase["begin"]}
+    for held in phase["coordinates"]:
+        start |= {held["place"]: held["initial_place"], held["rate"]: held["initial_rate"]}
+    start |= {held["name"]: held["initial"] for held in phase["accumulated"]}
+    ends = [(name, start[symbol]) for symbol, name in phase["ends"] if symbol in start]
+    step["relations"] += [{"role": "law", "left": name, "right": tree, "unit": ""} for name, tree in ends]
+
+
+def _change_jump(data: Data, number: int | None, values: Mapping[str, float]) -> int:
+    jumps = [r for step in data["steps"] if step["kind"] in JUMPS for r in step["relations"] if r["role"] == "law"]
+    jumps = [r for r in jumps if not _holds(r | {"right": ["*", WRONG, r["right"]]}, values)]
+    if number is not None:
+        jumps[number]["right"] = ["*", WRONG, jumps[number]["right"]]
+    return len(jumps)
+
+
+def _leave_out_given(data: Data, number: int | None, values: Mapping[str, float]) -> int:
+    del values
+    used = {name for held, key in _trees(data) for name in symbols(held[key])}
+    names = [name for name in data["givens"] if name in used]
+    if number is not None:
+        del data["givens"][names[number]]
+    return len(names)
+
+
+def _turn_sign(data: Data, number: int | None, values: Mapping[str, float]) -> int:
+    return _change(data, number, values, _signs, lambda term: ["*", -1.0, term])
+
+
+def _change_number(data: Data, number: int | None, values: Mapping[str, float]) -> int:
+    if number is not None and number < len(data["givens"]):
+        data["givens"][list(data["givens"])[number]] *= LARGER
+        return 0
+    count = len(data["givens"])
+    rest = None if number is None else number - count
+    return count + _change(data, rest, values, _numbers, _another)
+
+
+def _another(number: float) -> float:
+    return number * LARGER if number else 1.0
+
+
+def _change(
+    data: Data,
+    number: int | None,
+    values: Mapping[str, float],
+    places: Callable[[Place], Iterator[Place]],
+    changed: Callable[[Any], Any],
+) -> int:
+    """Change one part of a tree; give back how many there are on which something depends."""
+    found: list[Place] = []
+    for relation, root in _roots(data):
+        for held, key in places(root):
+            before = held[key]
+            held[key] = changed(before)
+            idle = _comes_to_zero(before, held[key], values) or (relation is not None and _holds(relation, values))
+            held[key] = before
+            if not idle:
+                found.append((held, key))
+    if number is not None:
+        held, key = found[number]
+        held[key] = changed(held[key])
+    return len(found)
+
+
+def _holds(relation: Data, values: Mapping[str, float]) -> bool:
+    """Whether a relation holds at the right values; one that can't be looked at alone does not."""
+    try:
+        return Equation.of(relation["left"], relation["right"]).holds(values)
+    except (KeyError, ValueError, ArithmeticError):
+        return False
+
+
+def _comes_to_zero(before: Tree, after: Tree, values: Mapping[str, float]) -> bool:
+    """Whether a part of a formula is zero as it was and as it is now."""
+    try:
+        return compiled(before)(values) == compiled(after)(values) == 0.0
+    except (KeyError, ValueError, ArithmeticError):
+        return False
+
+
+def _roots(data: Data) -> Iterator[tuple[Data | None, Place]]:
+    """Each tree, with the relation to which it belongs."""
+    for step in data["steps"]:
+        for relation in step["relations"]:
+            for side in ("left", "right"):
+                yield relation, (relation, side)
+        if step["integration"] is not None:
+            yield from ((None, place) for place in _phase_trees(step["integration"]))
+
+
+def _phase_trees(phase: Data) -> Iterator[Place]:
+    yield phase, "begin"
+    yield phase["until"], "expression"
+    for part, names in PARTS.items():
+        for held in phase[part]:
+            yield from ((held, name) for name in names)
+
+
+def _trees(data: Data) -> Iterator[Place]:
+    return (place for _, place in _roots(data))
+
+
+def _signs(place: Place) -> Iterator[Place]:
+    """The terms of sums, and products behind a minus."""
+    held, key = place
+    tree: Tree = held[key]
+    if not isinstance(tree, list):
+        return
+    if tree[0] == "+":
+        yield from ((tree, n) for n in range(1, len(tree)))
+    elif tree[0] == "*" and isinstance(tree[1], float) and tree[1] < 0.0:
+        yield place
+    for n in range(1, len(tree)):
+        yield from _signs((tree, n))
+
+
+def _numbers(place: Place) -> Iterator[Place]:
+    """All numbers; an exponent becomes another whole number."""
+    held, key = place
+    tree: Tree = held[key]
+    if isinstance(tree, float | int):
+        yield place
+    elif isinstance(tree, list):
+        if tree[0] == "^":
+            yield from _numbers((tree, 1))
+            return
+        for n in range(1, len(tree)):
+            yield from _numbers((tree, n))
+
+
+KINDS: Mapping[str, Callable[[Data, int | None, Mapping[str, float]], int]] = {
+    "a law dropped": _drop_law,
+    "a phase left out": _leave_out_phase,
+    "a wrong jump": _change_jump,
+    "a given left out": _leave_out_given,
+    "a sign turned": _turn_sign,
+    "a number changed": _change_number,
+}  # each plants the fault of a number, or with None only counts how many there are

@@ -1,0 +1,84 @@
+"""The gate: what does not lead to the answer from its own data is no solution, and the next strategy is tried."""
+
+from dataclasses import replace
+from importlib import import_module
+
+import pytest
+
+from plain_scenes import atwood
+from sim2reason.solutions import Relation, Solution, Step, solve
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.checking import recompute
+from sim2reason.solutions.data import as_data
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solution import Role
+from sim2reason.solutions.verification import WHY, verified
+from worked import asked
+
+TENSION = "What is the tension in the string just after release?"
+
+
+def setting() -> Setting:
+    return asked(atwood(), TENSION)
+
+
+def test_a_solution_that_leads_to_the_answer_is_shown() -> None:
+    found = solve(setting())
+    assert found.answer is not None
+    assert verified(found, setting()) is found
+    again = recompute(as_data(found))
+    assert again.answer == pytest.approx(found.answer, rel=1e-12)
+    assert again.values["T"] == pytest.approx(found.values["T"], rel=1e-12)
+
+
+def changed(found: Solution, kind: str, relations: tuple[Relation, ...]) -> Solution:
+    steps = [replace(step, relations=relations) if step.kind == kind else step for step in found.steps]
+    return replace(found, steps=tuple(steps))
+
+
+def test_what_is_refused_says_why() -> None:
+    found = solve(setting())
+    for spoiled in (
+        changed(found, "newton", found.relations[:1]),
+        changed(found, "givens", ()),
+        changed(found, "givens", tuple(replace(r, right=Number(2.0)) for r in found.relations if r.role == "given")),
+    ):
+        refused = verified(spoiled, setting())
+        assert refused.answer is None
+        assert refused.strategy == found.strategy
+        assert refused.reason.startswith(WHY)
+
+
+@pytest.mark.parametrize("role", ["result", "derived", "verified", "trial", "condition"])
+def test_a_number_that_is_only_asserted_is_no_solution(role: Role) -> None:
+    held = setting()
+    assert held.answer is not None
+    bare = Step(0, "answer", "", (Relation(Symbol("X"), Number(held.answer), role),), ("X",), ())
+    refused = verified(Solution("claims", (bare,), {"X": held.answer}, "X", held.answer), held)
+    assert refused.answer is None
+    assert refused.reason.startswith(WHY)
+
+
+def test_what_is_refused_lets_the_next_strategy_try(monkeypatch: pytest.MonkeyPatch) -> None:
+    held, right = setting(), solve(setting())
+
+    def refuse(found: Solution, of: Setting) -> Solution:
+        return Solution(found.strategy, reason=WHY) if found.strategy == right.strategy else verified(found, of)
+
+    monkeypatch.setattr(import_module("sim2reason.solutions.solve"), "verified", refuse)
+    other = solve(held)
+    assert other.strategy != right.strategy
+    assert other.answer is not None or f"{right.strategy}: {WHY}" in other.reason
+    assert solve(held, derived=True).strategy == right.strategy  # what only leads to formulas is not looked at
+
+
+def test_a_count_is_whole_in_its_box_and_numbers_have_three_figures() -> None:
+    def boxed(answer: float, **rest: object) -> str:
+        return Solution("", values={"x": answer}, goal="x", answer=answer, **rest).text  # type: ignore[arg-type]
+
+    assert boxed(3.0, whole=True).endswith(r"$x = \boxed{3}$.")
+    assert boxed(170358.0).endswith(r"$x \approx \boxed{1.70 \times 10^{5}}$.")
+    assert boxed(1234.5).endswith(r"\boxed{1.23 \times 10^{3}}$.")
+    assert boxed(999.6).endswith(r"\boxed{1.00 \times 10^{3}}$.")
+    assert boxed(123.45).endswith(r"\boxed{123}$.")
+    assert boxed(0.00012345).endswith(r"\boxed{1.23 \times 10^{-4}}$.")

@@ -1,0 +1,67 @@
+"""Faults planted in the data of solutions: each is another solution, and each is refused."""
+
+import random
+from collections import Counter
+from math import sqrt
+
+import pytest
+
+from plain_scenes import atwood
+from sim2reason.solutions import solve
+from sim2reason.solutions.checking import recompute
+from sim2reason.solutions.data import as_data
+from sim2reason.solutions.solution import SAME
+from sim2reason.solutions.verification import refusal
+from sim2reason.testing.solutions.planted import KINDS, Data, planted_faults
+from solution_data import coordinate, phase, relation, solution, step
+from worked import asked
+
+
+def twice_thrown() -> Data:
+    """A ball falls by h, rebounds, and rises to e² h, in the time √(2 h/g) (1 + e); both are needed."""
+    falling = relation("a", ["+", 0.0, ["*", -1.0, "g"]])
+    fall = phase([coordinate("y", "v", "a", "h", 0.0)], [falling], "y", {"\\tau": "t_1", "v": "u"}, direction=-1)
+    rise = phase([coordinate("y", "v", "a", 0.0, "w")], [falling], "v", {"\\tau": "t_2", "y": "H"}, begin="t_1")
+    both = step(relation("X", ["*", "t_2", "H"]))
+    rebound = step(relation("w", ["*", -1.0, "e", "u"])) | {"kind": "rebound"}
+    return solution(
+        {"h": 1.5, "g": 9.8, "e": 0.8}, "X", step(integration=fall), rebound, step(integration=rise, phase=1), both
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_each_kind_is_refused_in_phases(seed: int) -> None:
+    data = twice_thrown()
+    right = recompute(data)
+    assert not right.faults
+    assert right.answer == pytest.approx(sqrt(2.0 * 1.5 / 9.8) * 1.8 * 0.64 * 1.5, rel=1e-12)
+    count = Counter[str]()
+    for kind, spoiled in planted_faults(data, right.values, random.Random(seed), 5):
+        count[kind] += 1
+        assert spoiled != data
+        assert not recompute(spoiled).agrees(right.answer, SAME), (kind, spoiled)
+    assert count.keys() == KINDS.keys()
+    assert data == twice_thrown()
+
+
+def test_each_fault_in_an_elimination_is_refused() -> None:
+    setting = asked(atwood(), "What is the tension in the string just after release?")
+    data = as_data(solve(setting))
+    assert not refusal(data, setting)
+    count = Counter[str]()
+    for kind, spoiled in planted_faults(data, recompute(data).values, random.Random(0), 1000):
+        count[kind] += 1
+        assert refusal(spoiled, setting), (kind, spoiled)
+    assert count["a law dropped"] >= 2
+    assert count["a given left out"] >= 3
+    assert min(count["a sign turned"], count["a number changed"]) >= 5
+
+
+def test_what_has_no_effect_is_not_planted() -> None:
+    """A term that is zero may have either sign; a law that stands twice goes twice."""
+    law = relation("x", ["+", "y", ["*", "z", "y"]])
+    data = solution({"y": 2.0, "z": 0.0}, "x", step(law), step(law))
+    found = [*planted_faults(data, recompute(data).values, random.Random(0), 100)]
+    assert [kind for kind, _ in found].count("a sign turned") == 2  # that of the first term, in both
+    dropped = [spoiled for kind, spoiled in found if kind == "a law dropped"]
+    assert all(not step["relations"] for spoiled in dropped for step in spoiled["steps"])
