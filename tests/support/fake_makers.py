@@ -131,7 +131,7 @@ def with_answers(request: Request) -> Made:
 
 def _weight(value: float) -> Answer:
     bindings = tuple(Binding(numbers=(m, 9.8), answer=9.8 * m) for m in (value / 9.8, *(0.5 + n for n in range(8))))
-    formula = FormulaRecord(latex="m g", symbols=("m", "g"), units=("kg", "m/s^2"), bindings=bindings)
+    formula = FormulaRecord(latex="m g", symbols=("m", "g"), units=("kg", "m/s^2"), unit="N", bindings=bindings)
     return Answer(value=value, unit="N", formula=formula)
 
 
