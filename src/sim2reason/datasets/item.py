@@ -79,6 +79,10 @@ class FormulaRecord(Record):
         return {symbol: said_in(number, unit) for symbol, unit, number in pairs}
 
 
+def _keyed(value: object) -> dict[str, object]:
+    return cast("dict[str, object]", value) if isinstance(value, dict) else {}
+
+
 class Answer(Record):
     """The answer: `value` in `unit`, right within the relative `tolerance`; or a `formula`, whose value that is."""
 
@@ -94,13 +98,12 @@ class Answer(Record):
     @classmethod
     def _of_earlier_versions(cls, value: object) -> object:
         """A formula without `unit` has the units in which texts say its numbers, as records once had them."""
-        answer = cast("dict[str, object]", value) if isinstance(value, dict) else {}
-        formula = answer.get("formula")
-        if not isinstance(formula, dict) or "unit" in formula:
+        answer = _keyed(value)
+        formula = _keyed(answer.get("formula"))
+        if not formula or "unit" in formula:
             return value
-        held = cast("dict[str, object]", formula)
-        units = [counted_in(str(unit)) for unit in cast("Sequence[object]", held.get("units", ()))]
-        return answer | {"formula": held | {"units": units, "unit": counted_in(str(answer.get("unit", "")))}}
+        units = [counted_in(str(unit)) for unit in cast("Sequence[object]", formula.get("units", ()))]
+        return answer | {"formula": formula | {"units": units, "unit": counted_in(str(answer.get("unit", "")))}}
 
     @property
     def told(self) -> str:
