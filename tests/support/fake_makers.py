@@ -149,3 +149,17 @@ def masses(request: Request) -> Made:
     if request.index % 5 == 0:
         changes["prompt"] = f"One of several equal texts, number {request.index // 20}."
     return Made(made.item.model_copy(update=changes), made.rejected)
+
+
+def few(request: Request) -> Made:
+    """Steady, but of one problem that has only a dozen masses, each a tenth from the next, in no order."""
+    made = steady(request)
+    if made.item is None:
+        return made
+    number = int.from_bytes(hashlib.sha256(f"one of few {request.id}".encode()).digest()[:4], "big") % 12
+    changes = {
+        "scene": f"scene:\n  mass: {1.1**number:.3f}\n",
+        "asked": made.item.asked.model_copy(update={"time": None}),
+        "answer": made.item.answer.model_copy(update={"value": 1.1**number}),
+    }
+    return Made(made.item.model_copy(update=changes), made.rejected)

@@ -29,7 +29,7 @@ Advance = Callable[[int], object]
 
 def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
     """Make positions until as many items stand as are asked for, or nothing new is left to be had."""
-    wanted, told, numbers = journal.plan.config.items, 0, range(journal.shards)
+    told = 0
 
     def tell(steps: int) -> None:
         nonlocal told
@@ -37,38 +37,59 @@ def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance
         if steps:
             advance(steps)
 
-    while True:
-        make_positions(journal, numbers, run, overlap, tell)
-        _leave_doubles_out(journal)
-        rows = sum(shard_of(journal, number).rows for number in range(journal.shards))
-        tell(rows - told)
-        barren_from = _behind_last_item(journal) + journal.plan.config.barren
-        end = max(journal.positions, min(journal.positions + wanted - rows, barren_from))
-        if end == journal.positions:
-            return
-        shards, journal.positions = journal.shards, end
-        # where there are more shards than before, all have another name
-        numbers = range(shards - 1 if shards == journal.shards else 0, journal.shards)
+    def rounds() -> Iterator[range | None]:
+        numbers = range(journal.shards)
+        while numbers:
+            yield from _missing(journal, numbers, tell)
+            while queue.open:
+                yield None
+            _leave_doubles_out(journal)
+            tell(_rows(journal) - told)
+            numbers = _lengthened(journal)
+
+    queue = WorkQueue(journal.plan.config, rounds())
+    _work(journal, queue, run, overlap, tell)
 
 
 def make_positions(journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
-    """Make those positions of some shards that do not stand."""
+    """Make those positions of some shards that do not stand, and none in place of those that hold no item."""
+    queue = WorkQueue(journal.plan.config, _missing(journal, numbers, advance))
+    _work(journal, queue, run, overlap, advance)
 
-    def missing() -> Iterator[range]:
-        for number in numbers:
-            positions, standing = journal.range(number), journal.stands(number)
-            begin = standing.positions[1] if standing is not None else positions.start
+
+def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[range]:
+    """The positions of some shards that do not stand."""
+    for number in numbers:
+        positions, standing = journal.range(number), journal.stands(number)
+        begin = standing.positions[1] if standing is not None else positions.start
+        if begin > positions.start:
             advance(begin - positions.start)
-            if begin < positions.stop:
-                yield range(begin, positions.stop)
+        if begin < positions.stop:
+            yield range(begin, positions.stop)
 
-    queue = WorkQueue(journal.plan.config, missing())
+
+def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, advance: Advance) -> None:
     with closing(run(queue.next)) as replies:
         for batch, reply in replies:
             before = queue.done
             for positions, outcomes in queue.settle(batch, reply):
                 _write(journal, overlap, positions, outcomes)
             advance(queue.done - before)
+
+
+def _lengthened(journal: Journal) -> range:
+    """Let the journal have the positions of the next round, and give the shards to look at; none if all is done."""
+    config, shards = journal.plan.config, journal.shards
+    barren_from = _behind_last_item(journal) + config.barren
+    end = max(journal.positions, min(journal.positions + config.items - _rows(journal), barren_from))
+    if end == journal.positions:
+        return range(0)
+    journal.positions = end
+    return range(shards - 1 if shards == journal.shards else 0, journal.shards)  # of more shards, all are renamed
+
+
+def _rows(journal: Journal) -> int:
+    return sum(shard_of(journal, number).rows for number in range(journal.shards))
 
 
 def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: Sequence[Attempt]) -> None:

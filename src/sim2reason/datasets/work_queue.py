@@ -17,8 +17,11 @@ class WorkQueue:
     the others are not lost. A position that fails alone gives an outcome with a failure.
     """
 
-    def __init__(self, config: Config, missing: Iterable[range]) -> None:
-        """Plan the positions that are to be made, each range of one shard; they are asked for when their turn comes."""
+    def __init__(self, config: Config, missing: Iterable[range | None]) -> None:
+        """Plan the positions that are to be made, each range of one shard; they are asked for when their turn comes.
+
+        None among them says that there are none before some of those that were given are made.
+        """
         self._config = config
         self._open: dict[int, tuple[range, list[Attempt]]] = {}
         self._fresh = self._cut(missing)
@@ -27,11 +30,19 @@ class WorkQueue:
         self.done = 0
         """Positions whose outcome is known."""
 
-    def _cut(self, missing: Iterable[range]) -> Iterator[range]:
+    def _cut(self, missing: Iterable[range | None]) -> Iterator[range]:
         for positions in missing:
+            if positions is None:
+                yield range(0)
+                continue
             self._open[positions.start // self._config.shard] = positions, []
             for start in range(positions.start, positions.stop, BATCH):
                 yield range(start, min(start + BATCH, positions.stop))
+
+    @property
+    def open(self) -> bool:
+        """Whether some range that was given is not complete."""
+        return bool(self._open)
 
     def next(self) -> Batch | None:
         """The next batch; None if there is none now (a reply may bring more)."""
