@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from sim2reason.datasets.needs import allowed
 from sim2reason.datasets.question_search import NOTHING, CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
@@ -39,6 +40,7 @@ class ItemSearch:
         self._request, self._mode, self._recipe = request, MODES[request.mode], RECIPES[request.recipe]
         self._difficulty: Difficulty = difficulty_named(request.difficulty)
         self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
+        self._needs = allowed(request)
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
         self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
@@ -100,6 +102,7 @@ class ItemSearch:
                     unfiltered=self._request.unfiltered,
                     quantities=frozenset(self._request.quantities),
                     tolerance=self._request.tolerance,
+                    needs=self._needs,
                 )
             except (SceneError, SimulationError, UnsupportedError) as error:
                 self.rejected[_counted(error)] += 1

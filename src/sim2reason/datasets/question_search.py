@@ -13,7 +13,7 @@ from sim2reason.filters import FILTERS, Candidate, Verdict, sift
 from sim2reason.filters.length import followed
 from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description, describe
-from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
+from sim2reason.questions import KINDS, Query, Question, QuestionMode, StatedResult, Study, Words
 from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.tolerance import TOLERANCE
@@ -21,6 +21,8 @@ from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
 from sim2reason.solutions import Setting
+from sim2reason.solutions.algebra.needs import EVERY, Need
+from sim2reason.solutions.shortest import shortest
 
 SAMPLES = 41
 SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
@@ -90,10 +92,14 @@ class QuestionSearch:
         unfiltered: bool = False,
         quantities: frozenset[str] = frozenset(),
         tolerance: float = TOLERANCE,
+        needs: frozenset[Need] = EVERY,
     ) -> None:
-        """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all."""
+        """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all.
+
+        `needs` are those that solutions may have; the others are refused before their answers are worked out.
+        """
         self._difficulty: Difficulty = difficulty
-        self._quantities, self._tolerance = quantities, tolerance
+        self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
         self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
@@ -183,7 +189,14 @@ class QuestionSearch:
         prompt = shaped(description, question, rng)
         said, level = description.sentences, self._difficulty
         candidate = Candidate(
-            study, question, prompt.text, said, self.words, difficulty=level, tolerance=self._tolerance
+            study,
+            question,
+            prompt.text,
+            said,
+            self.words,
+            difficulty=level,
+            tolerance=self._tolerance,
+            needs=self._needs,
         )
         return _Told(candidate, description, prompt.shape)
 
@@ -197,13 +210,25 @@ class QuestionSearch:
         """Whether a quantity that may be asked about is asked about."""
         return KINDS[query.kind].measured(query).name in self._quantities
 
+    def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
+        """Whether a solution needs what it may; of what no formula leads to, it takes no more to know that.
+
+        Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
+        """
+        if self._needs == EVERY:
+            return True
+        if Need.INTEGRATION not in self._needs and unknown:
+            if shortest(query, self.study, self.words).answer is None:
+                return False
+        return shortest(query, self.study, self.words, unknown, stated).needs in self._needs
+
     def _questions(
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
     ) -> Iterator[Question]:
         """Some questions that differ; fewer if the motion offers no more."""
         asked, missed = set[tuple[Query, str]](), 0
         for _ in range(DRAWS * tries // QUESTIONS * (CHOOSY if self._quantities else 1)):
-            question = mode.ask(self.study, self.words, kind, rng)
+            question = mode.ask(self.study, self.words, kind, rng, self._suits)
             if question is not None and self._quantities and not self._wants(question.query):
                 continue
             if question is None:

@@ -57,6 +57,8 @@ class Request:
     """Those that may be asked about; none: any."""
     tolerance: float = TOLERANCE
     """The relative error that an answer may have, and by which filters judge; a formula's values have their own."""
+    needs: tuple[str, ...] = ()
+    """What solutions may need, by label; none: elementary means, and for few items more."""
 
     def __post_init__(self) -> None:
         """DrawError for what no item has; whole numbers of other packages become Python's."""

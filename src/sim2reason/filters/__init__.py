@@ -14,6 +14,9 @@ from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.recipes import Difficulty
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
+from sim2reason.solutions import Solution
+from sim2reason.solutions.algebra.needs import EVERY, Need
+from sim2reason.solutions.shortest import shortest_of
 
 
 @dataclass(frozen=True)
@@ -28,6 +31,8 @@ class Candidate:
     certificate: Certificate | None = None  # once the witness has been heard
     difficulty: Difficulty = "medium"
     tolerance: float = TOLERANCE
+    needs: frozenset[Need] = EVERY
+    """What its solution may need."""
 
     @property
     def kind(self) -> Kind:
@@ -38,6 +43,13 @@ class Candidate:
     def time(self) -> float | None:
         """When all that the answer depends on has happened, s."""
         return self.kind.time(self.question.query, self.study)
+
+    @cached_property
+    def solution(self) -> Solution | None:
+        """Its shortest solution, for which nothing is integrated; None where the question has no words."""
+        if self.words is None:
+            return None
+        return shortest_of(self.question, self.study, self.words)
 
     @property
     def until(self) -> float | None:

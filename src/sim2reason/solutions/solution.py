@@ -9,6 +9,7 @@ from sim2reason.solutions.algebra.digits import DIGITS, rounded
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.needs import Need, greatest, need_of
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "integrated", "verified"]
@@ -128,6 +129,14 @@ class Step:
     phase: int = 0
     integration: Integration | None = None
 
+    @property
+    def need(self) -> Need:
+        """What mathematics it takes; a check on which nothing rests takes none."""
+        if self.integration is not None or any(relation.role == "integrated" for relation in self.relations):
+            return Need.INTEGRATION
+        held = (relation for relation in self.relations if relation.role != "verified")
+        return greatest(need_of(side) for relation in held for side in (relation.left, relation.right))
+
 
 @dataclass(frozen=True, slots=True)
 class Solution:
@@ -149,6 +158,11 @@ class Solution:
     asked_unit: tuple[str, float] | None = (
         None  # the unit that the text asks for, and what one of the answer's is in it
     )
+
+    @property
+    def needs(self) -> Need:
+        """What mathematics it takes to follow it to the answer; without an answer, nothing short of integration."""
+        return greatest(step.need for step in self.steps) if self.answer is not None else Need.INTEGRATION
 
     @property
     def derived(self) -> bool:

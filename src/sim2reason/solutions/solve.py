@@ -14,6 +14,7 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.algebra.needs import ELEMENTARY
 from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
@@ -27,12 +28,14 @@ from sim2reason.solutions.writing.unit_latex import DEGREES
 SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it says
 
 
-def solve(setting: Setting, *, derived: bool = False) -> Solution:
-    """The worked solution by the cheapest strategy that finds one; else one that says why there is none.
+def solve(setting: Setting, *, derived: bool = False, integrate: bool = True) -> Solution:
+    """Return the worked solution that needs least; without an answer it says why there is none.
 
-    With `derived`, by one that leads to formulas.
+    That is the first by cost with elementary needs, if there is one. With `derived`, only strategies that lead to
+    formulas are tried; without `integrate`, none that integrates.
     """
     reasons: list[str] = []
+    best: Solution | None = None
     setting = forward(setting)
     try:
         _ = setting.lexicon
@@ -43,11 +46,16 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
     kind, mechanism = setting.query.kind, setting.mechanism
     offered = (held for held in STRATEGIES.values() if not derived or kind in held.formulas(mechanism))
     for strategy in sorted(offered, key=lambda held: held.cost):
+        if strategy.integrates and (best is not None or not integrate):
+            continue
         found = by(strategy, setting)
-        if found.answer is not None:
+        if found.answer is None:
+            reasons.append(f"{strategy.name}: {found.reason}")
+        elif found.needs <= ELEMENTARY:
             return found
-        reasons.append(f"{strategy.name}: {found.reason}")
-    return Solution("", reason=f"no strategy applies: {'; '.join(reasons)}")
+        elif best is None or found.needs < best.needs:
+            best = found
+    return best or Solution("", reason=f"no strategy applies: {'; '.join(reasons)}")
 
 
 def by(strategy: Strategy, setting: Setting) -> Solution:
