@@ -78,7 +78,7 @@ class ItemSearch:
         turns = 0
         for kind in kinds:
             for search, rng in drawn:
-                if kind in search.kinds:
+                if kind in search.kinds or kind in search.beyond:
                     continue
                 found = self._asked(search, rng, kind)
                 turns += kind in search.kinds

@@ -32,6 +32,7 @@ DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
 CHOOSY = 8  # times as many draws, where only some quantities may be asked about
 SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
 NOTHING = "nothing to ask"  # as a manifest counts it
+UNSUITED = "needs: before an answer"  # likewise
 
 
 @dataclass(frozen=True)
@@ -106,6 +107,8 @@ class QuestionSearch:
         self._vouched: tuple[Study, Certificate] | None = None
         self._texts: dict[frozenset[Topic], Description] = {}  # by the topics that they leave out
         self.kinds: set[str] = set()  # of questions that were found in it
+        self.beyond: set[str] = set()  # of those of which all that was drawn needs other means
+        self._refused = False  # for what it needs, what was drawn last
 
     @cached_property
     def description(self) -> Description:
@@ -211,16 +214,17 @@ class QuestionSearch:
         return KINDS[query.kind].measured(query).name in self._quantities
 
     def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
-        """Whether a solution needs what it may; of what no formula leads to, it takes no more to know that.
+        """Whether a solution needs what it may.
 
         Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
         """
         if self._needs == EVERY:
             return True
-        if Need.INTEGRATION not in self._needs and unknown:
-            if shortest(query, self.study, self.words).answer is None:
-                return False
-        return shortest(query, self.study, self.words, unknown, stated).needs in self._needs
+        most = max(self._needs)
+        hopeless = unknown and most < Need.INTEGRATION and not shortest(query, self.study, self.words, most=most).answer
+        suits = not hopeless and shortest(query, self.study, self.words, unknown, stated, most).needs in self._needs
+        self._refused |= not suits
+        return suits
 
     def _questions(
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
@@ -228,7 +232,12 @@ class QuestionSearch:
         """Some questions that differ; fewer if the motion offers no more."""
         asked, missed = set[tuple[Query, str]](), 0
         for _ in range(DRAWS * tries // QUESTIONS * (CHOOSY if self._quantities else 1)):
+            self._refused = False
             question = mode.ask(self.study, self.words, kind, rng, self._suits)
+            if question is None and self._refused:
+                self.beyond.add(kind)
+                refused[UNSUITED] += 1
+                return
             if question is not None and self._quantities and not self._wants(question.query):
                 continue
             if question is None:

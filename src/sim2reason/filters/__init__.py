@@ -16,7 +16,8 @@ from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import Solution
 from sim2reason.solutions.algebra.needs import EVERY, Need
-from sim2reason.solutions.shortest import shortest_of
+from sim2reason.solutions.derivation import derivation
+from sim2reason.solutions.shortest import shortest
 
 
 @dataclass(frozen=True)
@@ -46,10 +47,13 @@ class Candidate:
 
     @cached_property
     def solution(self) -> Solution | None:
-        """Its shortest solution, for which nothing is integrated; None where the question has no words."""
+        """Its shortest solution that needs no more than it may, and no integration; None without words."""
         if self.words is None:
             return None
-        return shortest_of(self.question, self.study, self.words)
+        question = self.question
+        if question.formula is not None:
+            return derivation(question.query, self.study, self.words)
+        return shortest(question.query, self.study, self.words, question.unknown, question.given, max(self.needs))
 
     @property
     def until(self) -> float | None:

@@ -14,7 +14,7 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.algebra.needs import ELEMENTARY
+from sim2reason.solutions.algebra.needs import ELEMENTARY, Need
 from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
@@ -28,11 +28,11 @@ from sim2reason.solutions.writing.unit_latex import DEGREES
 SAME = 1e-6  # relative: a solution that leads elsewhere is none, whatever it says
 
 
-def solve(setting: Setting, *, derived: bool = False, integrate: bool = True) -> Solution:
+def solve(setting: Setting, *, derived: bool = False) -> Solution:
     """Return the worked solution that needs least; without an answer it says why there is none.
 
     That is the first by cost with elementary needs, if there is one. With `derived`, only strategies that lead to
-    formulas are tried; without `integrate`, none that integrates.
+    formulas are tried.
     """
     reasons: list[str] = []
     best: Solution | None = None
@@ -46,7 +46,7 @@ def solve(setting: Setting, *, derived: bool = False, integrate: bool = True) ->
     kind, mechanism = setting.query.kind, setting.mechanism
     offered = (held for held in STRATEGIES.values() if not derived or kind in held.formulas(mechanism))
     for strategy in sorted(offered, key=lambda held: held.cost):
-        if strategy.integrates and (best is not None or not integrate):
+        if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
             continue
         found = by(strategy, setting)
         if found.answer is None:
@@ -80,7 +80,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
 def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None) -> Solution:
     """A solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
     asks_time = setting.sought is not None and not setting.unknown
-    book = Book(setting.words.units, asks_time=asks_time, called=called)
+    book = Book(setting.words.units, asks_time=asks_time, called=called, most=setting.most)
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
         unit = given.counted_unit if path == setting.unknown else ""
