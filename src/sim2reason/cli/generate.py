@@ -38,6 +38,7 @@ Exit code 0: done; 1: done, but a mode, kind and recipe is empty that should not
 @options.weights()
 @options.units()
 @options.tolerance()
+@options.needs()
 @click.option("--solutions", is_flag=True, help="With a worked solution of each problem, where there is one.")
 @click.option("--unfiltered", is_flag=True, help="A control: keep any question that has an answer.")
 @click.option(

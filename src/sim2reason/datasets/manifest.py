@@ -76,7 +76,7 @@ class Shard(Record):
     """The first one, and that behind the last one."""
     files: tuple[ShardFile, ...]
     counts: dict[str, Counts]
-    """Items by recipe, difficulty, mode, kind, quantity and split."""
+    """Items by recipe, difficulty, mode, kind, needs, quantity and split."""
     histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])
     """What the card shows as pictures: by the picture's name, series and bin."""
     rejected: dict[str, Counts]
@@ -120,7 +120,7 @@ class Manifest(Record):
     versions: dict[str, str]
     rows: int
     counts: dict[str, Counts]
-    """Items by recipe, difficulty, mode, kind, quantity and split."""
+    """Items by recipe, difficulty, mode, kind, needs, quantity and split."""
     histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])
     """What the card shows as pictures: by the picture's name, series and bin."""
     cells: tuple[Cell, ...]

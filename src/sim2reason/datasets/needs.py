@@ -5,7 +5,7 @@ Each request draws for itself whether its item may need a computer, so that an i
 
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
-from sim2reason.solutions.algebra.needs import ELEMENTARY, EVERY, NEEDS, Need
+from sim2reason.questions.need import ELEMENTARY, EVERY, NEEDS, Need
 
 SHARE = 0.08
 """Of the requests that may be filled by items which need more than `ELEMENTARY`; not all of them are."""

@@ -14,14 +14,14 @@ from sim2reason.filters.length import followed
 from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description, describe
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, StatedResult, Study, Words
+from sim2reason.questions.need import EVERY, Need
 from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
-from sim2reason.solutions import Setting
-from sim2reason.solutions.algebra.needs import EVERY, Need
+from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.shortest import shortest
 
 SAMPLES = 41
@@ -54,6 +54,12 @@ class CertifiedQuestion:
     def prompt(self) -> str:
         """The whole text."""
         return self.candidate.prompt
+
+    @cached_property
+    def shortest(self) -> Solution:
+        """The solution by which it is measured; where only an integration leads to the answer, that."""
+        found = self.candidate.solution
+        return found if found is not None and found.answer is not None else solve(self.setting)
 
     @property
     def setting(self) -> Setting:

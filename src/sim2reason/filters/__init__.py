@@ -9,13 +9,13 @@ from typing import ClassVar
 from sim2reason.lazy import cached_property
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, Kind, Question, Study, Target, Words
+from sim2reason.questions.need import EVERY, Need
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.recipes import Difficulty
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import Solution
-from sim2reason.solutions.algebra.needs import EVERY, Need
 from sim2reason.solutions.derivation import derivation
 from sim2reason.solutions.shortest import shortest
 

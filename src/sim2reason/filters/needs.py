@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.solutions.algebra.needs import EVERY
+from sim2reason.questions.need import EVERY
 
 
 class Needs(Filter):

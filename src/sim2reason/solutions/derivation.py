@@ -6,8 +6,8 @@ from sim2reason.questions import Query, Study, Words
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.shortest import shortest_known
+from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.solve import solve
 from sim2reason.solutions.strategies import STRATEGIES
 

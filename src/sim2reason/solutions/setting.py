@@ -14,10 +14,10 @@ from sim2reason.quantities.subjects.lines import line_phrases, pulleys
 from sim2reason.quantities.subjects.springs import springs
 from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.need import Need
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.trace import happened
-from sim2reason.solutions.algebra.needs import Need
 from sim2reason.solutions.writing.lexicon import Lexicon, StatedNumber
 from sim2reason.solutions.writing.unit_latex import latex
 

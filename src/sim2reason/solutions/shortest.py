@@ -5,7 +5,7 @@ Nothing is integrated numerically on the way: where only that would lead to the 
 
 from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions import Query, StatedResult, Study, Words
-from sim2reason.solutions.algebra.needs import Need
+from sim2reason.questions.need import Need
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.solve import solve

@@ -5,11 +5,12 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Literal
 
+from sim2reason.questions.need import Need, greatest
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression
-from sim2reason.solutions.algebra.needs import Need, greatest, need_of
+from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "integrated", "verified"]

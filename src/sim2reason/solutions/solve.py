@@ -10,11 +10,11 @@ from sim2reason.prose.naming import Names
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
 from sim2reason.questions import Study
+from sim2reason.questions.need import ELEMENTARY, Need
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.algebra.needs import ELEMENTARY, Need
 from sim2reason.solutions.collisions.long_chains import in_rows
 from sim2reason.solutions.reverse import SOLVED, Inversion, forward
 from sim2reason.solutions.setting import Setting, joined

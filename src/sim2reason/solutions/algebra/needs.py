@@ -1,42 +1,14 @@
-"""What mathematics a worked solution takes, from arithmetic to numerical integration."""
+"""What mathematics it takes to work out an expression."""
 
 from collections.abc import Iterable, Mapping
-from enum import IntEnum
 from functools import cache
 
+from sim2reason.questions.need import Need, greatest
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import Chain, NumericRoot, Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Function, Pi, Power, Root
 
-
-class Need(IntEnum):
-    """The most advanced operation that a calculation takes, in ascending order."""
-
-    ARITHMETIC = 0
-    """Sums, products, quotients, whole powers, and sines and cosines of known angles."""
-    QUADRATIC = 1
-    """A square root, or a quadratic equation."""
-    INVERSE_FUNCTION = 2
-    """An inverse trigonometric function, a logarithm or an exponential function."""
-    ROOT = 3
-    """An equation that is solved numerically, be it transcendental or of a higher degree."""
-    SPECIAL_FUNCTION = 4
-    """An elliptic integral."""
-    INTEGRATION = 5
-    """Equations of motion that are integrated numerically."""
-
-    @property
-    def label(self) -> str:
-        """Its name in items, on the command line and in the docs."""
-        return self.name.lower().replace("_", " ")
-
-
-NEEDS = {need.label: need for need in Need}
-"""All needs by their labels."""
-EVERY = frozenset(Need)
-ELEMENTARY = Need.INVERSE_FUNCTION
-"""The greatest need that is met without a computer."""
 OPERATIONS: Mapping[type[Expression], Need] = {
     Number: Need.ARITHMETIC,
     Symbol: Need.ARITHMETIC,
@@ -68,11 +40,6 @@ def need_of(held: Expression) -> Need:
 def operation(cls: type[Expression]) -> Need:
     """Return what `OPERATIONS` declares for a class of expressions; KeyError if nothing."""
     return OPERATIONS[next((base for base in cls.__mro__ if base in OPERATIONS), cls)]
-
-
-def greatest(needs: Iterable[Need]) -> Need:
-    """Return the most advanced of some needs; ARITHMETIC if there are none."""
-    return max(needs, default=Need.ARITHMETIC)
 
 
 def _inside(held: Expression) -> Iterable[Expression]:

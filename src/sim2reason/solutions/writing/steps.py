@@ -4,10 +4,11 @@ from collections.abc import Mapping
 
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.grading.tokens import canonical
+from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.digits import DIGITS
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.algebra.needs import Need, need_of
+from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.solution import Relation, Step, with_unit
 from sim2reason.solutions.writing.subscripts import marked
 from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
