@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from sim2reason.datasets.needs import allowed
-from sim2reason.datasets.question_search import NOTHING, CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.question_search import NOTHING, UNSUITED, CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import in_drawn_order
@@ -21,8 +21,9 @@ TRIES = 2  # questions of one kind about one scene
 EMPTY = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
 KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
+UNFIT = 60  # times that all draws of a kind need other means, after which none is expected to do
 ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, ABSENT
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, UNFIT, ABSENT
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -59,6 +60,7 @@ class ItemSearch:
             kinds = sorted((*self._kinds[begin:], *self._kinds[:begin]), key=self._is_last)
             found = self._among(range(first, first + TOGETHER), kinds)
             hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
+            hopeless = hopeless or self.rejected[UNSUITED] >= UNFIT
             if found is not None or hopeless:
                 return found
         return None
@@ -103,6 +105,7 @@ class ItemSearch:
                     quantities=frozenset(self._request.quantities),
                     tolerance=self._request.tolerance,
                     needs=self._needs,
+                    labelled=True,
                 )
             except (SceneError, SimulationError, UnsupportedError) as error:
                 self.rejected[_counted(error)] += 1

@@ -18,8 +18,7 @@ from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
-from sim2reason.solutions import Solution
-from sim2reason.solutions.difficulty import measured
+from sim2reason.solutions.difficulty import Measured
 
 SETTINGS = hashlib.sha256(json.dumps([*item_search.SETTINGS, *question_search.SETTINGS]).encode()).hexdigest()[:16]
 
@@ -37,7 +36,6 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
     scene = found.description.scene
     question = found.question
     solution, unsolved = recorded(worked(request, found)) if request.solutions else (None, "")
-    shortest = found.shortest
     item = Item(
         id=request.id,
         prompt=found.prompt,
@@ -49,8 +47,8 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
         asked=_query_of(found),
-        needs=shortest.needs.label,
-        measured=_difficulty_of(shortest) if shortest.answer is not None else None,
+        needs=found.shortest.needs.label,
+        measured=_difficulty_of(found.measured) if found.measured is not None else None,
         distractors=distractors(found.candidate, found.description),
         idle=idle_parts(found.candidate, found.description),
         idle_numbers=idle_numbers(found.candidate, found.description),
@@ -87,8 +85,7 @@ def _formula_of(formula: Formula) -> FormulaRecord:
     return FormulaRecord(latex=formula.latex, symbols=formula.symbols, units=formula.units, bindings=bindings)
 
 
-def _difficulty_of(solution: Solution) -> Difficulty:
-    taken = measured(solution)
+def _difficulty_of(taken: Measured) -> Difficulty:
     return Difficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
 
 

@@ -22,6 +22,7 @@ from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
 from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.difficulty import Measured, measured, number_of_events
 from sim2reason.solutions.shortest import shortest
 
 SAMPLES = 41
@@ -60,6 +61,13 @@ class CertifiedQuestion:
         """The solution by which it is measured; where only an integration leads to the answer, that."""
         found = self.candidate.solution
         return found if found is not None and found.answer is not None else solve(self.setting)
+
+    @cached_property
+    def measured(self) -> Measured | None:
+        """How difficult it is by its shortest solution; None where there is none."""
+        found, study = self.shortest, self.candidate.study
+        events = number_of_events(study.trace, self.candidate.time)
+        return measured(found, events) if found.answer is not None else None
 
     @property
     def setting(self) -> Setting:
@@ -100,13 +108,15 @@ class QuestionSearch:
         quantities: frozenset[str] = frozenset(),
         tolerance: float = TOLERANCE,
         needs: frozenset[Need] = EVERY,
+        labelled: bool = False,
     ) -> None:
         """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all.
 
-        `needs` are those that solutions may have; the others are refused before their answers are worked out.
+        `needs` are those that solutions may have; the others are refused before their answers are worked out. What is
+        `labelled` is as difficult as it is ordered.
         """
         self._difficulty: Difficulty = difficulty
-        self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
+        self._quantities, self._tolerance, self._needs, self._labelled = quantities, tolerance, needs, labelled
         self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
@@ -206,6 +216,7 @@ class QuestionSearch:
             difficulty=level,
             tolerance=self._tolerance,
             needs=self._needs,
+            labelled=self._labelled,
         )
         return _Told(candidate, description, prompt.shape)
 

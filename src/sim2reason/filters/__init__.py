@@ -17,6 +17,7 @@ from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import Solution
 from sim2reason.solutions.derivation import derivation
+from sim2reason.solutions.difficulty import Measured, measured, number_of_events
 from sim2reason.solutions.shortest import shortest
 
 
@@ -34,6 +35,8 @@ class Candidate:
     tolerance: float = TOLERANCE
     needs: frozenset[Need] = EVERY
     """What its solution may need."""
+    labelled: bool = False
+    """Whether its difficulty was ordered, and must fit."""
 
     @property
     def kind(self) -> Kind:
@@ -54,6 +57,13 @@ class Candidate:
         if question.formula is not None:
             return derivation(question.query, self.study, self.words)
         return shortest(question.query, self.study, self.words, question.unknown, question.given, max(self.needs))
+
+    @cached_property
+    def measured(self) -> Measured | None:
+        """How difficult it is by that solution; None where there is none."""
+        if self.solution is None or self.solution.answer is None:
+            return None
+        return measured(self.solution, number_of_events(self.study.trace, self.time))
 
     @property
     def until(self) -> float | None:

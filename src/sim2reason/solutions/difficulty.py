@@ -1,13 +1,16 @@
 """How difficult a problem is, measured by its worked solution.
 
 The score adds up what makes a problem hard for a solver: how many laws have to be chosen, how many phases a motion has,
-how many unknowns have to be found together, and what mathematics it takes to finish.
+how many unknowns have to be found together, and what mathematics it takes to finish. `docs/difficulty.md` explains it.
 """
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from sim2reason.questions.need import Need
+from sim2reason.recipes import Difficulty
+from sim2reason.simulation.trace import Trace, happened
 from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.closed_forms.gathering import symbols_in
@@ -15,6 +18,29 @@ from sim2reason.solutions.solution import Relation, Solution
 
 SQUARE = 2
 PHASE = 2  # points of the score for each further phase: its beginning has to be found, and its laws chosen anew
+REPEATED = 4  # phases, after which more of them only repeat what was done
+_SUBSCRIPT = re.compile(r"_(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z0-9])|'+")
+
+
+@dataclass(frozen=True, slots=True)
+class Band:
+    """The scores that problems of a label may have, both ends included, and what that means in words."""
+
+    least: int
+    most: int
+    meaning: str
+
+    def __contains__(self, score: int) -> bool:
+        """Return whether a problem of this score may have the label."""
+        return self.least <= score <= self.most
+
+
+LABELS: Mapping[Difficulty, Band] = {
+    "easy": Band(1, 9, "A few laws of one idea, a single phase, one or two unknowns."),
+    "medium": Band(3, 14, "Several laws that have to be put together, or two phases of a motion."),
+    "hard": Band(5, 99, "Many laws, several bodies whose equations are solved together, or several phases."),
+}
+"""What the labels of difficulty mean. Neighbours overlap: the label is ordered, the score is measured."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +48,7 @@ class Measured:
     """What a worked solution takes.
 
     Attributes:
-        laws: how many laws of physics it uses.
+        laws: how many different laws of physics it uses; one that holds for several bodies, or again, counts once.
         phases: of the motion, each between two events.
         unknowns: the most that have to be found together, from equations none of which holds one alone.
         needs: what mathematics it takes.
@@ -36,13 +62,25 @@ class Measured:
     @property
     def score(self) -> int:
         """A point for each law, each unknown beside the first and each step of need, and two for a further phase."""
-        return self.laws + PHASE * (self.phases - 1) + (self.unknowns - 1) + int(self.needs)
+        further = min(self.phases, REPEATED) - 1
+        return self.laws + PHASE * further + (self.unknowns - 1) + int(self.needs)
 
 
-def measured(solution: Solution) -> Measured:
-    """Return what a solution takes."""
-    phases = max(len(solution.phases), 1 + max((step.phase for step in solution.steps), default=0))
-    return Measured(number_of_laws(solution), phases, unknowns_together(solution), solution.needs)
+def measured(solution: Solution, events: int = 0) -> Measured:
+    """Return what a solution takes, of a motion with so many events before what is asked about."""
+    phases = max(len(solution.phases), 1 + events)
+    return Measured(different_laws(solution), phases, unknowns_together(solution), solution.needs)
+
+
+def number_of_events(trace: Trace, time: float | None) -> int:
+    """Return how many times before a time, s, something changes what acts; before the end of the motion without one."""
+    until = trace.stable_until if time is None else time
+    return len({event.time for event in happened(trace.events, until)})
+
+
+def different_laws(found: Solution) -> int:
+    """Return how many laws a solution tells that differ by more than subscripts."""
+    return len({_SUBSCRIPT.sub("", law.latex()) for law in _laws(found)})
 
 
 def number_of_laws(found: Solution) -> int:
@@ -51,7 +89,11 @@ def number_of_laws(found: Solution) -> int:
     A multiple or a sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, is none, nor is a number, as a = 0 in a limiting
     case, or the size of a vector.
     """
-    return sum(relation.role == "law" and not _is_bookkeeping(relation) for relation in found.relations)
+    return sum(1 for _ in _laws(found))
+
+
+def _laws(found: Solution) -> Iterator[Relation]:
+    return (relation for relation in found.relations if relation.role == "law" and not _is_bookkeeping(relation))
 
 
 def unknowns_together(found: Solution) -> int:

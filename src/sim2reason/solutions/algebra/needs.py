@@ -5,7 +5,7 @@ from functools import cache
 
 from sim2reason.questions.need import Need, greatest
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
-from sim2reason.solutions.algebra.evaluated import Chain, NumericRoot, Worked
+from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, NumericRoot, Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Function, Pi, Power, Root
 
@@ -20,6 +20,7 @@ OPERATIONS: Mapping[type[Expression], Need] = {
     Absolute: Need.ARITHMETIC,
     Worked: Need.ARITHMETIC,
     Chain: Need.ARITHMETIC,
+    ClosedRoot: Need.ARITHMETIC,
     Root: Need.QUADRATIC,
     Call: Need.INVERSE_FUNCTION,
     NumericRoot: Need.ROOT,
@@ -46,6 +47,8 @@ def _inside(held: Expression) -> Iterable[Expression]:
     match held:
         case Worked():
             return (held.inner,)
+        case ClosedRoot():
+            return (held.closed,)
         case NumericRoot():
             return (held.residual,)
         case Chain():
