@@ -105,7 +105,6 @@ class ItemSearch:
                     quantities=frozenset(self._request.quantities),
                     tolerance=self._request.tolerance,
                     needs=self._needs,
-                    labelled=True,
                 )
             except (SceneError, SimulationError, UnsupportedError) as error:
                 self.rejected[_counted(error)] += 1

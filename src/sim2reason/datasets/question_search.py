@@ -102,21 +102,20 @@ class QuestionSearch:
         self,
         scene: Scene,
         wording: int,
-        difficulty: Difficulty = "medium",
+        difficulty: Difficulty | None = None,
         *,
         unfiltered: bool = False,
         quantities: frozenset[str] = frozenset(),
         tolerance: float = TOLERANCE,
         needs: frozenset[Need] = EVERY,
-        labelled: bool = False,
     ) -> None:
         """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all.
 
-        `needs` are those that solutions may have; the others are refused before their answers are worked out. What is
-        `labelled` is as difficult as it is ordered.
+        `needs` are those that solutions may have; the others are refused before their answers are worked out. A
+        `difficulty` is ordered: questions of others are refused.
         """
-        self._difficulty: Difficulty = difficulty
-        self._quantities, self._tolerance, self._needs, self._labelled = quantities, tolerance, needs, labelled
+        self._difficulty = difficulty
+        self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
         self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
@@ -213,10 +212,10 @@ class QuestionSearch:
             prompt.text,
             said,
             self.words,
-            difficulty=level,
+            difficulty=level or "medium",
             tolerance=self._tolerance,
             needs=self._needs,
-            labelled=self._labelled,
+            labelled=self._difficulty is not None,
         )
         return _Told(candidate, description, prompt.shape)
 

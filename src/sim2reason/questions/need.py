@@ -8,17 +8,11 @@ class Need(IntEnum):
     """The most advanced operation that a calculation takes, in ascending order."""
 
     ARITHMETIC = 0
-    """Sums, products, quotients, whole powers, and sines and cosines of known angles."""
     QUADRATIC = 1
-    """A square root, or a quadratic equation."""
     INVERSE_FUNCTION = 2
-    """An inverse trigonometric function, a logarithm or an exponential function."""
     ROOT = 3
-    """An equation that is solved numerically, be it transcendental or of a higher degree."""
     SPECIAL_FUNCTION = 4
-    """An elliptic integral."""
     INTEGRATION = 5
-    """Equations of motion that are integrated numerically."""
 
     @property
     def label(self) -> str:
@@ -26,6 +20,15 @@ class Need(IntEnum):
         return self.name.lower().replace("_", " ")
 
 
+MEANINGS = {
+    Need.ARITHMETIC: "sums, products, quotients, whole powers, and sines and cosines of known angles",
+    Need.QUADRATIC: "a square root or a quadratic equation",
+    Need.INVERSE_FUNCTION: "an inverse trigonometric function, a logarithm or an exponential function",
+    Need.ROOT: "an equation that is solved numerically, be it transcendental or of a higher degree",
+    Need.SPECIAL_FUNCTION: "an elliptic integral",
+    Need.INTEGRATION: "equations of motion that are integrated numerically",
+}
+"""What each of them is, for people."""
 NEEDS = {need.label: need for need in Need}
 """All needs by their labels."""
 EVERY = frozenset(Need)

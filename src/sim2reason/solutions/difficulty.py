@@ -7,6 +7,7 @@ how many unknowns have to be found together, and what mathematics it takes to fi
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from math import inf, isfinite
 
 from sim2reason.questions.need import Need
 from sim2reason.recipes import Difficulty
@@ -26,9 +27,16 @@ _SUBSCRIPT = re.compile(r"_(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z0-9])|'+")
 class Band:
     """The scores that problems of a label may have, both ends included, and what that means in words."""
 
-    least: int
-    most: int
+    least: float
+    most: float
     meaning: str
+
+    @property
+    def told(self) -> str:
+        """The scores in words."""
+        if not isfinite(self.least):
+            return f"at most {self.most:g}"
+        return f"{self.least:g} to {self.most:g}" if isfinite(self.most) else f"at least {self.least:g}"
 
     def __contains__(self, score: int) -> bool:
         """Return whether a problem of this score may have the label."""
@@ -36,9 +44,9 @@ class Band:
 
 
 LABELS: Mapping[Difficulty, Band] = {
-    "easy": Band(1, 9, "A few laws of one idea, a single phase, one or two unknowns."),
-    "medium": Band(3, 14, "Several laws that have to be put together, or two phases of a motion."),
-    "hard": Band(5, 99, "Many laws, several bodies whose equations are solved together, or several phases."),
+    "easy": Band(-inf, 9, "a few laws that belong to one idea, few unknowns"),
+    "medium": Band(3, 14, "several laws that have to be put together, or two phases of a motion"),
+    "hard": Band(5, inf, "many laws, several bodies whose equations are solved together, or several phases"),
 }
 """What the labels of difficulty mean. Neighbours overlap: the label is ordered, the score is measured."""
 

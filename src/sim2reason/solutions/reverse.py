@@ -70,9 +70,7 @@ class Inversion:
                     self._close(names[0], found, at)
                     if names[0] == self.unknown:
                         return self.unknown
-                    at, value, formula = names[0], Symbol(names[0]), book.formulas[names[0]]
-                    if isinstance(formula, ImplicitRoot):  # its equation holds the name, which is known now
-                        value, formula = ZERO, formula.residual
+                    at, (formula, value) = names[0], self._equation(names[0])
                     continue
             if any(isinstance(part, ImplicitRoot) for part in (formula, *(book.formulas[name] for name in later))):
                 return self._numerically(at)
@@ -83,6 +81,11 @@ class Inversion:
             last = max(later, key=list(book.formulas).index)
             formula = put(formula, last, book.formulas[last])
         return self._numerically(at)
+
+    def _equation(self, name: str) -> tuple[Expression, Expression]:
+        """A formula of a name that is known now, and its value: of a root, the residual, which holds the name."""
+        found = self.book.formulas[name]
+        return (found.residual, ZERO) if isinstance(found, ImplicitRoot) else (found, Symbol(name))
 
     def _inverted(self, name: str, formula: Expression, value: Expression) -> Expression:
         """A formula solved for a name, in numbers if that would be too long to be read."""
