@@ -41,6 +41,7 @@ are to be had than are asked for.
 @options.weights()
 @options.units()
 @options.tolerance()
+@options.needs()
 @click.option("--solutions", is_flag=True, help="With a worked solution of each problem, where there is one.")
 @click.option("--unfiltered", is_flag=True, help="A control: keep any question that has an answer.")
 @click.option(

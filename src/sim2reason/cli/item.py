@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from sim2reason.cli import console, options, problems, results
+from sim2reason.cli.options import Names
 
 EXAMPLE = """\b
 Example:
@@ -23,6 +24,7 @@ Example:
 @options.weights()
 @options.units()
 @options.tolerance()
+@options.needs()
 @click.option("--solutions", is_flag=True, help="With its worked solution, where there is one.")
 @options.figure(printing=True)
 @click.option("--scene", "with_scene", is_flag=True, cls=options.Printing, help="Print the scene too.")
@@ -36,6 +38,7 @@ def command(
     weights: dict[str, float],
     units: str,
     tolerance: float,
+    needs: Names,
     solutions: bool,
     figure: Path | None,
     with_scene: bool,
@@ -48,7 +51,10 @@ def command(
 
     if figure is not None:
         canvas.check(figure)
-    request = requested(recipe, difficulty, mode, seed, index, weights, units, tolerance=tolerance, solutions=solutions)
+    how = weights, units
+    request = requested(
+        recipe, difficulty, mode, seed, index, *how, tolerance=tolerance, needs=needs, solutions=solutions
+    )
     item, found = made(request)
     if figure is not None:
         with results.warnings_told(), results.written(figure) as path:

@@ -26,6 +26,11 @@ def names(ctx: click.Context, param: click.Parameter, value: str) -> Names:
     return value if value == ALL else words(value)
 
 
+def names_or_none(ctx: click.Context, param: click.Parameter, value: str | None) -> Names:
+    """The same of an option that may be left out, by which nothing is chosen."""
+    return () if value is None else names(ctx, param, value)
+
+
 def pairs(ctx: click.Context, param: click.Parameter, value: str | None) -> dict[str, float]:
     """The pairs of a name and a number that an option gives; none where it is not given."""
     del ctx
@@ -133,6 +138,15 @@ def tolerance() -> Callable[[F], F]:
     text = "The relative error that an answer may have, and by which filters judge; from 0.005 on."
     kind = click.FloatRange(STRICTEST, TOLERANCE)
     return click.option("--tolerance", type=kind, default=TOLERANCE, show_default=True, help=text)
+
+
+def needs() -> Callable[[F], F]:
+    """What mathematics solutions may need."""
+    text = (
+        "What solutions may need: arithmetic, quadratic, inverse-function, root, special-function or integration, "
+        "several separated by commas, or all. [default: the first three, and more for at most one problem in ten]"
+    )
+    return click.option("--needs", callback=names_or_none, help=text)
 
 
 def out(text: str, *, required: bool = False, printing: bool = True) -> Callable[[F], F]:

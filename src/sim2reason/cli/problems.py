@@ -16,7 +16,8 @@ def tell(item: "Item", *, scene: bool = False, solution: bool = False) -> None:
     click.secho(item.id, bold=True)
     for line in item.prompt.splitlines():
         click.echo(fill(line, WIDTH, break_long_words=False, break_on_hyphens=False))
-    click.echo(f"\nAnswer: {item.answer.shown}\n")
+    click.echo(f"\nAnswer: {item.answer.shown}")
+    click.echo(f"Needs: {item.needs}\n")
     if solution:
         told = item.solution.text if item.solution is not None else item.unsolved
         click.echo(f"{told or 'No solution was asked for: sim2reason generate OUT --solutions'}\n")

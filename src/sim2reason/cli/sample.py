@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from sim2reason.cli import options, results
+from sim2reason.cli.options import Names
 
 EXAMPLE = """\b
 Example:
@@ -22,6 +23,7 @@ It is the scene of: sim2reason item --recipe pulley --difficulty medium --seed 7
 @options.index("Which scene of the series.")
 @options.weights()
 @options.tolerance()
+@options.needs()
 @options.out("Where to write it; standard output if left out.")
 def command(
     recipe: str,
@@ -31,11 +33,12 @@ def command(
     index: int,
     weights: dict[str, float],
     tolerance: float,
+    needs: Names,
     out: Path | None,
 ) -> None:
     """Draw a random scene: that of the problem of the same recipe, difficulty, mode, seed and index."""
     from sim2reason.datasets.items import sample
     from sim2reason.scene_files import dump
 
-    scene = sample(recipe, difficulty, mode, seed=seed, index=index, weights=weights, tolerance=tolerance)
+    scene = sample(recipe, difficulty, mode, seed=seed, index=index, weights=weights, tolerance=tolerance, needs=needs)
     results.tell(dump(scene), out)

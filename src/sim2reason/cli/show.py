@@ -24,6 +24,7 @@ Example:
 @options.mode("all")
 @options.several("--kind", "Kinds of question, separated by commas, or all.")
 @options.several("--quantity", "Quantities, as in speed,tension; or all.")
+@options.several("--needs", "What solutions need, as in arithmetic,quadratic; or all.")
 @options.split()
 @click.option("--scene", "with_scene", is_flag=True, cls=options.Printing, help="Print the scene too.")
 @click.option("--solutions", is_flag=True, cls=options.Printing, help="Print the worked solutions too.")
@@ -37,6 +38,7 @@ def command(
     mode: Names,
     kind: Names,
     quantity: Names,
+    needs: Names,
     split: Names,
     with_scene: bool,
     solutions: bool,
@@ -46,6 +48,7 @@ def command(
     from sim2reason.datasets.show import show
 
     chosen = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "quantity": quantity}
+    chosen["needs"] = needs
     found = show(dataset, items=items, id=id, split=split, **chosen)
     if to_json:
         console.as_json_list(item.model_dump(mode="json") for item in found)

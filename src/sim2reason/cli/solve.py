@@ -38,7 +38,7 @@ def command(scene: Path | None, id: str | None, question: str | None, seed: int,
         console.as_json(_document(told, found))
     else:
         click.echo(told)
-        click.echo(f"\n{found.text}" if found.answer is not None else "")
+        click.echo(f"\n{found.text}\n\nNeeds: {found.needs.label}" if found.answer is not None else "")
     if found.answer is None:
         console.explain(f"sim2reason: {found.reason}")
     return 0 if found.answer is not None else 1
@@ -49,6 +49,7 @@ def _document(told: str, found: "Solution") -> dict[str, object]:
         "problem": told,
         "strategy": found.strategy,
         "answer": found.answer,
+        "needs": found.needs.label,
         "reason": found.reason,
         "text": found.text,
         "steps": [

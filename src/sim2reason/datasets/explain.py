@@ -6,6 +6,7 @@ from pathlib import Path
 from textwrap import indent
 
 from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of
 from sim2reason.datasets.question_search import CertifiedQuestion
@@ -65,6 +66,7 @@ def explain(
             "Scene": tuple(item.scene.splitlines()),
             "Certificate": tuple(f"{key}: {value}" for key, value in item.certificate.items()),
             "Refused before it": tuple(f"{n} × {reason}" for reason, n in sorted(refused.items())) or ("nothing",),
+            "Difficulty": tuple(_measured(item)),
             "Solution": tuple(_solution(request, found).splitlines()),
             "Filters": tuple(_filters(found)),
             "Wrong answers": tuple(f"{d.value:.4g}: {d.reason}" for d in item.distractors) or ("none",),
@@ -79,6 +81,13 @@ def check(figure: Path | str | None, trace: Path | str | None) -> None:
         canvas.check(Path(figure))
     if trace is not None:
         trace_files.check(Path(trace))
+
+
+def _measured(item: Item) -> Iterator[str]:
+    """What its shortest solution takes."""
+    yield f"needs: {item.needs}"
+    if item.measured is not None:
+        yield from (f"{name}: {number}" for name, number in item.measured)
 
 
 def _solution(request: Request, found: CertifiedQuestion) -> str:

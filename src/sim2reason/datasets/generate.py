@@ -10,7 +10,7 @@ from sim2reason.datasets.benchmark_files import described
 from sim2reason.datasets.build import build
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
+from sim2reason.datasets.names import difficulties_named, modes_named, needs_named, recipes_named
 from sim2reason.datasets.places import HERE
 from sim2reason.datasets.plan import ALL, MAKER, Config, Names, numbers
 from sim2reason.datasets.request import SI, whole
@@ -36,6 +36,8 @@ class Order(TypedDict, total=False):
     """The system in which texts speak: ``SI``, ``cgs`` or ``mixed``."""
     tolerance: float
     """The relative error that an answer may have, and by which filters judge: from 0.005 to 0.05."""
+    needs: Names
+    """What solutions may need: ``("arithmetic", "quadratic")``, or ``all``; by default few need a computer."""
     solutions: bool
     """Whether items come with worked solutions."""
     unfiltered: bool
@@ -94,6 +96,7 @@ def configured(**order: Unpack[Order]) -> Config:
         "difficulties": difficulties_named(order.get("difficulty", ALL)),
         "modes": modes_named(order.get("mode", "numeric"), check=ours),
         "units": system_named(order.get("units", SI)).name,
+        "needs": needs_named(order.get("needs", ())),
         "decontaminate": tuple(described(path) for path in files_to_avoid(order)),
         **{name: value for name, value in given.items() if value != {}},
     }

@@ -6,6 +6,7 @@ from math import floor, log10
 
 from sim2reason.datasets.item import Item
 from sim2reason.figures.histogram import Histogram
+from sim2reason.questions.need import NEEDS
 from sim2reason.recipes import DIFFICULTIES
 
 WORDS, MOST_WORDS = 10, 500  # in a bin, and from which on all are in the last one
@@ -48,6 +49,12 @@ SHOWN: dict[str, Shown] = {
     "kinds": Shown(
         title="Kinds of question, by mode", axis="kind", bin=lambda item: item.kind, series=lambda item: item.mode
     ),
+    "needs": Shown(
+        title="What solutions need, by difficulty",
+        axis="the most advanced mathematics of the shortest solution",
+        bin=lambda item: item.needs,
+        series=lambda item: item.difficulty,
+    ),
     "recipes": Shown(
         title="Recipes, by difficulty",
         axis="recipe",
@@ -77,7 +84,7 @@ def histogram(name: str, counts: Mapping[str, Mapping[str, int]]) -> Histogram:
         bins = list(range(min(numbers), max(numbers) + 1, shown.step))
         places, labels = [str(number) for number in bins], [shown.label(number) for number in bins]
     else:
-        places = labels = sorted(found)
+        places = labels = sorted(found, key=lambda place: (NEEDS.get(place, 0), place))
     series = {name: [counts[name].get(place, 0) for place in places] for name in _ordered(counts)}
     return Histogram(shown.axis, labels, series, lying=not numeric)
 

@@ -165,6 +165,19 @@ class QueryRecord(Record):
     given_unit: str | None = None
 
 
+class Difficulty(Record):
+    """What the worked solution of a problem takes, in numbers; see docs/difficulty.md."""
+
+    laws: int
+    """How many laws of physics it uses."""
+    phases: int
+    """Of the motion, each between two events."""
+    unknowns: int
+    """The most that have to be found together."""
+    score: int
+    """All of it, and what the solution needs, in one number."""
+
+
 class Provenance(Record):
     """Where an item comes from: with the same versions, the same request gives the same bytes."""
 
@@ -180,6 +193,8 @@ class Provenance(Record):
     """Of kinds of question, by name, where they are not those that the library declares."""
     units: str = "SI"
     """The system of units of the text and the answer; the scene is always in the SI."""
+    needs: tuple[str, ...] = ()
+    """What solutions might need by the order; none: the default, by which few need more than elementary means."""
 
 
 class Item(Record):
@@ -197,6 +212,10 @@ class Item(Record):
     entities: tuple[str, ...]
     """The types of the scene's entities, in the scene's order."""
     asked: QueryRecord
+    needs: str
+    """The most advanced mathematics that its shortest solution takes, from ``arithmetic`` to ``integration``."""
+    measured: Difficulty | None = None
+    """How difficult it is by its shortest solution; None where there is none."""
     distractors: tuple[Distractor, ...] = ()
     """Wrong answers with their reasons, each beyond the tolerance."""
     idle: tuple[str, ...] = ()

@@ -5,7 +5,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from sim2reason.datasets.question_search import NOTHING, CertifiedQuestion, QuestionSearch
+from sim2reason.datasets.needs import allowed
+from sim2reason.datasets.question_search import NOTHING, UNSUITED, CertifiedQuestion, QuestionSearch
 from sim2reason.datasets.random_scenes import generator
 from sim2reason.datasets.request import Request
 from sim2reason.datasets.weights import in_drawn_order
@@ -20,8 +21,9 @@ TRIES = 2  # questions of one kind about one scene
 EMPTY = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
 OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
 KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
+UNFIT = 60  # times that all draws of a kind need other means, after which none is expected to do
 ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, ABSENT
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, UNFIT, ABSENT
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -39,6 +41,7 @@ class ItemSearch:
         self._request, self._mode, self._recipe = request, MODES[request.mode], RECIPES[request.recipe]
         self._difficulty: Difficulty = difficulty_named(request.difficulty)
         self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
+        self._needs = allowed(request)
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
         self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
@@ -57,6 +60,7 @@ class ItemSearch:
             kinds = sorted((*self._kinds[begin:], *self._kinds[:begin]), key=self._is_last)
             found = self._among(range(first, first + TOGETHER), kinds)
             hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
+            hopeless = hopeless or self.rejected[UNSUITED] >= UNFIT
             if found is not None or hopeless:
                 return found
         return None
@@ -76,7 +80,7 @@ class ItemSearch:
         turns = 0
         for kind in kinds:
             for search, rng in drawn:
-                if kind in search.kinds:
+                if kind in search.kinds or kind in search.beyond:
                     continue
                 found = self._asked(search, rng, kind)
                 turns += kind in search.kinds
@@ -100,6 +104,7 @@ class ItemSearch:
                     unfiltered=self._request.unfiltered,
                     quantities=frozenset(self._request.quantities),
                     tolerance=self._request.tolerance,
+                    needs=self._needs,
                 )
             except (SceneError, SimulationError, UnsupportedError) as error:
                 self.rejected[_counted(error)] += 1

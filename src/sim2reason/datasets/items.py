@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from sim2reason.datasets.item import Item
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.make import item_of, make
-from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
+from sim2reason.datasets.names import difficulties_named, modes_named, needs_named, recipes_named
 from sim2reason.datasets.plan import ALL, Config, Names, numbers
 from sim2reason.datasets.question_search import CertifiedQuestion
 from sim2reason.datasets.request import SI, Request, whole
@@ -26,6 +26,7 @@ def item(  # noqa: PLR0913 - the coordinates of a problem, by name
     weights: Mapping[str, float] | None = None,
     units: str = SI,
     tolerance: float = TOLERANCE,
+    needs: Names = (),
     solutions: bool = False,
 ) -> Item:
     """The `index`-th problem of a recipe, difficulty, mode and seed: the same one wherever and whenever it is made.
@@ -33,19 +34,25 @@ def item(  # noqa: PLR0913 - the coordinates of a problem, by name
     `weights` say how often kinds of question are asked, compared with others: ``{"period": 2, "reverse.count": 0}``.
     `units` is the system in which it is told: ``SI``, ``cgs``, or ``mixed`` (cm, g and km/h beside the SI).
     `tolerance` is the relative error that an answer may have, and by which filters judge: from 0.005 to 0.05.
+    `needs` is what its solution may need: one or several of ``arithmetic``, ``quadratic``, ``inverse function``,
+    ``root``, ``special function`` and ``integration``, or ``all``; by default one of the first three, save
+    for a few items.
     With `solutions` it has its worked solution.
 
     Raises:
         DatasetError: a weight that makes no sense.
-        UnknownNameError: no such recipe, difficulty, mode or units.
+        UnknownNameError: no such recipe, difficulty, mode, units or need.
         DrawError: a negative seed or index, a tolerance out of range, or no draw passed the filters within the budget;
             take another index.
     """
     how = weights, units
-    return made(requested(recipe, difficulty, mode, seed, index, *how, tolerance=tolerance, solutions=solutions))[0]
+    order = requested(
+        recipe, difficulty, mode, seed, index, *how, tolerance=tolerance, needs=needs, solutions=solutions
+    )
+    return made(order)[0]
 
 
-def sample(
+def sample(  # noqa: PLR0913 - the same
     recipe: str = "pulley",
     difficulty: str = "medium",
     mode: str = "numeric",
@@ -54,9 +61,12 @@ def sample(
     index: int = 0,
     weights: Mapping[str, float] | None = None,
     tolerance: float = TOLERANCE,
+    needs: Names = (),
 ) -> Scene:
     """The scene of the `item` of these coordinates; it raises what that does."""
-    return _found(requested(recipe, difficulty, mode, seed, index, weights, SI, tolerance=tolerance)).study.scene
+    return _found(
+        requested(recipe, difficulty, mode, seed, index, weights, SI, tolerance=tolerance, needs=needs)
+    ).study.scene
 
 
 def stream(  # noqa: PLR0913 - the same
@@ -69,15 +79,16 @@ def stream(  # noqa: PLR0913 - the same
     weights: Mapping[str, float] | None = None,
     units: str = SI,
     tolerance: float = TOLERANCE,
+    needs: Names = (),
     solutions: bool = False,
 ) -> Iterator[Item]:
     """Problems without end, dealt in turn to the recipes, difficulties and modes; `start` goes straight to a position.
 
-    The few requests that no draw fills are passed over, as in a dataset. `weights`, `units`, `tolerance` and
-    `solutions` are those of `item`.
+    The few requests that no draw fills are passed over, as in a dataset. `weights`, `units`, `tolerance`,
+    `needs` and `solutions` are those of `item`.
 
     Raises:
-        UnknownNameError: no such recipe, difficulty, mode or units.
+        UnknownNameError: no such recipe, difficulty, mode, units or need.
         DrawError: a negative seed or start.
         DatasetError: a weight that makes no sense.
     """
@@ -91,6 +102,7 @@ def stream(  # noqa: PLR0913 - the same
         weights=numbers("weights", weights or {}),
         units=system_named(units).name,
         tolerance=tolerance,
+        needs=needs_named(needs),
         solutions=solutions,
     )
     check(config.weights, config.modes, config.recipes)
@@ -111,6 +123,7 @@ def requested(  # noqa: PLR0913 - the same
     units: str,
     *,
     tolerance: float = TOLERANCE,
+    needs: Names = (),
     solutions: bool = False,
 ) -> Request:
     """The request of some coordinates; it raises what `item` does of them."""
@@ -118,7 +131,7 @@ def requested(  # noqa: PLR0913 - the same
     check(given, modes_named((mode,)), recipes_named((recipe,)))
     ordered = tuple(sorted(given.items()))
     how = system_named(units).name, solutions
-    return Request(recipe, difficulty, mode, seed, index, ordered, *how, tolerance=tolerance)
+    return Request(recipe, difficulty, mode, seed, index, ordered, *how, tolerance=tolerance, needs=needs_named(needs))
 
 
 def made(request: Request) -> tuple[Item, CertifiedQuestion]:

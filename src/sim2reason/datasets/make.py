@@ -8,7 +8,7 @@ from pydantic import JsonValue
 from sim2reason.datasets import item_search, question_search
 from sim2reason.datasets.distractors import distractors, idle_numbers, idle_parts
 from sim2reason.datasets.in_units import told_in
-from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item, Provenance, QueryRecord
+from sim2reason.datasets.item import Answer, Binding, Difficulty, FormulaRecord, Item, Provenance, QueryRecord
 from sim2reason.datasets.item_search import ItemSearch
 from sim2reason.datasets.plan import Made, versions
 from sim2reason.datasets.question_search import CertifiedQuestion
@@ -19,6 +19,7 @@ from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scene_files import dump
 from sim2reason.simulation.certify import Certificate
+from sim2reason.solutions.difficulty import Measured
 
 SETTINGS = hashlib.sha256(json.dumps([*item_search.SETTINGS, *question_search.SETTINGS]).encode()).hexdigest()[:16]
 
@@ -47,6 +48,8 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
         asked=_query_of(found),
+        needs=found.shortest.needs.label,
+        measured=_difficulty_of(found.measured) if found.measured is not None else None,
         distractors=distractors(found.candidate, found.description),
         idle=idle_parts(found.candidate, found.description),
         idle_numbers=idle_numbers(found.candidate, found.description),
@@ -64,6 +67,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             settings=SETTINGS,
             weights=dict(request.weights),
             units=request.units,
+            needs=request.needs,
         ),
     )
     return told_in(system_named(request.units), item)
@@ -86,6 +90,10 @@ def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
         unit=counted_in(unit),
         bindings=tuple(Binding(numbers=numbers, answer=answer) for numbers, answer in pairs),
     )
+
+
+def _difficulty_of(taken: Measured) -> Difficulty:
+    return Difficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
 
 
 def _query_of(found: CertifiedQuestion) -> QueryRecord:

@@ -76,7 +76,7 @@ class Shard(Record):
     """The first one, and that behind the last one."""
     files: tuple[ShardFile, ...]
     counts: dict[str, Counts]
-    """Items by recipe, difficulty, mode, kind, quantity and split."""
+    """Items by recipe, difficulty, mode, kind, needs, quantity and split."""
     histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])
     """What the card shows as pictures: by the picture's name, series and bin."""
     rejected: dict[str, Counts]
@@ -123,7 +123,7 @@ class Manifest(Record):
     positions: int
     """How many positions were tried, in order; those that hold no item are made up for by later ones."""
     counts: dict[str, Counts]
-    """Items by recipe, difficulty, mode, kind, quantity and split."""
+    """Items by recipe, difficulty, mode, kind, needs, quantity and split."""
     histograms: dict[str, Counted] = Field(default_factory=dict[str, Counted])
     """What the card shows as pictures: by the picture's name, series and bin."""
     cells: tuple[Cell, ...]

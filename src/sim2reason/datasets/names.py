@@ -1,7 +1,9 @@
-"""Names of recipes, difficulties and modes as an order gives them: one, several, or all."""
+"""Names of recipes, difficulties, modes and needs as an order gives them: one, several, or all."""
 
 from sim2reason.datasets.plan import ALL, Names, several
+from sim2reason.errors import UnknownNameError
 from sim2reason.questions import MODES
+from sim2reason.questions.need import NEEDS, Need
 from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, difficulty_named
 
 
@@ -25,3 +27,19 @@ def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
     """Difficulties; UnknownNameError for another."""
     found = DIFFICULTIES if names == ALL else several("difficulty", names)
     return tuple(difficulty_named(name) for name in found)
+
+
+def needs_named(names: Names) -> tuple[str, ...]:
+    """Needs of solutions by their labels, each once and in ascending order; UnknownNameError for another.
+
+    A hyphen may stand for a space. Without any the default quota holds.
+    """
+    found = {_need(name) for name in (tuple(NEEDS) if names == ALL else several("needs", names))}
+    return tuple(need.label for need in sorted(found))
+
+
+def _need(name: str) -> Need:
+    need = NEEDS.get(name.replace("-", " "))
+    if need is None:
+        raise UnknownNameError(f"no such need: {name!r}; there are: {', '.join(NEEDS)}, or {ALL}")
+    return need

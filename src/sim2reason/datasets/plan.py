@@ -109,6 +109,8 @@ class Config(Record):
     units: str = SI
     tolerance: float = TOLERANCE
     """The relative error that an answer may have."""
+    needs: tuple[str, ...] = ()
+    """What solutions may need, by label; none: elementary means, and for few items more."""
     solutions: bool = False
     """Whether items come with worked solutions."""
     unfiltered: bool = False
@@ -183,11 +185,11 @@ class Config(Record):
         cell = self._cells[place]
         index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
         how = self._weights, self.units, self.solutions, self.unfiltered
-        return Request(*cell, self.seed, index, *how, tolerance=self.tolerance)
+        return Request(*cell, self.seed, index, *how, tolerance=self.tolerance, needs=self.needs)
 
     def named(self, name: str) -> Request:
-        """The request of an id; DrawError for what is no id of this configuration's weights and tolerance."""
-        return Request.named(name, self._weights, self.tolerance)
+        """The request of an id; DrawError for what is no id of this configuration's weights, tolerance and needs."""
+        return Request.named(name, self._weights, self.tolerance, self.needs)
 
     @cached_property
     def _weights(self) -> Weights:

@@ -13,14 +13,17 @@ from sim2reason.filters import FILTERS, Candidate, Verdict, sift
 from sim2reason.filters.length import followed
 from sim2reason.lazy import cached_property
 from sim2reason.prose.description import Description, describe
-from sim2reason.questions import KINDS, Query, Question, QuestionMode, Study, Words
+from sim2reason.questions import KINDS, Query, Question, QuestionMode, StatedResult, Study, Words
+from sim2reason.questions.need import EVERY, Need
 from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.questions.topics import irrelevant
 from sim2reason.recipes import Difficulty
 from sim2reason.simulation.certify import Certificate, witnessed
-from sim2reason.solutions import Setting
+from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.difficulty import Measured, measured, number_of_events
+from sim2reason.solutions.shortest import shortest
 
 SAMPLES = 41
 SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
@@ -30,6 +33,7 @@ DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
 CHOOSY = 8  # times as many draws, where only some quantities may be asked about
 SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
 NOTHING = "nothing to ask"  # as a manifest counts it
+UNSUITED = "needs: before an answer"  # likewise
 
 
 @dataclass(frozen=True)
@@ -51,6 +55,19 @@ class CertifiedQuestion:
     def prompt(self) -> str:
         """The whole text."""
         return self.candidate.prompt
+
+    @cached_property
+    def shortest(self) -> Solution:
+        """The solution by which it is measured; where only an integration leads to the answer, that."""
+        found = self.candidate.solution
+        return found if found is not None and found.answer is not None else solve(self.setting)
+
+    @cached_property
+    def measured(self) -> Measured | None:
+        """How difficult it is by its shortest solution; None where there is none."""
+        found, study = self.shortest, self.candidate.study
+        events = number_of_events(study.trace, self.candidate.time)
+        return measured(found, events) if found.answer is not None else None
 
     @property
     def setting(self) -> Setting:
@@ -85,21 +102,28 @@ class QuestionSearch:
         self,
         scene: Scene,
         wording: int,
-        difficulty: Difficulty = "medium",
+        difficulty: Difficulty | None = None,
         *,
         unfiltered: bool = False,
         quantities: frozenset[str] = frozenset(),
         tolerance: float = TOLERANCE,
+        needs: frozenset[Need] = EVERY,
     ) -> None:
-        """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all."""
-        self._difficulty: Difficulty = difficulty
-        self._quantities, self._tolerance = quantities, tolerance
+        """`wording` is the seed of the text, or that of the first that is tried; no `quantities` are all.
+
+        `needs` are those that solutions may have; the others are refused before their answers are worked out. A
+        `difficulty` is ordered: questions of others are refused.
+        """
+        self._difficulty = difficulty
+        self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
         self._sift = _kept if unfiltered else sift
         self.study = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
         self._first_wording = wording
         self._vouched: tuple[Study, Certificate] | None = None
         self._texts: dict[frozenset[Topic], Description] = {}  # by the topics that they leave out
         self.kinds: set[str] = set()  # of questions that were found in it
+        self.beyond: set[str] = set()  # of those of which all that was drawn needs other means
+        self._refused = False  # for what it needs, what was drawn last
 
     @cached_property
     def description(self) -> Description:
@@ -183,7 +207,15 @@ class QuestionSearch:
         prompt = shaped(description, question, rng)
         said, level = description.sentences, self._difficulty
         candidate = Candidate(
-            study, question, prompt.text, said, self.words, difficulty=level, tolerance=self._tolerance
+            study,
+            question,
+            prompt.text,
+            said,
+            self.words,
+            difficulty=level or "medium",
+            tolerance=self._tolerance,
+            needs=self._needs,
+            labelled=self._difficulty is not None,
         )
         return _Told(candidate, description, prompt.shape)
 
@@ -197,13 +229,31 @@ class QuestionSearch:
         """Whether a quantity that may be asked about is asked about."""
         return KINDS[query.kind].measured(query).name in self._quantities
 
+    def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
+        """Whether a solution needs what it may.
+
+        Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
+        """
+        if self._needs == EVERY:
+            return True
+        most = max(self._needs)
+        hopeless = unknown and most < Need.INTEGRATION and not shortest(query, self.study, self.words, most=most).answer
+        suits = not hopeless and shortest(query, self.study, self.words, unknown, stated, most).needs in self._needs
+        self._refused |= not suits
+        return suits
+
     def _questions(
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
     ) -> Iterator[Question]:
         """Some questions that differ; fewer if the motion offers no more."""
         asked, missed = set[tuple[Query, str]](), 0
         for _ in range(DRAWS * tries // QUESTIONS * (CHOOSY if self._quantities else 1)):
-            question = mode.ask(self.study, self.words, kind, rng)
+            self._refused = False
+            question = mode.ask(self.study, self.words, kind, rng, self._suits)
+            if question is None and self._refused:
+                self.beyond.add(kind)
+                refused[UNSUITED] += 1
+                return
             if question is not None and self._quantities and not self._wants(question.query):
                 continue
             if question is None:

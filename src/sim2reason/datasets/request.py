@@ -57,6 +57,8 @@ class Request:
     """Those that may be asked about; none: any."""
     tolerance: float = TOLERANCE
     """The relative error that an answer may have, and by which filters judge; a formula's values have their own."""
+    needs: tuple[str, ...] = ()
+    """What solutions may need, by label; none: elementary means, and for few items more."""
 
     def __post_init__(self) -> None:
         """DrawError for what no item has; whole numbers of other packages become Python's."""
@@ -71,13 +73,14 @@ class Request:
         name = f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
         tail = f"-{self.units}" if self.units != SI else ""
         tail += f"-{UNFILTERED}" if self.unfiltered else ""
-        chosen = (*self.weights, *self.quantities)
+        chosen: tuple[tuple[str | float, ...] | str, ...] = (*self.weights, *self.quantities)
         chosen += (("tolerance", self.tolerance),) if self.tolerance != TOLERANCE else ()
+        chosen += (("needs", *self.needs),) if self.needs else ()
         return f"{name}{tail}-{_digest(chosen)}" if chosen else f"{name}{tail}"
 
     @classmethod
-    def named(cls, name: str, weights: Weights = (), tolerance: float = TOLERANCE) -> Self:
-        """The request of an id, made with `weights` and a tolerance; DrawError for what is none, or has others."""
+    def named(cls, name: str, weights: Weights = (), tolerance: float = TOLERANCE, needs: tuple[str, ...] = ()) -> Self:
+        """The request of an id, made with these weights, tolerance and needs; DrawError for any other text."""
         match = _ID.fullmatch(name)
         if match is None:
             raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")
@@ -92,9 +95,10 @@ class Request:
             units,
             unfiltered=bool(match["unfiltered"]),
             tolerance=tolerance,
+            needs=needs,
         )
         if request.id != name:
-            unsaid = "its weights, quantities or tolerance do not stand in its id"
+            unsaid = "its weights, quantities, tolerance or needs do not stand in its id"
             raise DrawError(f"{name!r}: {unsaid}; see: sim2reason explain DATASET --id ID")
         return request
 
@@ -103,9 +107,9 @@ class Request:
         """The request that an item answers; DrawError for an item of some quantities alone, which no id names."""
         solved = item.solution is not None or bool(item.unsolved)
         weights = tuple(sorted(item.provenance.weights.items()))
-        return replace(cls.named(item.id, weights, item.answer.tolerance), solutions=solved)
+        return replace(cls.named(item.id, weights, item.answer.tolerance, item.provenance.needs), solutions=solved)
 
 
-def _digest(chosen: tuple[tuple[str, float] | str, ...]) -> str:
+def _digest(chosen: tuple[tuple[str | float, ...] | str, ...]) -> str:
     """A short name for what an order says beside its coordinates."""
     return hashlib.sha256(json.dumps(chosen).encode()).hexdigest()[:8]

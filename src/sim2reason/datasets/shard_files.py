@@ -11,7 +11,7 @@ from sim2reason.datasets.manifest import Counts, Shard, ShardFile, merged
 from sim2reason.datasets.plan import file_name
 from sim2reason.errors import DatasetError
 
-COUNTED = "recipe", "difficulty", "mode", "kind"
+COUNTED = "recipe", "difficulty", "mode", "kind", "needs"
 BySplit = Mapping[str, Sequence[Item]]
 
 
@@ -33,7 +33,7 @@ def _write(out: Path, scratch: Path, name: str, split: str, items: Sequence[Item
 
 
 def counts(items: BySplit) -> dict[str, Counts]:
-    """How many items there are of each recipe, difficulty, mode, kind, quantity and split."""
+    """How many items there are of each recipe, difficulty, mode, kind, needs, quantity and split."""
     of_items = [
         {by: str(getattr(item, by)) for by in COUNTED} | {"quantity": item.asked.quantity} for item in flat(items)
     ]

@@ -21,6 +21,7 @@ def show(  # noqa: PLR0913 - filters, by name
     mode: Names = ALL,
     kind: Names = ALL,
     quantity: Names = ALL,
+    needs: Names = ALL,
     split: Names = ALL,
 ) -> Iterator[Item]:
     """At most so many `items`, spread over the dataset, of which all names fit; or the one of an `id`.
@@ -33,7 +34,8 @@ def show(  # noqa: PLR0913 - filters, by name
     data = dataset if isinstance(dataset, Dataset) else Dataset(dataset)
     if id is not None:
         return iter([data.item(id)])
-    given = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "asked.quantity": quantity}
+    given = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "needs": needs}
+    given["asked.quantity"] = quantity
     wanted = {column: several(column.rpartition(".")[2], names) for column, names in given.items() if names != ALL}
     for column, names in wanted.items():
         _check(data, column.rpartition(".")[2], names)

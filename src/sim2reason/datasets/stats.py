@@ -7,7 +7,7 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import Counts
 
-COUNTED = "recipe", "difficulty", "mode", "kind", "shape"
+COUNTED = "recipe", "difficulty", "mode", "kind", "needs", "shape"
 COLUMNS = *COUNTED, "asked.quantity", "prompt", "answer.value", "answer.unit"
 DIGITS = 3  # of numbers whose middle is sought: as many as a prompt asks for
 
@@ -26,7 +26,7 @@ class Stats(Record):
 
     items: int
     counts: dict[str, Counts]
-    """By recipe, difficulty, mode, kind, shape, quantity and split."""
+    """By recipe, difficulty, mode, kind, needs, shape, quantity and split."""
     refused: Counts
     """Draws that a filter refused while the items were made, by filter."""
     words: Spread

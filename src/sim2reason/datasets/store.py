@@ -51,6 +51,8 @@ SCHEMA = pa.schema(
                 "given_unit": TEXT,
             }
         ),
+        "needs": TEXT,
+        "measured": pa.struct({"laws": WHOLE, "phases": WHOLE, "unknowns": WHOLE, "score": WHOLE}),
         "distractors": pa.list_(pa.struct({"value": REAL, "simplification": TEXT, "reason": TEXT})),
         "idle": pa.list_(TEXT),
         "idle_numbers": pa.list_(TEXT),
@@ -69,6 +71,7 @@ SCHEMA = pa.schema(
                 "settings": TEXT,
                 "weights": TEXT,
                 "units": TEXT,
+                "needs": pa.list_(TEXT),
             }
         ),
     }

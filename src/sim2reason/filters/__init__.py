@@ -9,11 +9,16 @@ from typing import ClassVar
 from sim2reason.lazy import cached_property
 from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MODES, Kind, Question, Study, Target, Words
+from sim2reason.questions.need import EVERY, Need
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.recipes import Difficulty
 from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
+from sim2reason.solutions import Solution
+from sim2reason.solutions.derivation import derivation
+from sim2reason.solutions.difficulty import Measured, measured, number_of_events
+from sim2reason.solutions.shortest import shortest
 
 
 @dataclass(frozen=True)
@@ -28,6 +33,10 @@ class Candidate:
     certificate: Certificate | None = None  # once the witness has been heard
     difficulty: Difficulty = "medium"
     tolerance: float = TOLERANCE
+    needs: frozenset[Need] = EVERY
+    """What its solution may need."""
+    labelled: bool = False
+    """Whether its difficulty was ordered, and must fit."""
 
     @property
     def kind(self) -> Kind:
@@ -38,6 +47,23 @@ class Candidate:
     def time(self) -> float | None:
         """When all that the answer depends on has happened, s."""
         return self.kind.time(self.question.query, self.study)
+
+    @cached_property
+    def solution(self) -> Solution | None:
+        """Its shortest solution that needs no more than it may, and no integration; None without words."""
+        if self.words is None:
+            return None
+        question = self.question
+        if question.formula is not None:
+            return derivation(question.query, self.study, self.words)
+        return shortest(question.query, self.study, self.words, question.unknown, question.given, max(self.needs))
+
+    @cached_property
+    def measured(self) -> Measured | None:
+        """How difficult it is by that solution; None where there is none."""
+        if self.solution is None or self.solution.answer is None:
+            return None
+        return measured(self.solution, number_of_events(self.study.trace, self.time))
 
     @property
     def until(self) -> float | None:

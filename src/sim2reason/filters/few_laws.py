@@ -4,19 +4,23 @@ from collections.abc import Iterator
 
 from sim2reason.dsl.constancy import changing
 from sim2reason.filters import FILTERS, Candidate, Filter
-from sim2reason.filters.parts.formula_size import has_logarithm, is_vector, size
+from sim2reason.filters.parts.formula_size import has_logarithm, size
 from sim2reason.filters.parts.turning import TURNS, turns_by_weight
-from sim2reason.solutions import Relation, Solution
-from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
+from sim2reason.solutions import Solution
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together
-from sim2reason.solutions.closed_forms.gathering import symbols_in
 from sim2reason.solutions.derivation import derivation, is_derived
+from sim2reason.solutions.difficulty import number_of_laws
 
 FEW_LAWS = "few laws"
 MOST = {0: 11, 1: 11, 2: 8, 3: 7, 4: 7}
 """By the number of laws, the symbols in a formula, each as often as it stands there, that make no problem of it.
 
 Set by 460 problems that readers judged: it parts those that they called trivial from nearly all others.
+"""
+TEXTBOOK = {"easy": 3, "medium": 2, "hard": 0}
+"""By how many symbols fewer that is where two laws or more are used and accelerations change.
+
+An easy problem may be one that a textbook has, if it takes two laws.
 """
 STEADY = {**MOST, 2: 9, 3: 8, 4: 10}
 """The same where accelerations are constant: two blocks on one string, and how far they come by a time."""
@@ -47,7 +51,9 @@ class FewLaws(Filter):
         if found is None:
             return ""
         laws = number_of_laws(found)
-        most = (MOST if changing(candidate.study.mechanism) else STEADY).get(laws, -1)
+        changes = bool(changing(candidate.study.mechanism))
+        most = (MOST if changes else STEADY).get(laws, -1)
+        most -= TEXTBOOK[candidate.difficulty] if changes and laws > 1 else 0
         symbols = _symbols(found) if most > 0 else None
         if symbols is None or symbols > most or (symbols > BY_HEART and turns_by_weight(candidate)):
             return ""
@@ -77,27 +83,6 @@ def _symbols(found: Solution) -> int | None:
 
 def _counted(laws: int) -> str:
     return f"{laws} law{'' if laws == 1 else 's'}"
-
-
-def number_of_laws(found: Solution) -> int:
-    """How many laws of physics it tells.
-
-    A multiple or a sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, is none, nor is a number, as a = 0 in a limiting
-    case, or the size of a vector.
-    """
-    return sum(relation.role == "law" and not _is_bookkeeping(relation) for relation in found.relations)
-
-
-def _is_bookkeeping(relation: Relation) -> bool:
-    if not isinstance(relation.left, Symbol):
-        return False
-    if isinstance(relation.right, Sum):
-        return all(map(_is_multiple, relation.right.terms))
-    return is_vector(relation.right) or _is_multiple(relation.right)
-
-
-def _is_multiple(held: Expression) -> bool:
-    return symbols_in(held) <= 1
 
 
 def _derivation(candidate: Candidate) -> Solution | None:

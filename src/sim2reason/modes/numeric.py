@@ -1,12 +1,27 @@
 """The numeric mode: every number is given, and a number is asked for."""
 
+from itertools import takewhile
+
 import numpy as np
 
-from sim2reason.questions import KINDS, Kind, ParsedQuestion, Question, QuestionMode, Study, Words, mode
+from sim2reason.questions import (
+    KINDS,
+    Kind,
+    ParsedQuestion,
+    Question,
+    QuestionMode,
+    Study,
+    Suits,
+    Words,
+    anything,
+    mode,
+)
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.targets import targets
+
+DRAWS = 4  # of queries of one kind, at most, until one suits
 
 
 @mode
@@ -15,14 +30,20 @@ class Numeric(QuestionMode):
 
     name = "numeric"
 
-    def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
-        """Whatever a kind draws, if it has a finite answer."""
-        found = (self._asked(asked, study, words, rng) for asked in ([KINDS[kind]] if kind else by_share(rng)))
+    def ask(
+        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+    ) -> Question | None:
+        """Whatever a kind draws that suits, if it has a finite answer."""
+        found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
         return next((question for question in found if question is not None), None)
 
-    def _asked(self, asked: Kind, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+    def _asked(
+        self, asked: Kind, study: Study, words: Words, rng: np.random.Generator, suits: Suits
+    ) -> Question | None:
         offered = targets(words)
-        query = asked.draw(study, words, offered, rng)
+        drawn = (asked.draw(study, words, offered, rng) for _ in range(DRAWS))
+        found = takewhile(lambda query: query is not None, drawn)
+        query = next((query for query in found if query is not None and suits(query, "", None)), None)
         if query is None:
             return None
         answer = asked.answer(query, study)

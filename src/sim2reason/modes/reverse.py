@@ -16,7 +16,9 @@ from sim2reason.questions import (
     QuestionMode,
     StatedResult,
     Study,
+    Suits,
     Words,
+    anything,
     mode,
 )
 from sim2reason.questions.conditions import asking_for
@@ -31,6 +33,8 @@ from sim2reason.questions.unknown import Unknown, far_from, range_of, some
 
 FIXED = 1e-2  # relative: how well what is given must fix the answer
 DIGITS = (2, 3)  # of what is given: as few as do
+DRAWS = 4  # of queries of one kind, at most, until one suits
+EXACT = 15  # digits of a result that the motion has as it was drawn
 NEAR = 1e-2  # relative: who comes nearer to a value nearly has it
 TIMES = {"": 0.1, "time_to_event": 0.5}  # of questions of any kind, or of one: how often the unknown is a time
 
@@ -46,34 +50,56 @@ class Reverse(QuestionMode):
         """Those that have words for answers as conditions, and whose answers are no whole numbers."""
         return frozenset(name for name, kind in KINDS.items() if kind.stated and not kind.whole)
 
-    def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
+    def ask(
+        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+    ) -> Question | None:
         """A result of this motion, and a number that it fixes, or the time at which it is first so."""
         if kind in TIMES and rng.random() < TIMES[kind]:
-            return _asking_when(study, words, rng)
-        found = (self._asked(asked, study, words, rng) for asked in ([KINDS[kind]] if kind else by_share(rng)))
+            return _asking_when(study, words, rng, suits)
+        found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
         return next((question for question in found if question is not None), None)
 
-    def _asked(self, asked: Kind, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
-        query = asked.draw(study, words, targets(words), rng) if asked.stated else None
-        if query is None or not asked.called(query, words, _noun(query, words)):
-            return None
-        result = asked.answer(query, study)
-        if result is None or not isfinite(result):
-            return None
-        unit = words.units.spell(asked.measured(query).unit)
-        for unknown in some(_besides(query, words), study.scene, rng):
-            likely = likely_answers(query, study, words, unknown.path)
-            dependence = Dependence(query, study, unknown.path, likely=likely)
-            drawn = float(study.scene.value(unknown.path))
-            dependence.know(drawn, result)
-            found = _fixed(dependence, drawn, result, unit)
-            values = range_of(study.scene, unknown.path)
-            if found is not None and values[0] <= found[1] <= values[-1]:
-                given, answer, elasticity = found
-                query = asked.expecting(query, given.value)
-                text = sentence(chosen(asking_for(unknown, query, given, words, _noun(query, words)), rng))
-                return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
+    def _asked(
+        self, asked: Kind, study: Study, words: Words, rng: np.random.Generator, suits: Suits
+    ) -> Question | None:
+        for _ in range(DRAWS if asked.stated else 0):
+            query = asked.draw(study, words, targets(words), rng)
+            if query is None or not asked.called(query, words, _noun(query, words)):
+                return None
+            result = asked.answer(query, study)
+            if result is None or not isfinite(result):
+                return None
+            unit = words.units.spell(asked.measured(query).unit)
+            exact = StatedResult.rounded(result, unit, EXACT)
+            tried = False
+            for unknown in some(_besides(query, words), study.scene, rng):
+                if exact is None or not suits(query, unknown.path, exact):
+                    continue
+                tried = True
+                found = self._with_unknown(query, unknown, result, study, words, rng)
+                if found is not None:
+                    return found
+            if tried:
+                return None
         return None
+
+    def _with_unknown(
+        self, query: Query, unknown: Unknown, result: float, study: Study, words: Words, rng: np.random.Generator
+    ) -> Question | None:
+        """The question for a number, where the result of a query fixes it."""
+        asked = KINDS[query.kind]
+        likely = likely_answers(query, study, words, unknown.path)
+        dependence = Dependence(query, study, unknown.path, likely=likely)
+        drawn = float(study.scene.value(unknown.path))
+        dependence.know(drawn, result)
+        found = _fixed(dependence, drawn, result, words.units.spell(asked.measured(query).unit))
+        values = range_of(study.scene, unknown.path)
+        if found is None or not values[0] <= found[1] <= values[-1]:
+            return None
+        given, answer, elasticity = found
+        query = asked.expecting(query, given.value)
+        text = sentence(chosen(asking_for(unknown, query, given, words, _noun(query, words)), rng))
+        return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
 
     def study(self, question: Question, study: Study) -> Study:
         """The motion that has exactly the result that is given."""
@@ -186,7 +212,7 @@ def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str
             yield query, words.units.spell(kind.measured(query).unit)
 
 
-def _asking_when(study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Suits) -> Question | None:
     """When a quantity has a value for the first time."""
     drawn = KINDS["state"].draw(study, words, targets(words), rng)
     time = study.time(drawn.moment) if drawn is not None and drawn.moment is not None else None
@@ -203,6 +229,7 @@ def _asking_when(study: Study, words: Words, rng: np.random.Generator) -> Questi
             answer is not None
             and abs(answer - time) <= FIXED * time
             and not _nearly_before(drawn.target, given, answer, study)
+            and suits(query, "", given)
         ):
             text = sentence(chosen(KINDS[query.kind].shapes(query, words, None), rng))
             return Question("reverse", query, text, answer, words.units.time, given=given)

@@ -13,7 +13,19 @@ from sim2reason.prose.description import Description
 from sim2reason.prose.formula_numbers import factor
 from sim2reason.prose.symbol_names import with_names
 from sim2reason.prose.voices import symbolic_but_zero
-from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Question, QuestionMode, Study, Words, mode
+from sim2reason.questions import (
+    KINDS,
+    MODES,
+    ParsedQuestion,
+    Query,
+    Question,
+    QuestionMode,
+    Study,
+    Suits,
+    Words,
+    anything,
+    mode,
+)
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
@@ -48,7 +60,9 @@ class Symbolic(QuestionMode):
         """Whether some strategy of worked solutions may lead to a formula."""
         return not self.kinds.isdisjoint(_formulas(mechanism))
 
-    def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
+    def ask(
+        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+    ) -> Question | None:
         """Whatever some strategy of worked solutions leads to by formulas, still in numbers.
 
         None about a mechanism that is not its scene's, whose numbers no symbols stand for.
@@ -61,6 +75,8 @@ class Symbolic(QuestionMode):
         refused = study.once("refused", set[Query])
         for name in (name for name in kinds for _ in range(DRAWS)):
             question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < UNDERIVED else None
+            if question is not None and not suits(question.query, "", None):
+                continue
             if question is not None and _derived(question.query, study, words) is not None:
                 refused.clear()
                 return replace(question, mode=self.name)

@@ -4,6 +4,7 @@ A `Query` is what is asked, without words; a `Question` has words and an answer.
 """
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar, TypeVar
 
@@ -89,6 +90,16 @@ class ParsedQuestion:
     assumed: tuple[Regime, ...] = ()
 
 
+Suits = Callable[[Query, str, StatedResult | None], bool]
+"""Whether a query may be asked, or the unknown number at an address for which it has a stated result."""
+
+
+def anything(query: Query, unknown: str = "", stated: StatedResult | None = None) -> bool:
+    """Return True for any query."""
+    del query, unknown, stated
+    return True
+
+
 class QuestionMode(ABC):
     """What of a question is unknown. Filters ask a mode, not a kind, what its answer becomes in a changed scene.
 
@@ -109,8 +120,13 @@ class QuestionMode(ABC):
         return True
 
     @abstractmethod
-    def ask(self, study: Study, words: Words, kind: str, rng: np.random.Generator) -> Question | None:
-        """A question of a kind (by default drawn by share) about a motion, or None if it offers none."""
+    def ask(
+        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+    ) -> Question | None:
+        """A question of a kind (by default drawn by share) about a motion that `suits`, or None if it offers none.
+
+        What suits is looked at before an answer is worked out that costs much.
+        """
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
         """A question that filters keep, with what costs too much to be found for others; None if there is no such.
@@ -172,7 +188,9 @@ __all__ = [
     "QuestionMode",
     "StatedResult",
     "Study",
+    "Suits",
     "Target",
     "Words",
+    "anything",
     "mode",
 ]

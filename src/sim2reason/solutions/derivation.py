@@ -6,8 +6,10 @@ from sim2reason.questions import Query, Study, Words
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.shortest import shortest_known
 from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.solve import solve
+from sim2reason.solutions.strategies import STRATEGIES
 
 DERIVATION = "derivation"
 
@@ -22,11 +24,14 @@ def derivation(query: Query, study: Study, words: Words) -> Solution:
 
 
 def is_derived(query: Query, study: Study) -> bool:
-    """Whether that derivation was worked out before, so that looking at it costs nothing."""
-    return study.knows((DERIVATION, query))
+    """Whether that derivation was worked out before, so that looking at it costs little."""
+    return study.knows((DERIVATION, query)) or shortest_known(query, study) is not None
 
 
 def _derived(query: Query, study: Study, words: Words) -> Solution:
+    found = shortest_known(query, study)
+    if found is not None and query.kind in STRATEGIES[found.strategy].formulas(study.mechanism):
+        return found
     setting = forward(Setting(study.scene, words, words.symbols, study, query))
     if isinstance(query, ThresholdQuery):  # the number that it asks for is the unknown of its laws
         return solve(setting, derived=True)

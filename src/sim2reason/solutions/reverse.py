@@ -10,6 +10,7 @@ from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot, NumericRoot, numbers
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
+from sim2reason.solutions.algebra.in_numbers import closed_root
 from sim2reason.solutions.algebra.inverse import numeric_root, put, settled, solved_for
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
@@ -65,16 +66,16 @@ class Inversion:
                 raise UnsolvedError("it would need numbers that are not known")
             names = [name for name in dict.fromkeys(formula.symbols()) if name in book.hidden]
             later = [name for name in names if name != self.unknown]
-            if any(isinstance(part, ImplicitRoot) for part in (formula, *(book.formulas[name] for name in later))):
-                return self._numerically(at)
-            if len(names) == 1:
+            if len(names) == 1 and not isinstance(formula, ImplicitRoot):
                 found = self._inverted(names[0], formula, value)
                 if not isinstance(found, NumericRoot) or names[0] == self.unknown:
                     self._close(names[0], found, at)
                     if names[0] == self.unknown:
                         return self.unknown
-                    at, value, formula = names[0], Symbol(names[0]), book.formulas[names[0]]
+                    at, (formula, value) = names[0], self._equation(names[0])
                     continue
+            if any(isinstance(part, ImplicitRoot) for part in (formula, *(book.formulas[name] for name in later))):
+                return self._numerically(at)
             if not later:
                 raise UnsolvedError("what is given does not hang on what is unknown")
             formula = self._short(formula)
@@ -89,6 +90,11 @@ class Inversion:
         if len(formula.latex()) <= LONG:
             return formula
         return settled(formula, frozenset(self.book.hidden), self.book.worked)
+
+    def _equation(self, name: str) -> tuple[Expression, Expression]:
+        """A formula of a name that is known now, and its value: of a root, the residual, which holds the name."""
+        found = self.book.formulas[name]
+        return (found.residual, ZERO) if isinstance(found, ImplicitRoot) else (found, Symbol(name))
 
     def _inverted(self, name: str, formula: Expression, value: Expression) -> Expression:
         """A formula solved for a name; with numbers for what is known, if it would be too long to be read otherwise."""
@@ -105,14 +111,16 @@ class Inversion:
         names = self._leading(at)
         chain = Chain(tuple((name, self._formula(name)) for name in (*names, at)))
         near = book.values[self.unknown]
-        root = NumericRoot(added(chain, -Symbol(at)), self.unknown, near)
+        closed = closed_root(chain, Symbol(at), self.unknown, book.values)
+        root = closed or NumericRoot(added(chain, -Symbol(at)), self.unknown, near)
         book.keen = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
         book.refresh(self.unknown, book.value(root))
         step = book.open(SOLVED)
         if not self.stated:
             step.rest_on(self.goal)
-        said = f"These equations determine ${self.unknown}$; the numerical solution is"
-        step.say(f"{said} {step.closed(Symbol(self.unknown), root)}.")
+        said = f"These equations determine ${self.unknown}$;"
+        how = f"in numbers they come to ${closed.equation.latex()} = 0$, so" if closed else "the numerical solution is"
+        step.say(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
         self._tell_implied(step, names)
         step.close()
         return self.unknown

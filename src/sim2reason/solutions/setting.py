@@ -14,6 +14,7 @@ from sim2reason.quantities.subjects.lines import line_phrases, pulleys
 from sim2reason.quantities.subjects.springs import springs
 from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.need import Need
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.trace import happened
@@ -38,6 +39,7 @@ class Setting:
     stated: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
     sought: float | None = None  # the time that is asked for, where a result at that time is given
     formula: Formula | None = None  # the answer, where the numbers of the text are symbols
+    most: Need = Need.INTEGRATION  # what a solution may need; one that needs more is none
 
     @classmethod
     def of(cls, question: Question, study: Study, words: Words, description: Description) -> Self:

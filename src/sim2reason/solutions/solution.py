@@ -5,10 +5,12 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Literal
 
+from sim2reason.questions.need import Need, greatest
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
 from sim2reason.solutions.algebra.elliptic import SpecialFunction
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "verified", "trial", "condition"]
@@ -146,6 +148,14 @@ class Step:
         if self.integration is not None:
             yield from self.integration.symbols()
 
+    @property
+    def need(self) -> Need:
+        """What mathematics it takes; a check on which nothing rests takes none."""
+        if self.integration is not None:
+            return Need.INTEGRATION
+        held = (relation for relation in self.relations if relation.role != "verified")
+        return greatest(need_of(side) for relation in held for side in (relation.left, relation.right))
+
 
 @dataclass(frozen=True, slots=True)
 class Solution:
@@ -168,6 +178,11 @@ class Solution:
         None  # the unit that the text asks for, and what one of the answer's is in it
     )
     whole: bool = False  # the answer is a count
+
+    @property
+    def needs(self) -> Need:
+        """What mathematics it takes to follow it to the answer; without an answer, nothing short of integration."""
+        return greatest(step.need for step in self.steps) if self.answer is not None else Need.INTEGRATION
 
     @property
     def derived(self) -> bool:

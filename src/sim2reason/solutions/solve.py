@@ -10,6 +10,7 @@ from sim2reason.prose.naming import Names
 from sim2reason.prose.voices import numeric
 from sim2reason.prose.writer import Writer
 from sim2reason.questions import KINDS, Study
+from sim2reason.questions.need import ELEMENTARY, Need
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numbers
@@ -27,12 +28,14 @@ from sim2reason.solutions.writing.unit_latex import DEGREES
 
 
 def solve(setting: Setting, *, derived: bool = False) -> Solution:
-    """The worked solution by the cheapest strategy whose solution can be shown; else one that says why there is none.
+    """Return the worked solution that needs least of those that can be shown; without an answer it says why.
 
-    It can be shown if its answer was recomputed from what it states. With `derived`, by one that leads to formulas,
-    which are not shown as they are, and are compared with motions instead.
+    That is the first by cost with elementary needs, if there is one. A solution can be shown if its answer was
+    recomputed from what it states. With `derived`, only strategies that lead to formulas are tried; those are not
+    shown as they are, and are compared with motions instead.
     """
     reasons: list[str] = []
+    best: Solution | None = None
     setting = forward(setting)
     try:
         _ = setting.lexicon
@@ -43,11 +46,19 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
     kind, mechanism = setting.query.kind, setting.mechanism
     offered = (held for held in STRATEGIES.values() if not derived or kind in held.formulas(mechanism))
     for strategy in sorted(offered, key=lambda held: held.cost):
-        found = by(strategy, setting) if derived else verified(by(strategy, setting), setting)
-        if found.answer is not None:
+        if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
+            continue
+        found = by(strategy, setting)
+        if found.answer is not None and best is not None and found.needs >= best.needs:
+            continue
+        found = found if derived else verified(found, setting)
+        if found.answer is None:
+            reasons.append(f"{strategy.name}: {found.reason}")
+        elif found.needs <= ELEMENTARY:
             return found
-        reasons.append(f"{strategy.name}: {found.reason}")
-    return Solution("", reason=f"no strategy applies: {'; '.join(reasons)}")
+        elif best is None or found.needs < best.needs:
+            best = found
+    return best or Solution("", reason=f"no strategy applies: {'; '.join(reasons)}")
 
 
 def by(strategy: Strategy, setting: Setting) -> Solution:
@@ -72,7 +83,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
 def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None) -> Solution:
     """A solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
     asks_time = setting.sought is not None and not setting.unknown
-    book = Book(setting.words.units, asks_time=asks_time, called=called)
+    book = Book(setting.words.units, asks_time=asks_time, called=called, most=setting.most)
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
         unit = given.counted_unit if path == setting.unknown else ""

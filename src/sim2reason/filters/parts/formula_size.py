@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 
 from sim2reason.solutions.algebra.expressions import Expression, Product, Sum, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.functions import Call, Root
 from sim2reason.solutions.closed_forms.gathering import gathered, parted, symbols_in
+from sim2reason.solutions.difficulty import is_vector
 
 SQUARE = 2
 LENGTH = Symbol("length")
@@ -22,12 +23,6 @@ def size(whole: Expression) -> int:
 def has_logarithm(held: Expression) -> bool:
     """Whether there is one, as an integral leaves it."""
     return (isinstance(held, Call) and held.function == "ln") or any(map(has_logarithm, held.parts))
-
-
-def is_vector(held: Expression) -> bool:
-    """Whether it is the size of a vector by its components."""
-    squares = isinstance(held, Root) and isinstance(held.inside, Sum) and held.inside.terms
-    return bool(squares) and all(isinstance(term, Power) and term.exponent == SQUARE for term in squares)
 
 
 def _again(held: Expression, seen: set[Expression]) -> Iterator[Expression]:

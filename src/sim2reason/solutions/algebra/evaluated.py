@@ -70,6 +70,18 @@ class NumericRoot(Expression):
 
 
 @dataclass(frozen=True, slots=True)
+class ClosedRoot(NumericRoot):
+    """The root of an equation that has a closed form once all but the unknown is in numbers.
+
+    The `equation`, a formula that vanishes, and what it gives, `closed`, hold for these numbers. The value is worked
+    out from the residual, so that it holds for others, too.
+    """
+
+    equation: Expression
+    closed: Expression
+
+
+@dataclass(frozen=True, slots=True)
 class ImplicitRoot(NumericRoot):
     """A root that hangs on what is unknown, so that no number is written: its equation alone is told."""
 

@@ -85,7 +85,6 @@ def _dotted(symbol: Symbol) -> str:
 def _slide(setting: Setting, k: int) -> _Choice:
     """Choose a position along an axis of the text if its initial value is given, otherwise the distance moved."""
     mechanism, coordinate = setting.mechanism, setting.mechanism.coordinates[k]
-    who = setting.called(coordinate.body)
     body = mechanism.body[coordinate.body]
     mark = setting.mark(coordinate.body)
     axis = next((n for n in range(3) if abs(coordinate.axis[n]) > 1.0 - LEVEL), None)

@@ -4,8 +4,10 @@ from collections.abc import Mapping
 
 from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.grading.tokens import canonical
+from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.solution import Integration, Phase, Relation, Step, with_unit
 from sim2reason.solutions.writing.subscripts import marked
 from sim2reason.solutions.writing.unit_latex import CANONICAL, SECONDS, latex
@@ -21,13 +23,19 @@ class Book:
     """Names with their values, and steps as they are written."""
 
     def __init__(
-        self, units: UnitSystem = SI, *, asks_time: bool = False, called: Mapping[str, str] | None = None
+        self,
+        units: UnitSystem = SI,
+        *,
+        asks_time: bool = False,
+        called: Mapping[str, str] | None = None,
+        most: Need = Need.INTEGRATION,
     ) -> None:
         """Nothing is known yet; results are in `units`. With `asks_time` the time that is said is what is asked for.
 
         `called` makes it one in symbols: no number is written, and the question's own numbers are called as it has it,
-        by the name that they would have.
+        by the name that they would have. No result may need more than `most`.
         """
+        self.most = most
         self._units, self._called = units, called
         self.asks_time = asks_time
         self.values: dict[str, float] = {}
@@ -47,7 +55,7 @@ class Book:
 
     def copy(self) -> "Book":
         """Another with the same names known, and no steps, for a draft."""
-        found = Book(self._units, asks_time=self.asks_time, called=self._called)
+        found = Book(self._units, asks_time=self.asks_time, called=self._called, most=self.most)
         found.hidden, found.sought = {*self.hidden}, self.sought
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
         found._taken = {*self._taken}
@@ -101,6 +109,11 @@ class Book:
         for other, formula in self.formulas.items():
             if other not in self.stated:
                 self.values[other] = self.value(formula)
+
+    def check_need(self, formula: Expression) -> None:
+        """Raise UnsolvedError for a formula that needs more than this solution may."""
+        if self.most < Need.INTEGRATION and (need := need_of(formula)) > self.most:
+            raise UnsolvedError(f"it needs more: {need.label}")
 
     def value(self, held: Expression) -> float:
         """What a formula comes to; UnsolvedError where it has no value."""
@@ -203,6 +216,7 @@ class Writing:
 
     def result(self, name: Symbol, formula: Expression, unit: str, *, law: bool = False) -> str:
         """A name and what it comes to; with `law`, the formula is a law by itself, as v = a t is."""
+        self._book.check_need(formula)
         unit = self._book.unit_in_text(unit)
         relation = Relation(name, formula, "law" if law else "result", unit)
         self._relations.append(relation)
@@ -257,6 +271,7 @@ class Writing:
 
     def closed(self, name: Symbol, formula: Expression) -> str:
         """What a symbol comes to whose value was unknown till now."""
+        self._book.check_need(formula)
         unit = self._book.units[name.name]
         relation = Relation(name, formula, "result", unit)
         self._relations.append(relation)

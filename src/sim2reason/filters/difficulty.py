@@ -1,0 +1,33 @@
+"""Drops a question that is easier or harder than the label that was ordered."""
+
+from collections.abc import Iterator
+
+from sim2reason.filters import FILTERS, Candidate, Filter
+from sim2reason.solutions.difficulty import LABELS
+
+
+class Difficulty(Filter):
+    """The measured score of the shortest solution lies outside the band of the label.
+
+    Nothing is said of a question of no label, or one that only an integration answers.
+    """
+
+    order = 2
+
+    def reason(self, candidate: Candidate) -> str:
+        """Compare the score with the band."""
+        if not candidate.labelled or candidate.measured is None:
+            return ""
+        score, band = candidate.measured.score, LABELS[candidate.difficulty]
+        if score in band:
+            return ""
+        return f"too {'hard' if score > band.most else 'easy'}: a score of {score} for {candidate.difficulty}"
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """What is measured."""
+        found = candidate.measured
+        if found is not None:
+            yield f"laws {found.laws}, phases {found.phases}, unknowns together {found.unknowns}, score {found.score}"
+
+
+FILTERS.add("difficulty", Difficulty())

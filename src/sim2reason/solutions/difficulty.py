@@ -1,0 +1,149 @@
+"""How difficult a problem is, measured by its worked solution.
+
+The score adds up what makes a problem hard for a solver: how many laws have to be chosen, how many phases a motion has,
+how many unknowns have to be found together, and what mathematics it takes to finish. `docs/difficulty.md` explains it.
+"""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import inf, isfinite
+
+from sim2reason.questions.need import Need
+from sim2reason.recipes import Difficulty
+from sim2reason.simulation.trace import Trace, happened
+from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
+from sim2reason.solutions.algebra.functions import Power, Root
+from sim2reason.solutions.closed_forms.gathering import symbols_in
+from sim2reason.solutions.solution import Relation, Solution
+
+SQUARE = 2
+PHASE = 2  # points of the score for each further phase: its beginning has to be found, and its laws chosen anew
+REPEATED = 4  # phases, after which more of them only repeat what was done
+_SUBSCRIPT = re.compile(r"_(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z0-9])|'+")
+
+
+@dataclass(frozen=True, slots=True)
+class Band:
+    """The scores that problems of a label may have, both ends included, and what that means in words."""
+
+    least: float
+    most: float
+    meaning: str
+
+    @property
+    def told(self) -> str:
+        """The scores in words."""
+        if not isfinite(self.least):
+            return f"at most {self.most:g}"
+        return f"{self.least:g} to {self.most:g}" if isfinite(self.most) else f"at least {self.least:g}"
+
+    def __contains__(self, score: int) -> bool:
+        """Return whether a problem of this score may have the label."""
+        return self.least <= score <= self.most
+
+
+LABELS: Mapping[Difficulty, Band] = {
+    "easy": Band(-inf, 9, "a few laws that belong to one idea, few unknowns"),
+    "medium": Band(3, 14, "several laws that have to be put together, or two phases of a motion"),
+    "hard": Band(5, inf, "many laws, several bodies whose equations are solved together, or several phases"),
+}
+"""What the labels of difficulty mean. Neighbours overlap: the label is ordered, the score is measured."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What a worked solution takes.
+
+    Attributes:
+        laws: how many different laws of physics it uses; one that holds for several bodies, or again, counts once.
+        phases: of the motion, each between two events.
+        unknowns: the most that have to be found together, from equations none of which holds one alone.
+        needs: what mathematics it takes.
+    """
+
+    laws: int
+    phases: int
+    unknowns: int
+    needs: Need
+
+    @property
+    def score(self) -> int:
+        """A point for each law, each unknown beside the first and each step of need, and two for a further phase."""
+        further = min(self.phases, REPEATED) - 1
+        return self.laws + PHASE * further + (self.unknowns - 1) + int(self.needs)
+
+
+def measured(solution: Solution, events: int = 0) -> Measured:
+    """Return what a solution takes, of a motion with so many events before what is asked about."""
+    phases = max(len(solution.phases), 1 + events)
+    return Measured(different_laws(solution), phases, unknowns_together(solution), solution.needs)
+
+
+def number_of_events(trace: Trace, time: float | None) -> int:
+    """Return how many times before a time, s, something changes what acts; before the end of the motion without one."""
+    until = trace.stable_until if time is None else time
+    return len({event.time for event in happened(trace.events, until)})
+
+
+def different_laws(found: Solution) -> int:
+    """Return how many laws a solution tells that differ by more than subscripts."""
+    return len({_SUBSCRIPT.sub("", law.latex()) for law in _laws(found)})
+
+
+def number_of_laws(found: Solution) -> int:
+    """Return how many laws of physics a solution tells.
+
+    A multiple or a sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, is none, nor is a number, as a = 0 in a limiting
+    case, or the size of a vector.
+    """
+    return sum(1 for _ in _laws(found))
+
+
+def _laws(found: Solution) -> Iterator[Relation]:
+    return (relation for relation in found.relations if relation.role == "law" and not _is_bookkeeping(relation))
+
+
+def unknowns_together(found: Solution) -> int:
+    """Return the size of the largest set of names without a value that laws connect with each other; at least 1."""
+    groups: list[set[str]] = []
+    for names in _unknowns_of_laws(found):
+        touching = [group for group in groups if not group.isdisjoint(names)]
+        groups = [group for group in groups if group.isdisjoint(names)]
+        groups.append(names.union(*touching))
+    return max((len(group) for group in groups), default=1)
+
+
+def _unknowns_of_laws(found: Solution) -> Iterator[set[str]]:
+    """The names in each law that have no value where it is told; a law that only defines a name has none."""
+    known: set[str] = set()
+    for step in found.steps:
+        for relation in step.relations:
+            defined = {relation.left.name} if isinstance(relation.left, Symbol) else set[str]()
+            if relation.role in ("given", "result"):
+                known |= defined
+            elif relation.role == "law":
+                new = defined & {*step.gives} - known
+                names = {*relation.symbols()} - known - new
+                known |= new
+                if names:
+                    yield names
+        known.update(step.gives)
+
+
+def is_vector(held: Expression) -> bool:
+    """Return whether a formula is the size of a vector by its components."""
+    squares = isinstance(held, Root) and isinstance(held.inside, Sum) and held.inside.terms
+    return bool(squares) and all(isinstance(term, Power) and term.exponent == SQUARE for term in squares)
+
+
+def _is_bookkeeping(relation: Relation) -> bool:
+    if not isinstance(relation.left, Symbol):
+        return False
+    if isinstance(relation.right, Sum):
+        return all(map(_is_multiple, relation.right.terms))
+    return is_vector(relation.right) or _is_multiple(relation.right)
+
+
+def _is_multiple(held: Expression) -> bool:
+    return symbols_in(held) <= 1

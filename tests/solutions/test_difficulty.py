@@ -1,0 +1,120 @@
+"""How difficult a problem is by its solution, and what the docs say of labels."""
+
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from sim2reason.datasets.items import made
+from sim2reason.datasets.request import Request
+from sim2reason.filters import FILTERS
+from sim2reason.questions.need import MEANINGS, Need
+from sim2reason.recipes import DIFFICULTIES
+from sim2reason.solutions import STRATEGIES, Solution, Step
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Root
+from sim2reason.solutions.difficulty import LABELS, Measured, different_laws, measured, unknowns_together
+from sim2reason.solutions.solution import Phase, Relation
+
+PAGE = Path(__file__).parents[2] / "docs" / "difficulty.md"
+F, M, A, B, T, V = (Symbol(name) for name in ("F", "m_A", "a_A", "m_B", "T", "v"))
+
+
+def law(left: Expression, right: Expression) -> Relation:
+    return Relation(left, right, "law")
+
+
+def step(*relations: Relation, gives: tuple[str, ...] = ()) -> Step:
+    return Step(0, "newton", "", relations, gives, ())
+
+
+GIVEN = step(*(Relation(name, Number(1.0), "given") for name in (F, M, B)))
+TOGETHER = step(law(M * A, F - T), law(B * A, T))
+SOLVED = step(Relation(A, F / (M + B), "result"), gives=("a_A",))
+
+
+def solution(*steps: Step, phases: int = 0) -> Solution:
+    return Solution("s", steps, goal="a_A", answer=0.5, phases=tuple(Phase("", "") for _ in range(phases)))
+
+
+def test_unknowns_that_laws_connect_are_found_together() -> None:
+    """The acceleration and the tension of two blocks; a speed that a law defines is none."""
+    assert unknowns_together(solution(GIVEN, TOGETHER, SOLVED)) == 2
+    alone = step(law(V, Root(A * F)), gives=("v",))
+    assert unknowns_together(solution(GIVEN, TOGETHER, SOLVED, alone)) == 2
+    assert unknowns_together(solution(GIVEN, SOLVED)) == 1
+
+
+def test_a_law_that_holds_for_another_body_is_the_same() -> None:
+    """Apart from subscripts; another form is another law."""
+    found = solution(
+        step(law(Symbol("m_A") * Symbol("a_A"), F), law(Symbol("m_B") * Symbol("a_{B,2}"), F), law(T, F * V))
+    )
+    assert different_laws(found) == 2
+
+
+def test_the_score_adds_up() -> None:
+    """Two laws, a second unknown, and two points for each further phase but the fifth and later ones."""
+    whole = solution(GIVEN, TOGETHER, SOLVED)
+    assert measured(whole) == Measured(laws=2, phases=1, unknowns=2, needs=Need.ARITHMETIC)
+    assert measured(whole).score == 3
+    assert measured(whole, events=2).score == measured(solution(*whole.steps, phases=3)).score == 7
+    assert measured(whole, events=9).score == 9
+    rooted = solution(GIVEN, TOGETHER, step(Relation(A, Root(F), "result"), gives=("a_A",)))
+    assert measured(rooted).score == 4
+
+
+def test_what_only_assumptions_are_verified_by_needs_nothing() -> None:
+    checked = step(Relation(V, Root(F), "verified"))
+    assert solution(GIVEN, SOLVED, checked).needs == Need.ARITHMETIC
+    integrated = step(Relation(V, Number(1.0), "integrated"))
+    assert solution(GIVEN, integrated).needs == Need.INTEGRATION
+    assert Solution("", reason="none").needs == Need.INTEGRATION
+
+
+def test_the_page_has_the_tables_of_the_code() -> None:
+    """Labels and needs, each row as it is declared."""
+    lines = PAGE.read_text(encoding="utf-8").splitlines()
+    labels = [f"| {name} | {band.told} | {band.meaning} |" for name, band in LABELS.items()]
+    needs = [f"| {need.label} | {meaning} |" for need, meaning in MEANINGS.items()]
+    for rows in (labels, needs):
+        first = lines.index(rows[0])
+        assert lines[first : first + len(rows) + 1] == [*rows, ""]
+    assert tuple(LABELS) == DIFFICULTIES
+    assert set(MEANINGS) == set(Need)
+
+
+def test_bands_ascend_and_overlap() -> None:
+    bands = [LABELS[name] for name in DIFFICULTIES]
+    for easier, harder in pairwise(bands):
+        assert easier.least < harder.least <= easier.most < harder.most
+
+
+@pytest.mark.parametrize("recipe", ["pulley", "incline", "projectile"])
+def test_an_item_fits_its_label(recipe: str) -> None:
+    """By the numbers that it carries, which are those of its solution."""
+    for label in DIFFICULTIES:
+        item, found = made(Request(recipe, label, "numeric", 21, 0))
+        assert item.measured is not None
+        assert item.measured.score in LABELS[label]
+        assert found.measured is not None
+        assert item.measured.score == found.measured.score
+        assert item.measured.laws == found.measured.laws
+
+
+def test_a_question_of_another_difficulty_is_refused() -> None:
+    """Only where a label was ordered."""
+    _, found = made(Request("pulley", "hard", "numeric", 21, 0))
+    candidate, difficulty = found.candidate, FILTERS["difficulty"]
+    assert candidate.measured is not None
+    assert not difficulty.reason(candidate)
+    easy = replace(candidate, difficulty="easy")
+    hard = candidate.measured.score not in LABELS["easy"]
+    assert difficulty.reason(easy).startswith("too hard: ") == hard
+    assert not difficulty.reason(replace(easy, labelled=False))
+
+
+def test_every_strategy_declares_whether_it_integrates() -> None:
+    """So that a need is known without a numerical integration."""
+    assert [found.name for found in STRATEGIES.values() if found.integrates] == ["integration"]
