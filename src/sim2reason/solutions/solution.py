@@ -178,6 +178,7 @@ class Solution:
         None  # the unit that the text asks for, and what one of the answer's is in it
     )
     whole: bool = False  # the answer is a count
+    applies: bool = True  # whether the strategy has a way to the question at all
 
     @property
     def needs(self) -> Need:

@@ -53,12 +53,12 @@ def solve(setting: Setting, *, derived: bool = False) -> Solution:
             continue
         found = found if derived else verified(found, setting)
         if found.answer is None:
-            reasons.append(f"{strategy.name}: {found.reason}")
+            reasons += [f"{strategy.name}: {found.reason}"] if found.applies else []
         elif found.needs <= ELEMENTARY:
             return found
         elif best is None or found.needs < best.needs:
             best = found
-    return best or Solution("", reason=f"no strategy applies: {'; '.join(reasons)}")
+    return best or Solution("", reason="; ".join(reasons) or "no strategy has a way to the question")
 
 
 def by(strategy: Strategy, setting: Setting) -> Solution:
@@ -67,7 +67,7 @@ def by(strategy: Strategy, setting: Setting) -> Solution:
     refused = "" if kind in strategy.kinds else f"no way to the kind {kind}"
     refused = refused or strategy.unfit(setting.mechanism) or strategy.refusal(setting)
     if refused:
-        return Solution(strategy.name, reason=refused)
+        return Solution(strategy.name, reason=refused, applies=False)
     found = _written(strategy, setting)
     if setting.formula is None or found.answer is None:
         return found

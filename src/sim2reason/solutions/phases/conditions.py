@@ -126,10 +126,10 @@ def _margins(assembly: Assembly, number: int) -> tuple[Quantity, ...]:
 
 def _burnt(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
     del event
-    pairs = zip(equations.lexicon.mechanism.burns, equations.lexicon.twin.burns, strict=True)
-    here, there = next(pairs)
-    end = equations.motion.number(Both(here.until, there.until))
-    return (Polynomial.of(equations.names.time) - end).expression(), "the fuel is used up"
+    here, there = equations.lexicon.mechanism.burns[0], equations.lexicon.twin.burns[0]
+    rate = equations.motion.number(Both(here.rate, there.rate))
+    fuel = equations.motion.number(Both(here.rate * here.until, there.rate * there.until))
+    return (rate * Polynomial.of(equations.names.time) - fuel).expression(), "the fuel is used up"
 
 
 EVENTS: Mapping[str, Callable[[PhaseEquations, Event], tuple[Expression, str]]] = {

@@ -74,7 +74,8 @@ def _introduction(names: Names, choices: list[_Choice]) -> str:
     said = [f"${place.name}$ be {choice.description}" for place, choice in zip(names.places, choices, strict=True)]
     pairs = zip(names.places, names.rates, names.accelerations, strict=True)
     derived = [f"${v.name} = {_dotted(q)}$, ${a.name} = {_dotted(v)}$" for q, v, a in pairs]
-    return f"Let {joined(said)}; their derivatives are {', '.join(derived)}."
+    whose = "its derivatives are" if len(said) == 1 else "their derivatives are"
+    return f"Let {joined(said)}; {whose} {', '.join(derived)}."
 
 
 def _dotted(symbol: Symbol) -> str:
